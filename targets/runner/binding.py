@@ -70,7 +70,7 @@ EXACT: Mapping[str, TargetFormat] = {
 """For each type that is written to a target, a format that can hold every value of it."""
 
 WINDINGS: Mapping[str, Winding] = {"counter_clockwise": "ccw", "clockwise": "cw"}
-"""What drivers call the ways in which the corners of a front go around."""
+"""The drivers' words for the winding of front faces."""
 
 VERTEX_FORMATS: Mapping[str, VertexFormat] = {
     "float": "float32", "vec2": "float32x2", "vec3": "float32x3", "vec4": "float32x4",
@@ -198,14 +198,17 @@ def _equation(row: blending.BlendEquation) -> BlendEquation:
 
 
 def shows_less(reflection: Reflection) -> bool:
-    """Whether targets that are drawn to as the pass declares them show something else than the
-    numbers that shaders write: because of what is there before, or of several samples."""
+    """True if drawing to the targets, as the pass declares them, hides the numbers that shaders
+    write.
+
+    Blending, or several samples, then mix these numbers with others.
+    """
     joined = reflection.render_state.samples > 1
     return joined or any(map(keeps_something, reflection.targets))
 
 
 def keeps_something(row: TargetRow) -> bool:
-    """Whether something is left of what is there, where one of the reflection's targets is drawn
+    """True if a target of the reflection keeps something of its old contents when it is drawn
     to."""
     return row.blend is not None or row.mask != ALL_LANES
 

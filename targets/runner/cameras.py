@@ -20,7 +20,7 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Camera:
-    """It looks along -z of its own space, with y upwards."""
+    """A camera that looks along -z of its own space, with y upwards."""
 
     eye: Vector
     world_to_camera: Matrix
@@ -30,7 +30,7 @@ class Camera:
     fov: float | None
     """The vertical angle of view from bottom to top; ``None`` without perspective."""
     height: float = 2.0
-    """Without perspective: how much it sees from bottom to top."""
+    """Without perspective: the height that it sees, from bottom to top."""
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform; ``aspect`` is width divided by height."""

@@ -40,7 +40,7 @@ class Vertices:
     members: Mapping[str, NDArray[Any]]
     """By the name of the capture, of shape (vertices, lanes)."""
     primitive: str
-    """What they are: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
+    """The primitives: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
     count: int
 
     def mesh(self) -> Mesh:
@@ -64,7 +64,7 @@ _WIDE = {"f": np.float64, "i": np.int64, "u": np.int64}
 def capture(
     subject: Subject, state: SceneState, route: Route, runner: Runner, toolchain: Toolchain
 ) -> Vertices:
-    """What a pass captures of a mesh, by a route.
+    """The vertices that a pass captures of a mesh, by a route.
 
     Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``, also for a
     pass that captures nothing.
@@ -80,7 +80,7 @@ def capture(
 def captured_by(
     route: Route, bound: Pipeline, states: Sequence[SceneState], runner: Runner
 ) -> list[Vertices]:
-    """What a route captures of each state, by a stream output or by a kernel.
+    """The vertices that a route captures for each state, by a stream output or by a kernel.
 
     All states are of one material. Raises ``DriverError``.
     """
@@ -121,7 +121,7 @@ def _of_elements(row: VertexInputRow, state: SceneState) -> NDArray[Any]:
 
 
 def _compacted(state: SceneState, written: Written) -> Captured:
-    """What a kernel has written, without the vertices that are not there."""
+    """The vertices that a kernel has written, without those that it marks as absent."""
     row = _capture(state.instance.reflection)
     assert row.buffer is not None, "a kernel captures"
     data = elements_of(state.instance, written)[row.buffer]
@@ -138,7 +138,7 @@ def most(state: SceneState) -> int:
 
 
 def vertices(reflection: Reflection, captured: Captured) -> Vertices:
-    """What was captured, as arrays."""
+    """Captured vertices as arrays."""
     row = _capture(reflection)
     words = np.frombuffer(captured.data, np.uint8).reshape(captured.count, row.stride)
     members = {each.name: _member(words, each) for each in row.members}

@@ -60,7 +60,7 @@ class Request:
 
     route: Route
     files: Sequence[ShaderFile]
-    """Its texts; those of other profiles are ignored."""
+    """The material's texts; those of other profiles are ignored."""
 
 
 @dataclass(frozen=True, slots=True)

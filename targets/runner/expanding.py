@@ -26,7 +26,7 @@ Values = Mapping[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What a draw call gets."""
+    """The vertices and instances of a draw call."""
 
     attributes: Values
     """By vertex input, of shape (vertices or instances, lanes)."""
@@ -37,7 +37,7 @@ class Drawn:
 
 
 def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
-    """What is drawn of a mesh; ``data`` are its values by the names of declared vertex inputs."""
+    """The draw call for a mesh; ``data`` are its values by the names of declared vertex inputs."""
     reflection = instance.reflection
     draw = reflection.draw
     if draw.tessellation is not None:

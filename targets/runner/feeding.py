@@ -64,7 +64,7 @@ class Feeding:
 
     @property
     def kernels(self) -> Sequence[Kernel]:
-        """Those that are run, in this order."""
+        """The kernels that are run, in this order."""
         return self._order
 
     def unfed(self, instance: Instance) -> list[str]:

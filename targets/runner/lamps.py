@@ -45,7 +45,7 @@ class Lamp:
     """At which distance nothing is left of it."""
 
     def value(self, role: str) -> Any:
-        """What the scene calls so."""
+        """The value of the lamp for a role, which is the scene's word for it."""
         match role:
             case "towards_object":
                 return self.direction
@@ -81,7 +81,7 @@ def left_over(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles
 def _shared(
     lights: Sequence[LightRow], lamps: Sequence[Lamp], roles: Sequence[Roles]
 ) -> list[list[Lamp]]:
-    """Which lights of a file each light of a rig gets: the next of its kind."""
+    """The lights of a file that each light of a rig gets: the next ones of its kind."""
     waiting: dict[LampKind, list[Lamp]] = {"directional": [], "point": [], "spot": []}
     for lamp in lamps:
         waiting[lamp.kind].append(lamp)

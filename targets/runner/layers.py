@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 
 def single_draws(draw: Draw) -> tuple[Draw, ...]:
-    """What drivers draw: one draw for each layer, or the draw itself if it has no layers."""
+    """The draws that drivers make: one for each layer, or the draw itself if it has no layers."""
     if not draw.layers:
         return (draw,)
     return tuple(replace(draw, blocks=blocks, layers=()) for blocks in draw.layers)

@@ -1,4 +1,4 @@
-"""What a file says about one surface, by words that ``stdlib/scene.toml`` gives a meaning."""
+"""The surface of an object as a file describes it, in words that ``stdlib/scene.toml`` maps."""
 
 from __future__ import annotations
 

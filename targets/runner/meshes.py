@@ -21,7 +21,7 @@ CHANNELS = {
     "position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4, "uv2": 2, "joints": 4,
     "weights": 4,
 }  # fmt: skip
-"""What a mesh may have at each vertex, with the number of lanes.
+"""The values that a mesh may have at each vertex, with the number of lanes.
 
 ``uv`` has v pointing downwards. ``tangent`` points along u; its w is the sign with which
 ``cross(normal, tangent)`` points up, against v. ``color`` is linear, with alpha last. ``uv2`` are
@@ -199,8 +199,11 @@ def knot(along: int = 192, across: int = 16, tube: float = 0.13) -> Mesh:
 
 
 def _revolved(profile: Sequence[tuple[float, float, float, float]], around: int) -> Mesh:
-    """What a profile sweeps around the y axis: from the top to the bottom, each time a distance to
-    the axis, a height, and both of its normal. A point that stands twice is an edge."""
+    """The surface that a profile sweeps around the y axis.
+
+    The profile goes from the top to the bottom. Each of its points has a distance to the axis, a
+    height, and both of its normal. A point that stands twice is an edge.
+    """
     rows = np.array(profile)
     steps = np.linalg.norm(np.diff(rows[:, :2], axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()

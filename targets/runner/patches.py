@@ -61,7 +61,7 @@ _OfGrid = Callable[[Indices, int, Sequence[int]], Indices]
 
 
 def _of_grids(kind: Patch, points: int) -> _OfGrid | None:
-    """What makes patches of grids; ``None`` if triangles and edges are such patches anyway."""
+    """The function that makes patches of grids; ``None`` if triangles or edges are such patches."""
     if kind == "quad":
         return _windows if isqrt(points) ** 2 == points else _between_corners
     if points == PATCH_KINDS[kind].ends:

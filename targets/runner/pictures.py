@@ -42,7 +42,7 @@ def check_format(path: Path) -> None:
 
 
 def keeps_numbers(path: Path) -> bool:
-    """Whether files with this ending have a target's numbers, instead of what a screen shows."""
+    """True if files with this ending keep a target's numbers, instead of what a screen shows."""
     return format_of(path) is not None
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from .meshes import Indices, Mesh
 
 PRIMITIVES: Mapping[str, Callable[[Mesh], Indices]]
-"""What makes the primitives of each kind: the vertices at their corners, (primitives, corners)."""
+"""Makes the primitives of each kind: the vertices at their corners, (primitives, corners)."""
 
 
 _DECIMALS = 5

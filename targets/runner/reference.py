@@ -39,8 +39,8 @@ Progress = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
 
 _BYTES_OF_TEXEL = 100
-"""What the reference takes for each texel of all levels, with the bounds of what devices read, as
-measured."""
+"""Bytes that the reference takes for each texel of all levels, with the bounds of what devices
+read, as measured."""
 
 
 def expected(
@@ -73,7 +73,7 @@ def expected(
 
 
 Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
-"""What draws a picture: ``expected``, or that of ``reference_process.References``."""
+"""Draws a picture: ``expected``, or the method of ``reference_process.References``."""
 
 
 def values_for(

@@ -45,7 +45,7 @@ class References(Closing):
     def expected(
         self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
     ) -> Expected:
-        """What ``reference.expected`` returns, and the same errors."""
+        """Draw like ``reference.expected``: the same result, and the same errors."""
         question = self._size and _question(shader, state, rules, errors)
         if question:
             with self._pool.borrow() as worker:
@@ -62,7 +62,7 @@ class References(Closing):
 def _question(
     shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
 ) -> str | None:
-    """What a process has to know; ``None`` if the graph is too deep to be sent."""
+    """The data for a process, encoded; ``None`` if the graph is too deep to be sent."""
     # Results hold their nodes. The graph, in which passes look for equal nodes, stays here.
     bare = changed(shader, graph=Graph(), notes=Notes())
     try:

@@ -32,15 +32,15 @@ class DriverRow:
     arguments: tuple[str, ...] = ()
     """The worker's arguments; ``{name}`` is replaced by the path of that tool's first file."""
     one_worker: bool = False
-    """Whether one process is enough, because it starts slowly and uses all cores anyway."""
+    """True if one process is enough, because it starts slowly and uses all cores anyway."""
     any_device: bool = False
-    """Whether it draws with any device of the machine, which ``--device`` names."""
+    """True if the driver draws with any device of the machine, which ``--device`` names."""
     limits: Limits = WORKERS
-    """What the worker may take."""
+    """Limits of the worker's memory and time."""
 
     @property
     def draws_packages(self) -> bool:
-        """Whether it executes frames in a web page, by their packages."""
+        """True if the driver draws frames in a web page, from their packages."""
         return self.name in _PACKAGE_DRIVERS
 
     def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
@@ -84,7 +84,7 @@ class Route:
 
     @property
     def bottom_up(self) -> bool:
-        """Whether the picture's lowest row is the first one that is drawn."""
+        """True if the picture's lowest row is drawn first."""
         return self.profile in _BOTTOM_UP
 
     @property

@@ -115,7 +115,10 @@ class Runner(Closing):
         return made
 
     def compute(self, route: Route, job: KernelJob) -> tuple[Written, ...]:
-        """What each dispatch of the job writes. Raises ``DriverError`` and ``BudgetError``."""
+        """Run a kernel job: returns what each dispatch writes.
+
+        Raises ``DriverError`` and ``BudgetError``.
+        """
         check_dispatches(job)
         answer = self._ask(route.driver, {"kernel": to_json(job)})
         return tuple(from_json(Written, written) for written in answer["written"])
@@ -128,15 +131,17 @@ class Runner(Closing):
         return tuple(from_json(Captured, captured) for captured in answer["captured"])
 
     def draw_frame(self, route: Route, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         answer = self._ask(route.driver, {"frame": to_json(job)})
         return from_json(Found, answer["found"])
 
     def draw_package(
         self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
     ) -> tuple[FrameTexels, ...]:
-        """What some outputs of a frame show that a web page draws ``count`` times. Raises
-        ``DriverError``."""
+        """Draw a frame ``count`` times in a web page: returns the texels of some of its outputs.
+
+        Raises ``DriverError``.
+        """
         request = {"whole": package, "outputs": list(outputs), "count": count}
         answer = self._ask(route.driver, {"package": request})
         return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])

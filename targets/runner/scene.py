@@ -51,7 +51,7 @@ class Scene:
     lamps: tuple[Lamp, ...] = ()
     """The lights of a file; without any, lights are made up."""
     look: Look = PLAIN
-    """What a file says about the object's surface."""
+    """The surface of the object as a file describes it."""
     bones: Matrix | None = None
     """The transform of each bone (bones, 4, 4); ``None`` for the bones of the meshes here."""
 
@@ -98,7 +98,7 @@ class Scene:
 
 
 def _all_roles(instance: HostValues) -> list[dict[str, str]]:
-    """What a scene sets of each light of the rig."""
+    """The roles of each light's parameters in a scene."""
     parameters = _by_name(instance.declared)
     return [dict(light_roles(parameters, row)) for row in instance.declared.lights]
 
@@ -125,10 +125,10 @@ def _by_name(declared: Declared) -> Mapping[str, ParameterRow]:
 
 
 def _light_role(row: ParameterRow | MemberRow) -> str | None:
-    """What a scene calls the value of a light's parameter, if it has one for it.
+    """The scene's word for a light's parameter, if it has a value for it.
 
-    A declaration of the library says this, or else the type of a parameter without a default. Names
-    say nothing: a parameter of one's own may have any.
+    A declaration of the library decides this, or else the type of a parameter without a default.
+    Names decide nothing: a parameter of one's own may have any name.
     """
     names = scene_names()
     known = names["parameters"].get(row.library or "")
@@ -149,7 +149,7 @@ def set_by_scene(declared: Declared) -> set[str]:
 
 _POSE = "pose"
 _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", _POSE)
-"""What a scene calls the values that are not a light's."""
+"""The scene's words for the values that are not a light's."""
 
 
 def value_roles(declared: Declared | FramePlan) -> dict[str, str]:
@@ -244,7 +244,7 @@ def _own(name: str) -> str:
 
 
 def is_instanced(reflection: Reflection) -> bool:
-    """Whether a shader distinguishes instances of the mesh."""
+    """True if a shader distinguishes instances of the mesh."""
     rows = reflection.vertex_inputs
     draw = reflection.draw
     if "instances" in (draw.expanded_by, draw.tessellation and draw.tessellation.divided_by):

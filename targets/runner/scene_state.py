@@ -42,7 +42,7 @@ class SceneState:
     """The clear colour of each render target."""
     instance_count: int = 1
     blend_constant: Color = CLEAR
-    """What the factor ``constant`` means where a target is blended."""
+    """The colour of the blend factor ``constant``, for all targets."""
 
     def geometry(self) -> Geometry:
         """The triangles of all instances, in the form that the reference takes."""

@@ -34,9 +34,9 @@ class Panel:
     problem: str = ""
     """Two or three words that say why there is no picture; they are written in its place."""
     numbers: NDArray[np.float64] | None = None
-    """What the image shows, of shape (height, width, 4): linear, and not limited to 0..1."""
+    """The image's numbers, of shape (height, width, 4): linear, and not limited to 0..1."""
     lanes: int = 4
-    """How many lanes of the numbers the render target has."""
+    """The number of lanes that the render target has."""
 
 
 def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:

@@ -69,8 +69,7 @@ class ReferenceFrames:
     """But for the sizes, which are those of the steps."""
     errors: Errors | None = None
     shader_of: Callable[[int], Shader] | None = None
-    """What the shader of a number computes, if that is not what it means: what a profile's text
-    does."""
+    """The shader of a number as it is computed, if that is not the meant one: a profile's text."""
     frames: int = 0
     """How many have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
@@ -80,7 +79,7 @@ class ReferenceFrames:
     counted: Counted = frozenset()
     """The rare rules on which it hangs what has been drawn so far."""
     told: Progress | None = None
-    """What is told how much of the present step, layer and draw is done."""
+    """Called with the finished share of the present step, layer and draw."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -113,7 +112,7 @@ class ReferenceFrames:
         self.frames += 1
 
     def output(self, name: str) -> Drawn:
-        """What an output of the last frame shows."""
+        """The texture that an output of the last frame shows."""
         texture = self.host.plan.output_texture(name)
         assert texture is not None, "it is no buffer"
         return self.textures[texture]
@@ -284,7 +283,7 @@ def _as_pass(step: RunStep) -> DrawStep:
 
 
 def _part_of(progress: Progress | None, number: int, total: int) -> Progress | None:
-    """What is told of one of several parts of the work, as what is told of all of it."""
+    """The progress of one of several parts of the work, as progress of all of it."""
     if progress is None:
         return None
     return lambda share: progress((number + share) / total)

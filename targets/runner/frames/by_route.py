@@ -60,7 +60,7 @@ WORD = 4
 
 
 def lacking(subject: FrameSubject, route: Route) -> str | None:
-    """What a route lacks to draw a frame, or ``None``."""
+    """The feature that a route lacks to draw a frame, or ``None``."""
     every = (shader.lacking.get(route.profile) for shader in subject.shaders)
     return next(filter(None, every), None)
 
@@ -81,7 +81,7 @@ def draw_frames(
 def frame_job(
     host: FrameHost, route: Route, codes: Sequence[Codes], outputs: Sequence[str], count: int
 ) -> FrameJob:
-    """What a driver is asked to do for some frames, and to bring back these outputs of each.
+    """The job of a driver that draws some frames, and reads these outputs of each back.
 
     ``codes`` are those of the plan's shaders.
     """
@@ -93,7 +93,7 @@ def frame_job(
 
 
 def array_of(texels: FrameTexels) -> Floats:
-    """What came back of a texture: (layers, height, width, 4)."""
+    """The texels of a texture that was read back: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
 
@@ -121,8 +121,8 @@ class _Job:
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
         self._bytes = Tally("memory", f"the buffers and textures of {host.plan.frame} take")
-        """What kernels write, whose sizes are known when they are run; ``_shared_memory`` counts
-        all other textures."""
+        """Bytes of the textures that kernels write: their sizes are known when the kernels are run.
+        ``_shared_memory`` counts all other textures."""
         self._memory: dict[int, int] = {}
         """For textures of the plan that take turns in the same memory, a number of the latter."""
         self._steps: list[FrameStep] = []
@@ -240,7 +240,7 @@ class _Job:
     def _buffer_barriers(
         self, place: PlanStep | WaitingRow, is_first: bool
     ) -> tuple[BufferBarrier, ...]:
-        """What is waited for of the job's own buffers; a kernel's have been made."""
+        """The barriers of the job's own buffers; a kernel's buffers have been made."""
         return tuple(
             BufferBarrier(self._buffer_of[row.result], row.before, row.after)
             for row in place.buffer_barriers
@@ -446,7 +446,7 @@ def _shared_memory(host: FrameHost) -> dict[int, int]:
 
 
 def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:
-    """What the plan's images are, which kernels write: some routes draw them in a pass."""
+    """The use of the plan's images that kernels write: some routes draw them in a pass."""
     drawn = any(
         has_images(shader.reflection) and not made.images
         for shader, made in zip(host.shaders, pipelines, strict=True)

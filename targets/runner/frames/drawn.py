@@ -35,7 +35,7 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 DEPTHS, STENCILS = "depth", "stencil8"
-"""What the formats of depths begin with, and end with if there are stencil values."""
+"""The beginning of depth formats, and their ending if there are stencil values."""
 _BESIDE = 20
 """Bytes of each texel besides its lanes: what is undecided, stencil values, and faces."""
 _ENDS = 3
@@ -147,7 +147,7 @@ def _load_stencil(canvas: Canvas, depth: AttachmentRow, layer: int, textures: Te
 
 
 def _samples(target: AttachmentRow, layer: int, textures: Textures) -> Floats:
-    """What is there of a layer and level: (3, samples, lanes)."""
+    """The contents of a layer and level: (3, samples, lanes)."""
     texture, at, level = _place(target, layer)
     found = textures[texture].levels[level][:, at]
     return found.reshape(_ENDS, -1, found.shape[-1])

@@ -34,11 +34,11 @@ class Carried:
     """Something that a step reads which other steps have made."""
 
     name: str
-    """What the step's shader calls it; empty for ``BEFORE``."""
+    """The name of the input in the step's shader; empty for ``BEFORE``."""
     result: str
-    """What has made it: ``step.target``."""
+    """The source of the contents: ``step.target``."""
     apart: float
-    """How far the pixel's bounds would be apart if it were exact."""
+    """The distance of the pixel's bounds if this input were exact."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,11 +47,11 @@ class Made:
 
     step: str
     apart: float
-    """How far its bounds are apart, in the lane where they are farthest."""
+    """The distance of the pixel's bounds, in the lane where it is the largest."""
     carried: tuple[Carried, ...]
-    """What the step reads, that which carries most first."""
+    """The inputs of the step; the one that carries most error comes first."""
     alone: float
-    """How far they would be apart if all that it reads were exact."""
+    """The distance of the bounds if all inputs of the step were exact."""
     explanation: Explanation | None
     """Why the shader makes errors; ``None`` where the step has only cleared the pixel, and for
     depths, which no shader of fragments computes."""
@@ -65,7 +65,7 @@ class _Layer:
     draws: list[FrameDraw]
     layer: int
     before: Mapping[int, Drawn]
-    """What was in the textures to which it draws."""
+    """The contents of the textures to which the step draws, before it draws."""
 
 
 @dataclass(slots=True)
@@ -73,12 +73,12 @@ class FollowedFrames(ReferenceFrames):
     """Frames of which one pixel of a texture is followed, with the rounding of a device."""
 
     texture: int = 0
-    """What the output shows, before the frame ends."""
+    """The number of the texture that the output shows, before the frame ends."""
     layer: int = 0
     pixel: tuple[int, int] = (0, 0)
-    """Its column and its row in the first level."""
+    """The pixel's column and row in the first level."""
     made: dict[int, Made] = field(default_factory=dict)
-    """By texture: how the pixel came about that it has now."""
+    """By texture: the origin of the pixel's present value."""
 
     @property
     def found(self) -> Made | None:
@@ -108,7 +108,7 @@ class FollowedFrames(ReferenceFrames):
             self._follow(_Layer(step, draws, layer, before), target)
 
     def _followed(self, step: DrawStep, layer: int) -> Iterator[AttachmentRow]:
-        """What a step draws to that has the pixel."""
+        """The attachments of a step that contain the pixel."""
         wanted = self._same_textures()
         for target in step.attachments:
             for place in target.places:

@@ -50,7 +50,7 @@ NUMBERS = 1 << 24
 """How many frames are told apart: then `number` is 0 again."""
 
 MOST_VERTICES = 1 << 24
-"""That a step draws without models: as many as float32 can tell apart."""
+"""The largest number of vertices of a step without models: as many as float32 can tell apart."""
 
 
 class PlannedFrame(Protocol):
@@ -62,7 +62,7 @@ class PlannedFrame(Protocol):
 
     @property
     def plan(self) -> FramePlan:
-        """What a host does."""
+        """The plan that a host executes."""
 
     @property
     def shaders(self) -> Sequence[Subject]:
@@ -74,16 +74,16 @@ class FrameSubject(PlannedFrame, Protocol):
 
     @property
     def plan_of_reference(self) -> FramePlan:
-        """What the reference does: a plan of its own, in which results share nothing."""
+        """The plan that the reference executes: one of its own, in which results share nothing."""
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
-    """Whether something compiled is a frame."""
+    """True if something compiled is a frame."""
     return not is_shader(subject)
 
 
 def is_shader(subject: Subject | FrameSubject) -> TypeGuard[Subject]:
-    """Whether something compiled is a material or a kernel, and no frame."""
+    """True if something compiled is a material or a kernel, and no frame."""
     return hasattr(subject, "files")
 
 
@@ -102,8 +102,8 @@ class FrameDraw:
 
     shader: int
     state: SceneState
-    """What is drawn; its instance has the values that the host knows. What steps have made is not
-    among its textures and buffers."""
+    """The state of the draw; its instance has the values that the host knows. Results of steps are
+    not among its textures and buffers."""
     reads: Mapping[str, Read]
     """By the shader's name for a texture or a buffer."""
 
@@ -119,17 +119,17 @@ def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
 
 
 KERNEL = bare_mesh(3)
-"""What is drawn where a kernel is drawn: all pixels of a texture."""
+"""The mesh of a kernel that is drawn: it covers all pixels of a texture."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Onto:
-    """What a step draws to."""
+    """The targets of a step."""
 
     size: tuple[int, int]
     """The width and height of its targets."""
     seen: tuple[int, int]
-    """Those of what a camera sees: of the viewport."""
+    """The width and height of the viewport, which a camera fills."""
 
 
 class FrameHost:
@@ -144,8 +144,8 @@ class FrameHost:
         self.scenery = scenery
         what = f"a frame of {plan.frame} takes"
         self._steps, self._vertices = Tally("steps", what), Tally("vertices", what)
-        """What one frame takes beside its models: what the host computes and sets, and what is
-        drawn without any."""
+        """The cost of one frame beside its models: values that the host computes and sets, and
+        draws without models."""
         self.values = HostValues(FrameDeclarations(plan), self._steps)
         self.size = size
         """The width and height of what the frame draws, as far as it says no other size."""
@@ -192,7 +192,7 @@ class FrameHost:
             raise UnknownParameterError(name, self._unknown(name))
 
     def _unknown(self, name: str) -> str:
-        """What to say of a name that neither the frame nor a shader has."""
+        """The message about a name that neither the frame nor a shader has."""
         declared = [each.declared for each in (self.values, *self.instances)]
         names = [
             row.name
@@ -257,12 +257,14 @@ class FrameHost:
         return drawn_size(self.plan, step, sizes)
 
     def state_of(self, step: DrawStep) -> StepState:
-        """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
-        within its targets."""
+        """The state that a step sets for all its draws.
+
+        Raises ``PlanError`` for a viewport that is not within the step's targets.
+        """
         return step_state(self.plan, step, self.drawn_size(step), self.number)
 
     def clear_of(self, target: AttachmentRow) -> Color:
-        """What a target is cleared to; of depths, the first number."""
+        """The clear value of a target; for depths, the first number."""
         return cleared(self.plan, target, self.number)
 
     # --- draws -----------------------------------------------------------------------------------
@@ -406,7 +408,7 @@ class FrameHost:
 
 
 _GIVEN = ("parameters", "derived", "lights", "buffers", "textures", "vertex_inputs", "targets")
-"""What a draw has to be given, by the tables of a reflection."""
+"""The values that a draw has to be given, as tables of a reflection."""
 
 
 def _cost(reflection: Reflection) -> int:
@@ -417,7 +419,7 @@ def _cost(reflection: Reflection) -> int:
 
 @dataclass(frozen=True, slots=True)
 class FrameDeclarations:
-    """What a host sets of a frame, in the form in which it sets the values of a shader."""
+    """The declarations of a frame, in the form of a shader's, so that a host can set its values."""
 
     plan: FramePlan
 

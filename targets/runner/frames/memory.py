@@ -1,4 +1,4 @@
-"""Which textures of a frame may lie in the same memory, although they differ in format and size.
+"""Finds textures of a frame that may share memory although they differ in format and size.
 
 Results that are alike share a texture, as the plan says. Beyond this, two textures can take turns
 if no step needs both: the plan says from which step to which it needs each result. How large
@@ -98,7 +98,7 @@ def _lasting(plan: FramePlan) -> set[int | None]:
 
 
 def _fits(span: tuple[int, int], others: Sequence[tuple[int, int]]) -> bool:
-    """Whether a span meets none of those that are in order and meet none of each other."""
+    """True if a span overlaps none of the ``others``, which are sorted and do not overlap."""
     at = bisect(others, span)
     begins_later = at == 0 or others[at - 1][1] < span[0]
     return begins_later and (at == len(others) or span[1] < others[at][0])

@@ -33,10 +33,10 @@ from .host import PlannedFrame
 D = TypeVar("D")
 
 DOCUMENTS: Mapping[type, str] = {FramePlan: "plan", Reflection: "reflection"}
-"""What messages call documents."""
+"""The names of documents in messages."""
 
 ENDING = ".plan.json"
-"""What the names of plans end with."""
+"""The ending of the file names of plans."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ class StoredFrame:
 
 
 def is_plan(path: Path) -> bool:
-    """Whether a file is called like a plan."""
+    """True if a file has the name of a plan."""
     return path.name.endswith(ENDING)
 
 

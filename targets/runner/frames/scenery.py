@@ -1,4 +1,4 @@
-"""What a frame draws: models with materials, seen by a camera.
+"""The scene of a frame: models with materials, seen by a camera.
 
 ``burnish render`` makes a ``Scenery`` of built-in meshes, or by ``staging.py`` of a file.
 """
@@ -18,7 +18,7 @@ from ..meshes import MESHES, Mesh
 from ..scene import Scene
 
 WHOLE = "scene"
-"""What the frame calls all models of a scene; any other name is a tag."""
+"""The frame's name for all models of a scene; any other name is a tag."""
 
 Rows = tuple[tuple[float, ...], ...]
 """A matrix, row by row."""
@@ -49,7 +49,7 @@ class Model:
     placement: Rows
     """The rows of the transform from object to world space."""
     look: Look = PLAIN
-    """What a file says about its surface."""
+    """The surface of the model as a file describes it."""
     tags: frozenset[str] = frozenset()
     bones: Matrix | None = None
     """The transform of each bone; ``None`` for the bones of the meshes here."""

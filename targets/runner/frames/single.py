@@ -59,11 +59,11 @@ class _Renamed:
 
     @property
     def shader(self) -> Shader:
-        """What the material means."""
+        """The shader of the material as it is meant."""
         return self.subject.shader
 
     def emitted(self, profile: str) -> Shader:
-        """What the texts for a profile compute."""
+        """The shader that the texts for a profile compute."""
         return self.subject.emitted(profile)
 
 
@@ -86,7 +86,7 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
 
 
 def captures(frame: SingleFrame) -> bool:
-    """Whether it captures the vertices of a mesh, which ``give_captured`` gives it."""
+    """True if the frame captures the vertices of a mesh, which ``give_captured`` gives it."""
     return frame.shaders[0].reflection.capture is not None
 
 

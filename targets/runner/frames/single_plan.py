@@ -61,7 +61,7 @@ def single_plan(material: str, shader: str, reflection: Reflection, background: 
 
 
 class _Planning:
-    """What has been planned so far."""
+    """A plan that is being made: its values, textures, results and outputs so far."""
 
     def __init__(
         self, material: str, shader: str, reflection: Reflection, background: Color
@@ -204,7 +204,7 @@ class _Planning:
         )
 
     def _target(self, number: int) -> AttachmentRow:
-        """What a target is drawn to: its texture; or several samples, which are resolved to it."""
+        """The attachment of a target: its texture, or a multisampled one that is resolved to it."""
         target, samples = self._reflection.targets[number], self._reflection.render_state.samples
         clear = target.clear
         if clear is None and number == 0 and any(self._background):
@@ -336,7 +336,7 @@ def _size_value() -> ValueRow:
 
 
 def _parameters_of_lights(reflection: Reflection) -> list[ParameterRow]:
-    """What is set of the lights, under the names that a frame has for them."""
+    """The parameters of the lights, under the names that a frame has for them."""
     lights = reflection.lights
     names = {name for row in lights for name in (*row.parameters, row.count)}
     return [

@@ -29,7 +29,7 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a buffer holds."""
+    """The elements of a storage buffer, with their layout."""
 
     layout: Layout
     count: int
@@ -37,7 +37,7 @@ class Contents:
 
     @property
     def bound(self) -> bytes:
-        """What a GPU is given: one element of zeros, if there is none."""
+        """The bytes for a GPU: one element of zeros if the buffer has no elements."""
         return self.data or bytes(self.layout.stride)
 
     def elements(self) -> tuple[Any, ...]:

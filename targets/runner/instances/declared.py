@@ -15,11 +15,11 @@ TextureDeclaration = TextureRow | HostTextureRow
 
 
 class Declared(Protocol):
-    """What ``HostValues`` has values for: ``Reflection`` is one, and ``FrameDeclarations``."""
+    """The declarations that ``HostValues`` sets: a ``Reflection``, or ``FrameDeclarations``."""
 
     @property
     def material(self) -> str:
-        """What messages call it."""
+        """The name of the material or frame in messages."""
 
     @property
     def rig(self) -> str:

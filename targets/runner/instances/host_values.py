@@ -297,8 +297,10 @@ class HostValues:
     def _read_by(
         self, steps: Iterable[StepRow], textures: Mapping[str, derived.Sized] = EMPTY
     ) -> derived.Inputs:
-        """What steps of a host's read, which need no other values. Raises
-        ``MissingValuesError``."""
+        """The values that steps of a host's computation read, and that need no other values.
+
+        Raises ``MissingValuesError``.
+        """
         read = [step.parameter for step in steps if isinstance(step, ParameterStep)]
         return derived.Inputs(self._names.shapes, self._values_of(read), textures, self._meter)
 

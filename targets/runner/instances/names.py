@@ -63,7 +63,7 @@ class Names:
         their names. Among those of a rig, a light needs no rig's name before its own."""
 
     def is_needed(self, name: str) -> bool:
-        """Whether a parameter is one of the ``needed``."""
+        """True if a parameter is one of the ``needed``."""
         return name in self._needed
 
     def light(self, name: str) -> tuple[str, ...]:

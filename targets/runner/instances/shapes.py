@@ -56,7 +56,7 @@ class Numbers:
 
     @property
     def is_color(self) -> bool:
-        """Whether it accepts a colour literal; as in the language, vectors do."""
+        """True if a colour literal may be given; as in the language, vectors accept one."""
         return self.kind == "float" and not self.columns and self.lanes in (3, 4)
 
 

@@ -1,4 +1,4 @@
-"""What a file of a scene holds: objects, cameras and lamps.
+"""The records of a scene's file: objects, cameras and lamps.
 
 ``gltf/`` makes a ``SceneFile`` of a glTF file, and ``staging.py`` what frames draw of it.
 World space is right-handed with y upwards.
@@ -46,4 +46,4 @@ class SceneFile:
     cameras: tuple[Camera, ...] = ()
     lamps: tuple[Lamp, ...] = ()
     notes: tuple[str, ...] = ()
-    """What is left out, for people."""
+    """Notes for people about what was left out."""

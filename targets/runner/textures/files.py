@@ -32,8 +32,8 @@ from .metered import PARTS, Metered
 from .panorama import cube_of
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
-"""What pictures may be that do not consist of floats, by Pillow's names. It knows others, for some
-of which it runs programs."""
+"""The formats of pictures without floats, by Pillow's names. Pillow knows others, for some of which
+it runs programs."""
 
 _SMALL = ("1", "L", "LA", "P", "PA", "RGB", "RGBA", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV")
 """The modes of Pillow in which a lane has 8 bits."""
@@ -43,7 +43,7 @@ takes in addition, as measured: of colours in lanes of 8 bits, and of anything e
 _PASSING_OF_LAYERS = 5
 """How often the layers of a texture are there while it is made of them, levels included."""
 _SCAN = b"\xff\xda"
-"""What a scan of a JPEG picture begins with."""
+"""The first bytes of a scan of a JPEG picture."""
 _MOST_SCANS = 64
 """Of a picture, or of one of its parts. Each is decoded into all texels; encoders write a dozen."""
 _PART = 1 << 20

@@ -30,7 +30,7 @@ _KEPT_OF_PIXEL, _PASSING_OF_PIXEL = 22, 34
 """The bytes of a pixel as a texture of four floats with all its levels; and what decoding it and
 making the levels takes in addition, as measured."""
 _BYTES_OF_CHANNEL = 6
-"""What decoding takes for each of the channels that the file has."""
+"""Bytes that decoding takes for each of the channels that the file has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class Format:
     begins: bytes
     """The first bytes of each file."""
     has_alpha: bool
-    """Whether it stores other channels than red, green and blue, and any float."""
+    """True if the format stores other channels than red, green and blue, and any float."""
 
 
 FORMATS = {

@@ -50,11 +50,11 @@ class Metered(io.BufferedIOBase, BinaryIO):
         return data
 
     def readable(self) -> bool:
-        """Whether there is ``read``."""
+        """True: there is ``read``."""
         return True
 
     def seekable(self) -> bool:
-        """Whether there is ``seek``."""
+        """True: there is ``seek``."""
         return True
 
     def seek(self, offset: int, whence: int = io.SEEK_SET, /) -> int:

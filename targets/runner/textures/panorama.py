@@ -45,7 +45,8 @@ def _directions(side: int) -> Iterator[Floats]:
 
 
 def _seen(texels: NDArray[Any], towards: Floats) -> Floats:
-    """What lies in some directions: between the four nearest texels, around the picture's sides."""
+    """The texels in some directions, filtered between the four nearest, around the picture's
+    sides."""
     height, width = texels.shape[:2]
     x, y, z = np.moveaxis(towards / np.linalg.norm(towards, axis=2, keepdims=True), 2, 0)
     across = (0.5 + np.arctan2(x, -z) / (2 * np.pi)) * width - 0.5

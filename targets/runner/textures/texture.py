@@ -38,7 +38,8 @@ _COLORS: dict[str, Sequence[int]] = {
 }
 _DEPTHS = {"far": 1.0, "near": 0.0}
 DEFAULTS: Mapping[str, Collection[str]] = {"float": _COLORS.keys(), "depth": _DEPTHS.keys()}
-"""What a texture may be until a host binds one, by what it holds; all others are zeros."""
+"""The default textures until a host binds one, by the kind of their texels; all others are
+zeros."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +168,7 @@ class Texture:
 
     @property
     def sample(self) -> Kind:
-        """What the texture holds."""
+        """The kind of the texture's texels."""
         held: dict[str, Kind] = {"float": "float", "depth": "depth", "sint": "int", "uint": "uint"}
         return held[TEXELS[self.format].sample]
 

@@ -12,7 +12,7 @@ from ...binding import FORMATS, VERTEX_FORMATS
 from .rows import Named, PlanError
 
 _ENTRY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-"""What entry points may be called: compilers get them on their command lines."""
+"""The names that entry points may have: compilers get them on their command lines."""
 
 
 def check_backend(where: str, reflection: Reflection, profile: str) -> None:

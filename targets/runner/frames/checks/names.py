@@ -33,9 +33,9 @@ from .steps import check_steps
 
 DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
 STENCILS = "stencil8"
-"""What formats of depths end with that have stencil values."""
+"""The ending of the depth formats that have stencil values."""
 SETTINGS = {"viewport": "ivec4", "scissor": "ivec4", "blend_constant": "vec4"}
-"""The types of what a step that draws sets for all of it."""
+"""The types of the values that a step sets for all its draws."""
 LAYERS = {"2d": range(1, 2), "cube": range(6, 7)}
 """How many layers textures of a dimension have; ``MOST_LAYERS`` where none is said."""
 MOST_LAYERS = range(1, 2049)
@@ -109,7 +109,7 @@ class _Names:
                 self._fail(row.name, f"nobody can read the samples of texture {number}")
 
     def _check_host_values(self) -> None:
-        """What the host sets of the frame, which has no blocks."""
+        """Check the values that the host sets of the frame, which has no blocks."""
         plan = self._plan
         values = Values(plan.frame, plan.parameters, plan.lights)
         values.check()
@@ -161,7 +161,7 @@ class _Names:
     # --- steps -----------------------------------------------------------------------------------
 
     def _check_barriers(self, where: str, place: PlanStep | WaitingRow) -> None:
-        """What is waited for in one place."""
+        """Check the barriers in one place."""
         self._no_two(where, [row.texture for row in place.barriers])
         for barrier in place.barriers:
             self._texture(where, barrier.texture)
@@ -262,7 +262,7 @@ class _Names:
             self._fail(where, f"{said} has another format or size than its samples")
 
     def _check_drawn(self, where: str, step: DrawStep, drawn: DrawnRow) -> None:
-        """What is drawn: models, each by the shader for its material, or vertices without any."""
+        """Check the draws of a step: models, each by the shader for its material, or vertices."""
         models = drawn.models
         materials: tuple[str | None, ...] = (None,)
         if (models is None) == (drawn.vertices is None):

@@ -148,7 +148,7 @@ class _Needs:
 
     @cached_property
     def _used_as(self) -> Mapping[int, set[str]]:
-        """What each texture is used as, for as long as it has its number."""
+        """The uses of each texture, for as long as it has its number."""
         found: dict[int, set[str]] = defaultdict(set)
         for texture in self._previous:
             found[texture].add("sampled")
@@ -182,7 +182,7 @@ class _Needs:
                 fail(self._plan, where, "its targets are different layers or levels")
 
     def _check_stored(self, number: int, where: str, row: AttachmentRow) -> None:
-        """What is needed of what a step draws is stored, and of samples their mean."""
+        """Check that results that are needed later are stored, and of samples their mean."""
         result, needed = row.result, self._is_needed(number, row.result)
         if has_samples(self._plan, row):
             step = self._steps[number]
@@ -196,7 +196,7 @@ class _Needs:
             fail(self._plan, where, f"`{result}` is {'stored' if row.store else 'dropped'}")
 
     def _resolves(self, number: int, drawn: AttachmentRow) -> bool:
-        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        """True if a step's result is read before another step draws to the same place."""
         read = _next(self._reads.get(drawn.result, ()), number)
         again = _next(self._draws.get(_place(drawn), ()), number)
         return again is None or (read is not None and read <= again)
@@ -222,7 +222,7 @@ class _Needs:
         return dict(found)
 
     def _check_later_frames(self) -> None:
-        """They wait for what is written in each of them, and for nothing else."""
+        """Check that later frames wait for all that each of them writes, and for nothing else."""
         always = [each for step in self._steps if not step.only_first for each in written(step)]
         results = {result for result, _ in always}
         textures = {texture for _, texture in always}
@@ -241,8 +241,10 @@ class _Needs:
                     fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
 
     def _check_continued(self, number: int, step: DrawStep, read: Set[int | None]) -> None:
-        """Whether a step draws on in the render pass of the one before is said rightly; ``read``
-        are the textures that are read in that pass."""
+        """The plan says rightly if a step goes on in the render pass of the step before it.
+
+        ``read`` are the textures that are read in that pass.
+        """
         before = self._steps[number - 1] if number else None
         here = _places(step)
         resolved = {row.resolve.texture for row in step.attachments
@@ -263,13 +265,16 @@ class _Needs:
             fail(self._plan, step.name, "whether it draws on is said wrongly")
 
     def _is_needed(self, number: int, result: str) -> bool:
-        """Whether anybody needs behind a step what it draws."""
+        """True if a result that a step draws is needed after the step."""
         is_left = result in self._outputs or result in self._read_last
         return is_left or self._last_read.get(result, number) > number
 
     def _is_found(self, number: int, left: AttachmentRow) -> bool:
-        """Whether a later step draws where stencil values were left, or over the result that has
-        them: samples only with the same samples, as others find one value for each texel."""
+        """True if a later step draws over the stencil values or samples that a step leaves.
+
+        Samples are found only with the same number of samples, as other steps find one value for
+        each texel.
+        """
         over = left.result, left.texture if has_samples(self._plan, left) else None
         last = max(self._last_over.get(over, -1), self._last_draw.get(_place(left), -1))
         return last > number

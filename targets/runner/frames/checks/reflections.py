@@ -158,7 +158,7 @@ class _Reflection:
         self._check_draw(reflection.draw)
 
     def _check_blocks(self) -> None:
-        """What lies in blocks lies within them."""
+        """Check that all members of blocks lie within their blocks."""
         sizes = {row.name: row.size for row in self._reflection.blocks}
         check("memory", sum(sizes.values()), f"{self._where}: its blocks take")
         rows: tuple[ParameterRow | DerivedRow, ...] = (

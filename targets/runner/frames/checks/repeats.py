@@ -78,7 +78,7 @@ class _Repeats:
         return steps.keys() - needed
 
     def leaves_the_same(self, step: PlanStep) -> bool:
-        """Whether nothing that a step is given, or draws to, changes from frame to frame."""
+        """True if nothing that a step is given, or draws to, changes from frame to frame."""
         results = {result for result, _ in written(step)}
         changes = results & self._drawn_anew or results & self._often
         if changes or any(drawn_over(step)):
@@ -111,7 +111,7 @@ class _Repeats:
         return number is not None and self._constant[number]
 
     def _is_given_all(self, use: UseRow) -> bool:
-        """Whether the frame sets all that a shader reads, as far as that is known."""
+        """True if the frame sets everything that a shader reads, as far as that is known."""
         if self._reflections is None:
             return True
         shader = use.shader
@@ -128,7 +128,7 @@ def _wanted(step: PlanStep) -> set[str]:
 
 
 def _read_by(reflection: Reflection) -> Iterator[str]:
-    """What a shader reads: itself, or by values that are derived of it."""
+    """The names that a shader reads, itself or by values that are derived from them."""
     for row in reflection.parameters:
         if row.block is not None:
             yield row.name

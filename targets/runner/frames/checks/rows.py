@@ -1,4 +1,4 @@
-"""What all checks of plans share: their error, and how they walk over the rows of a plan.
+"""Parts of all checks of plans: their error, and functions that walk over the rows of a plan.
 
 A plan has every name and every number several times over, and the checks compare these. So a plan
 in which one place is wrong contradicts itself.
@@ -34,7 +34,7 @@ class Named(Protocol):
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """The name of the row."""
 
 
 MOST_TOLD = 300
@@ -60,7 +60,7 @@ def fail(plan: FramePlan, where: str, text: str) -> NoReturn:
 
 
 END = "the end"
-"""What messages call the place behind the last step."""
+"""The name, in messages, of the place behind the last step."""
 
 
 def places_of_waiting(plan: FramePlan) -> Iterator[tuple[str, PlanStep | WaitingRow]]:
@@ -79,12 +79,12 @@ def drawn_to(step: PlanStep) -> Iterator[int]:
 
 
 def has_samples(plan: FramePlan, attachment: AttachmentRow) -> bool:
-    """Whether a step draws with several samples there."""
+    """True if a step draws to an attachment with several samples."""
     return plan.textures[attachment.texture].samples > 1
 
 
 def inputs(step: PlanStep) -> Iterator[InputRow]:
-    """What the frame sets in a step."""
+    """The inputs that the frame sets in a step."""
     for use in step.uses:
         yield from use.inputs
 

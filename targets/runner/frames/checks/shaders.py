@@ -24,12 +24,13 @@ from .reflections import check_reflection
 from .rows import Named, fail
 
 DEPTHS = "depth"
-"""What the formats of depths begin with, and what textures are called that hold them."""
+"""The beginning of the depth formats, and the name of the dimension of textures that hold
+depths."""
 _VALUE = ("representation", "layout", "members")
-"""What has to be alike where a shader takes over a value of the frame."""
+"""The fields that have to be equal where a shader takes over a value of the frame."""
 _KINDS = ("parameters", "textures", "buffers")
 _BUFFER = ("representation", "stride", "members", "structs")
-"""What has to be alike where one shader reads the elements that another one writes."""
+"""The fields that have to be equal where one shader reads the elements that another one writes."""
 
 
 def check_shaders(plan: FramePlan, reflections: Sequence[Reflection]) -> None:
@@ -82,7 +83,7 @@ class _Shaders:
         """By name, what each shader can be given: which of ``_KINDS`` it is, and its row."""
         self._results = [_by_name(each.results) for each in reflections]
         self._alike: set[tuple[str, int, str]] = set()
-        """Which buffers have been compared with which input of which shader."""
+        """The buffers that have been compared, each with an input of a shader."""
         self._textures: dict[str, tuple[str, str]] = dict(self._all_textures())
         """Of each result, and each texture of the host, the dimension and what it holds."""
         self._buffers = dict(self._all_buffers())
@@ -211,7 +212,7 @@ class _Shaders:
 
 
 def _read(source: Source) -> Iterator[str]:
-    """What an input reads, by the names under which it is known here."""
+    """The names of the things that an input reads, as this module knows them."""
     match source:
         case HostSource():
             yield f"host {source.host}"
@@ -224,7 +225,7 @@ def _read(source: Source) -> Iterator[str]:
 
 
 def _are_alike(one: object, other: object, fields: Sequence[str]) -> bool:
-    """Whether two rows have the same in some fields."""
+    """True if two rows have equal values in some fields."""
     return other is not None and all(getattr(one, f) == getattr(other, f) for f in fields)
 
 

@@ -18,7 +18,7 @@ from .folder import Folder
 from .schema import File, Image, Material, Sampler, TextureInfo
 
 _FORMATS = ("PNG", "JPEG")
-"""What pictures may be: other formats are no part of glTF."""
+"""The formats that pictures may have: other formats are no part of glTF."""
 
 
 class Looks:

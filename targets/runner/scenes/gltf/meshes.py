@@ -51,11 +51,11 @@ _KEPT_OF_VERTEX, _KEPT_OF_CORNER = 256, 8
 """The bytes of a mesh: 26 numbers for each vertex, with those of morph targets 32, and the number
 of a vertex for each corner."""
 _PASSING_OF_VERTEX, _PASSING_OF_CORNER = 160, 80
-"""What is needed in addition while it is made, as measured."""
+"""Bytes that are needed in addition while a mesh is made, as measured."""
 
 
 def is_drawn(primitive: Primitive) -> bool:
-    """Whether a mesh can be made of a primitive; lines have no surface."""
+    """True if a mesh can be made of a primitive; lines have no surface."""
     return primitive.mode not in _LINES
 
 
@@ -185,7 +185,7 @@ def _triangles(mode: int, corners: Indices, what: str) -> Indices:
 def _morphs(
     primitive: Primitive, accessors: Accessors, weights: Sequence[float], count: int, what: str
 ) -> Channels:
-    """What leads to the shape of all targets together: differences of positions and normals."""
+    """The sum of all morph targets by their weights: differences of positions and normals."""
     if len(weights) != len(primitive.targets):
         raise SceneError(
             f"{what}: it has {len(primitive.targets)} morph targets, and {len(weights)} weights"
@@ -215,7 +215,7 @@ def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
 
 
 def _fill(channels: Channels, triangles: Indices) -> None:
-    """What materials may read and the file does not have: neutral values, and tangents."""
+    """Add what materials may read and the file lacks: neutral values, and tangents."""
     count = len(channels["position"])
     for name, neutral in _NEUTRAL.items():
         if name not in channels:

@@ -27,11 +27,11 @@ class Placed:
     node: Node
     to_world: Matrix
     tags: frozenset[str]
-    """Its own, and those of the nodes above it."""
+    """The node's own tags, and those of the nodes above it."""
 
     @property
     def name(self) -> str:
-        """Its name, or its number if it has none."""
+        """The node's name, or its number if it has none."""
         return self.node.name or f"node {self.number}"
 
 
@@ -45,7 +45,7 @@ def placed_nodes(file: File, path: Path, memory: Tally) -> list[Placed]:
 
 
 _BYTES_OF_NODE = 1000
-"""What placing a node takes, as measured."""
+"""Bytes that placing a node takes, as measured."""
 
 
 def _check_parents(file: File) -> None:

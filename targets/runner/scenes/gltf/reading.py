@@ -35,8 +35,10 @@ _RIGHT_ANGLE = np.pi / 2
 
 
 def read_gltf(path: Path) -> SceneFile:
-    """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``, and
-    ``BudgetError`` if it takes more than is allowed."""
+    """Read the scene of a ``.gltf`` or ``.glb`` file.
+
+    Raises ``SceneError``, and ``BudgetError`` if it takes more than is allowed.
+    """
     memory = Tally("memory", f"reading {path} takes")
     file, binary = open_file(path, memory)
     folder = Folder(path, memory)
@@ -47,7 +49,7 @@ def read_gltf(path: Path) -> SceneFile:
 
 
 class _Reader:
-    """What is read of one file."""
+    """Reads the objects, cameras and lamps of one file."""
 
     def __init__(
         self,

@@ -24,7 +24,7 @@ Name = Annotated[str, Meta(max_length=10_000)]
 
 
 class Record(Struct, frozen=True, rename="camel"):
-    """What all records have in common."""
+    """The base of all records: immutable, with names in camel case in the JSON."""
 
 
 class Asset(Record, frozen=True):
@@ -220,7 +220,7 @@ class Node(Record, frozen=True):
     weights: tuple[float, ...] = ()
     extensions: NodeExtensions = NodeExtensions()
     extras: Extras | list[Any] | str | float | bool | None = None
-    """What an application likes; only tags are read."""
+    """Data of an application, in any form; only tags are read."""
 
 
 class Scene(Record, frozen=True):
