@@ -198,18 +198,17 @@ def _equation(row: blending.BlendEquation) -> BlendEquation:
 
 
 def shows_less(reflection: Reflection) -> bool:
-    """True if drawing to the targets, as the pass declares them, hides the numbers that shaders
-    write.
+    """True if targets show something else than the numbers that shaders write.
 
-    Blending, or several samples, then mix these numbers with others.
+    Blending and masks mix these numbers with the old contents, and several samples with each other,
+    where targets are drawn to as the pass declares them.
     """
     joined = reflection.render_state.samples > 1
     return joined or any(map(keeps_something, reflection.targets))
 
 
 def keeps_something(row: TargetRow) -> bool:
-    """True if a target of the reflection keeps something of its old contents when it is drawn
-    to."""
+    """True if drawing to a target keeps some of its old contents: by blending, or by a mask."""
     return row.blend is not None or row.mask != ALL_LANES
 
 

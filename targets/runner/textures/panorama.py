@@ -45,8 +45,7 @@ def _directions(side: int) -> Iterator[Floats]:
 
 
 def _seen(texels: NDArray[Any], towards: Floats) -> Floats:
-    """The texels in some directions, filtered between the four nearest, around the picture's
-    sides."""
+    """The texels in some directions, filtered between the four nearest, around the sides."""
     height, width = texels.shape[:2]
     x, y, z = np.moveaxis(towards / np.linalg.norm(towards, axis=2, keepdims=True), 2, 0)
     across = (0.5 + np.arctan2(x, -z) / (2 * np.pi)) * width - 0.5

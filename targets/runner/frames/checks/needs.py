@@ -241,7 +241,7 @@ class _Needs:
                     fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
 
     def _check_continued(self, number: int, step: DrawStep, read: Set[int | None]) -> None:
-        """The plan says rightly if a step goes on in the render pass of the step before it.
+        """Check that the plan says rightly if a step goes on in the render pass before it.
 
         ``read`` are the textures that are read in that pass.
         """
