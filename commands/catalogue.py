@@ -38,9 +38,9 @@ class Listed(NamedTuple):
 
     path: Path
     name: str
-    """Its path within the folder, with slashes."""
+    """The file's path within the folder, with slashes."""
     what: str
-    """What it shows, in the README's words; empty if these do not mention it."""
+    """A description in the README's words; empty if the README does not mention the file."""
 
 
 class Group(NamedTuple):
@@ -48,7 +48,7 @@ class Group(NamedTuple):
 
     title: str
     intro: str
-    """What stands between the heading and the table."""
+    """The text between the heading and the table."""
     files: Sequence[Listed]
 
 
@@ -69,8 +69,11 @@ def catalogue(folder: Path) -> list[Group]:
 
 
 def is_shown(path: Path, root: Path, ending: str = "") -> bool:
-    """Whether a path leads to a file in the folder ``root``, a path without links, whose name ends
-    so and that is not hidden. Links are followed as long as they stay there."""
+    """True if a path leads to a visible file of the folder whose name has this ending.
+
+    ``root`` is the folder's path without links. Links are followed as long as they stay in the
+    folder.
+    """
     try:
         real = os.path.realpath(path)
         inside = Path(real).relative_to(root)
@@ -107,7 +110,7 @@ def _is_hidden(name: str) -> bool:
 
 
 def title_of(folder: Path) -> str:
-    """What the README calls the folder, or the folder's name."""
+    """The README's title, or the folder's name."""
     for line in _lines(folder):
         if heading := _HEADING.match(line):
             return heading[1].rstrip()

@@ -1,4 +1,4 @@
-"""What ``burnish conform`` compares: every material of its files, with every rig and pass."""
+"""The subjects of ``burnish conform``: every material of its files, with every rig and pass."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def _compiled(request: Request) -> CompileResult:
 
 
 def _output(request: Request, result: CompileResult) -> Output:
-    """What the command line asks for: files in a folder, or shaders on standard output."""
+    """The output of a command line: files in a folder, or shaders on standard output."""
     warnings = rendered(result.diagnostics)
     if request.output == STDOUT:
         files = [file for material in result.materials for file in material.files]

@@ -61,7 +61,7 @@ def print_rendered(text: str) -> None:
 
 
 def rendered(diagnostics: Iterable[Diagnostic]) -> str:
-    """What ``show`` prints: empty where there is nothing to say."""
+    """The text that ``show`` prints; empty if there are no diagnostics."""
     found = tuple(
         {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}.values()
     )

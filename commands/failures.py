@@ -20,7 +20,8 @@ PACKAGES = {
     "uvicorn": ("the viewer's server needs uvicorn", "view"),
     "watchfiles": ("the viewer needs watchfiles", "view"),
 }
-"""What lacks without a package, by the name that is imported; and the extra that brings it."""
+"""By the imported name of a package, the message if it is missing, and the extra that installs
+it."""
 
 
 def fail(text: str) -> NoReturn:

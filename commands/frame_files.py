@@ -26,12 +26,12 @@ _OF_A_PIXEL = 4
 
 
 class Shown(NamedTuple):
-    """What is kept of a picture until files are written, which is a part of its numbers only."""
+    """The part of a picture that is kept until files are written: its image, or its numbers."""
 
     image: Image | None
-    """What a screen shows."""
+    """The image as a screen shows it."""
     numbers: Floats | None
-    """Of shape (height, width, lanes), for formats that keep them."""
+    """The numbers, of shape (height, width, lanes), for formats that keep them."""
 
     @classmethod
     def of(cls, layers: Floats, path: Path) -> Shown:
@@ -77,7 +77,7 @@ def _in_a_row(layers: Floats) -> Floats:
 
 
 def image_of(layers: Floats) -> Image:
-    """What a screen shows of a texture's first level."""
+    """The image that a screen shows of a texture's first level."""
     from ..targets.runner.pictures import to_image
 
     return to_image(_in_a_row(layers), lanes=layers.shape[-1])

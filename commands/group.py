@@ -30,7 +30,7 @@ COMMANDS = (
 """The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
 there is none of that name, all are, because click suggests a command from those it knows."""
 FUNCTIONS = {"compile": "compile_"}
-"""Their functions, where Python has another use for the name."""
+"""The functions of commands whose names mean something else in Python."""
 
 
 class _QuietGroup(click.Group):

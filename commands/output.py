@@ -79,7 +79,7 @@ def _write_to_device(path: Path, content: bytes) -> None:
 
 
 def _is_device(path: Path) -> bool:
-    """Whether there is a device or a pipe, or a link of the system's own to any open file.
+    """True for a device, a pipe, or a link of the system's own to any open file.
 
     ``/dev/stdout`` is such a link: it is written through, and never replaced.
     """

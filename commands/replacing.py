@@ -35,7 +35,7 @@ TEMPORARY = ".burnish-"
 """How random names begin."""
 
 _ANCHORED = os.open in os.supports_dir_fd
-"""Whether names can be relative to an open folder, as everywhere but on Windows."""
+"""True if names can be relative to an open folder, as everywhere but on Windows."""
 
 
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
@@ -97,7 +97,7 @@ class _Folder:
         return os.open(self._at(name), flags, 0o666, dir_fd=self._descriptor)
 
     def status(self, name: str) -> os.stat_result | None:
-        """What is known of a file, or of a link itself; ``None`` if there is none."""
+        """The status of a file, or of a link itself; ``None`` if there is none."""
         try:
             return os.stat(self._at(name), dir_fd=self._descriptor, follow_symlinks=False)
         except FileNotFoundError:
@@ -173,7 +173,7 @@ class _File:
                 self._folder.delete(name)
 
     def standing(self) -> tuple[int, int] | None:
-        """Which file the name stands for, by its device and number; ``None`` if it is unknown."""
+        """The device and number of the file that has this name; ``None`` if they are unknown."""
         status = self._folder.status(self.name)
         return (status.st_dev, status.st_ino) if status is not None and status.st_ino else None
 

@@ -37,7 +37,7 @@ _NEVER = frozenset({"--no-cache", "--validate", "--watch"})
 _ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
 _LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
 _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
-"""What else decides what a command line means and what a text looks like."""
+"""Packages on which the meaning of a command line and the look of a text depend."""
 
 
 class Question:
@@ -134,12 +134,12 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
 
 
 def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
-    """What files hold that consist of these texts."""
+    """The contents of files that consist of these texts."""
     return {name: text.encode() for name, text in texts.items()}
 
 
 def _is_asked_for(output: Output, question: Question) -> bool:
-    """Whether an answer writes nowhere but where the command line says.
+    """True if an answer writes only to places that the command line names.
 
     The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``. Names that
     lead out of the folder are refused where files are written.
@@ -148,7 +148,7 @@ def _is_asked_for(output: Output, question: Question) -> bool:
 
 
 def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
-    """Whether everything is found, and is the same, that a compile depended on."""
+    """True if everything that a compile depended on is found, and is the same."""
     if not all(map(os.path.isdir, kept["folders"])):
         return False
     if any(os.path.realpath(path) != real for path, real in kept["links"].items()):
@@ -157,7 +157,7 @@ def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
 
 
 def _holds(path: str, content: str | None) -> bool:
-    """Whether a file holds this, or with ``None``, whether there is no file. Raises ``OSError``.
+    """True if a file has this content or, with ``None``, if there is no file. Raises ``OSError``.
 
     What is no regular file, such as a pipe, can be read only once, which is left to the compile.
     """
@@ -198,5 +198,5 @@ def _stamps(folder: str) -> Iterator[str]:
 
 
 def _stamp(path: str, status: os.stat_result) -> str:
-    """What is different after each change of a file; nobody can set the time of its status back."""
+    """A text that differs after each change of a file: nobody can set its time of change back."""
     return f"{path} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"

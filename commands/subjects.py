@@ -60,7 +60,7 @@ class Request(NamedTuple):
 
     @property
     def draws_everything(self) -> bool:
-        """Whether all routes that can draw shall draw, instead of named ones."""
+        """True if all routes that can draw shall draw, instead of named ones."""
         return EVERYTHING in self.on
 
 
@@ -149,7 +149,7 @@ def _compiled(
 def _all_of_file(
     request: Request, compiled: Sequence[CompiledMaterial]
 ) -> Iterable[CompiledMaterial]:
-    """What a file declares. If a material is named, the rest is only needed for its buffers."""
+    """The materials of the whole file. If one is named, the rest is only needed for its buffers."""
     from .. import api
 
     if request.material is None or not any(each.reflection.buffers for each in compiled):

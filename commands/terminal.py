@@ -24,7 +24,7 @@ _asked: list[int] = []
 
 
 def wants_color(stream: IO[Any] | None) -> bool:
-    """Whether to use colours: on a terminal, unless its user has set ``NO_COLOR``.
+    """True if colours are to be used: on a terminal, unless its user has set ``NO_COLOR``.
 
     ``None`` is a stream that was closed before the program began.
     """

@@ -37,7 +37,7 @@ even very many of them, or a folder that never rests, keep a processor busy."""
 
 Key = TypeVar("Key", bound=Hashable)
 Stamp = tuple[int, ...] | None
-"""What tells a file from what it was before; ``None`` if there is none."""
+"""The data by which a changed file is recognised; ``None`` if there is no file."""
 
 
 def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) -> None:
@@ -59,8 +59,11 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
 
 
 def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
-    """What a compile of a file depends on: the file, what it imports, and where imports were looked
-    for in vain; also the folders in which they lie."""
+    """The paths that a compile of a file depends on.
+
+    They are the file, its imports, the places where imports were looked for in vain, and the
+    folders in which all of these lie.
+    """
     frontend = Frontend(Report(), search_path)
     frontend.open_file(file)
     inputs = frontend.inputs

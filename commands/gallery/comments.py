@@ -27,7 +27,7 @@ from ..render import render
 
 _MARK = "//!"
 _INDENT = " " * 5
-"""What a command begins with, behind the mark."""
+"""The indent of a command, after the mark."""
 _BEGINNING = "burnish render "
 LONGEST = 4000
 """The most letters of a command that is followed."""
@@ -47,14 +47,14 @@ class Paragraph(NamedTuple):
 
 
 class Asked(NamedTuple):
-    """What a file asks for."""
+    """The command that a file's comment asks for."""
 
     words: Sequence[str]
     """The words behind ``burnish render``; none if it asks for nothing that is followed."""
     options: Mapping[str, Any]
     """Values of options, by the names that ``render`` has for them."""
     note: str
-    """What is not followed; else empty."""
+    """The reason why a command is not followed; empty if it is."""
 
 
 NOTHING = Asked((), {}, "")
@@ -91,8 +91,10 @@ def paragraphs(source: str) -> list[Paragraph]:
 
 
 def asked(source: str, name: str, root: Path, size: int) -> Asked:
-    """What a file called ``name`` in the gallery's folder ``root`` asks for, where pictures have
-    ``size`` pixels on a side."""
+    """The command in the comment of a file called ``name`` in the gallery's folder ``root``.
+
+    Pictures have ``size`` pixels on a side.
+    """
     try:
         words = next(_commands(source, name), None)
         if not words:
@@ -184,7 +186,10 @@ def _at_most(most: int) -> Callable[[str, Path], str]:
 
 
 def _plain_name(value: str, _root: Path) -> str:
-    """What is written is named by the gallery. But people may copy the command from the page."""
+    """Refuse names of files that lead elsewhere.
+
+    The gallery names its own files; but people may copy the command from the page.
+    """
     is_plain = PurePath(value).name == value and value[:1] not in ("", ".", "-")
     return "" if is_plain else "a picture is written beside the file"
 

@@ -1,4 +1,4 @@
-"""What the gallery knows of one file: plain data, which is sent from process to process and kept.
+"""The gallery's data about one file: plain data that processes send and the cache keeps.
 
 ``making.py`` makes an ``Entry``, ``kept.py`` keeps it, and ``pages.py`` shows it.
 """
@@ -45,7 +45,7 @@ class Figure(TypedDict):
     """A picture by the reference or a route."""
 
     label: str
-    """What it shows."""
+    """The content of the picture, in words."""
     route: str
     note: str
     """The device that has drawn it, or why there is no picture."""
@@ -71,7 +71,7 @@ class Verdict(TypedDict):
     problem: str
     device: str
     lines: list[str]
-    """What is wrong, or weak."""
+    """The lines that say what is wrong, or proves little."""
 
 
 class Entry(TypedDict):
@@ -79,7 +79,7 @@ class Entry(TypedDict):
 
     source: str
     kinds: list[str]
-    """Whether there are materials, kernels or frames in it."""
+    """The kinds of things that the file declares: materials, kernels, frames."""
     names: list[str]
     command: str
     """The command that draws the pictures."""
@@ -88,9 +88,9 @@ class Entry(TypedDict):
     figures: list[Figure]
     verdicts: list[Verdict]
     notes: list[str]
-    """What commands have said: warnings, and what was made up for the pictures."""
+    """Messages of the commands: warnings, and values that were made up for the pictures."""
     errors: list[str]
-    """What has gone wrong, each as a command tells it."""
+    """Errors, each as a command prints it."""
     pictures: dict[str, str]
     """Files in PNG and WebP, as Base64, by their names."""
     inputs: dict[str, str]

@@ -55,7 +55,7 @@ EVOLVED = 24
 LARGEST_SOURCE = 1 << 18
 """The most bytes of a file that is shown."""
 _NAME = "file"
-"""What stands for a file in command lines, where its own name could be taken for an option."""
+"""A placeholder for a file in command lines, where its own name could be taken for an option."""
 
 
 class Maker(Closing):
@@ -191,8 +191,11 @@ class _Making:
                 self._draw_materials(request, routes)
 
     def _options(self, compiled: compared.Subjects) -> Mapping[str, Any]:
-        """What is drawn otherwise than by default, as the comment of the file asks for it; or
-        several frames, if some frame goes on from the last one. The page shows the command."""
+        """Options for drawing that differ from the defaults; the page shows the command.
+
+        The file's comment asks for them. Without a comment, several frames are drawn if a frame
+        goes on from the last one.
+        """
         found = asked(self._entry["source"], self._file.name, Path.cwd(), self._size)
         if found.note:
             self._entry["notes"].append(found.note)
@@ -240,7 +243,7 @@ class _Making:
                     self._figure(f"{frame.name}.{output}", name, self._device(route), images, "")
 
     def _device(self, route: Route | None) -> str:
-        """What has drawn."""
+        """The device that has drawn: its name and version."""
         if route is None:
             return "float64"
         device = self._runner.device(route)
@@ -333,7 +336,7 @@ def _graph(label: str, subject: CompiledFrame | CompiledMaterial) -> Graph:
 
 
 def _alone(file: Path) -> Inputs:
-    """What a file depends on that others import: of its own imports, theirs knows."""
+    """The dependencies of a file that others import, without those of the imported files."""
     inputs = Inputs()
     inputs.read(file, file.read_bytes())
     return inputs
@@ -382,7 +385,7 @@ def _digests_of_files(values: Sequence[tuple[str, str]]) -> dict[str, str]:
 
 
 def content_of(path: Path) -> bytes | None:
-    """What a file holds; ``None`` if it is none, or cannot be read."""
+    """The contents of a file; ``None`` if there is no file, or it cannot be read."""
     try:
         return read_file(path, path.name)
     except (FileError, BudgetError):

@@ -39,10 +39,10 @@ _DEVICES = (
     "nul",
     *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
 )
-"""What Windows takes for a device, whatever ends the name."""
+"""The names that Windows takes for devices, whatever their ending."""
 _WORDS = {"agrees": "agree", "differs": "differ", "proves little": "prove little",
           "overflows": "overflow"}  # fmt: skip
-"""What is said of several."""
+"""The plural of each verdict's word."""
 _KINDS = {"material": "materials", "kernel": "kernels", "frame": "frames", "module": "modules"}
 
 
@@ -55,7 +55,7 @@ class _Page(NamedTuple):
 
     @property
     def title(self) -> str:
-        """What it shows, or what it is called."""
+        """The file's description, or its name."""
         what = self.listed.what
         return what[:1].upper() + what[1:] if what else self.listed.name
 
@@ -118,7 +118,7 @@ def pages(
 
 
 def in_short(entry: Entry) -> str:
-    """What came of a file, in a few words."""
+    """The verdicts on a file, in a few words."""
     if entry["errors"] and not entry["verdicts"]:
         return "error"
     return _counted(entry["verdicts"]) or "nothing to draw"
@@ -150,7 +150,7 @@ def _plain(name: str) -> str:
 
 
 def _address(file: str) -> str:
-    """What a page calls a file beside it; the point says that what follows is no scheme."""
+    """The relative address of a file beside a page; the dot says that no scheme begins it."""
     return f"./{quote(file)}"
 
 
@@ -175,8 +175,10 @@ def _picture(page: _Page) -> str:
 
 
 def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
-    """What is shown of a file among others. One that draws nothing itself has a picture of the
-    first one that imports it."""
+    """The card of a file on the page of all files.
+
+    A file that draws nothing itself has a picture of the first file that imports it.
+    """
     entry = page.entry
     user = next(iter(users.get(page.listed.name, ())), None)
     comment = " ".join(each.text for each in paragraphs(entry["source"]))[:MOST_WORDS]
@@ -189,7 +191,7 @@ def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
 
 
 def _state(entry: Entry) -> str:
-    """Whether something is wrong, weak or fine, or nothing was compared."""
+    """The state of a file: ``wrong``, ``weak`` or ``fine``, or ``none`` if nothing was compared."""
     statuses = {verdict["status"] for verdict in entry["verdicts"]}
     if entry["errors"]:
         return "wrong"

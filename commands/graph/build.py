@@ -298,14 +298,14 @@ class _Part:
     own: frozenset[Formal]
     """The variables that the loop binds: its index and its states."""
     around: frozenset[Formal]
-    """These variables, and those of the loops around it."""
+    """The variables of this loop and of the loops around it."""
 
     def is_outer(self, node: Node) -> bool:
-        """Whether a value is computed before the loop."""
+        """True if a value is computed before the loop."""
         return bool(self.own) and self.own.isdisjoint(self.inside[node.id])
 
     def is_deeper(self, node: Node) -> bool:
-        """Whether a value belongs to a loop inside."""
+        """True if a value belongs to an inner loop."""
         return not self.inside[node.id] <= self.around
 
     def reached(self, roots: Iterable[Node]) -> list[Node]:

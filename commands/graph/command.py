@@ -138,7 +138,7 @@ def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float]
 
 
 def _subjects(request: Request) -> Sequence[CompiledMaterial | CompiledFrame]:
-    """What there is to show: the frames of the file, one shader of them, or its materials."""
+    """The subjects to show: the frames of the file, one shader of them, or its materials."""
     from ... import api
 
     result = api.compile(

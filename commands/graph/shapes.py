@@ -23,7 +23,7 @@ class Colors(NamedTuple):
     fill: str
     line: str
     is_dark: bool = False
-    """Whether letters on it have to be white."""
+    """True if letters on this colour have to be white."""
 
 
 def escaped(words: str) -> str:

@@ -117,7 +117,7 @@ class _Panel:
 
     @property
     def is_stage(self) -> bool:
-        """Whether it is the host or a stage, and not a function or loop."""
+        """True for the host or a stage; false for a function or loop."""
         return self.cluster.is_stage
 
     def place(self, key: str) -> tuple[float, float, Item] | None:

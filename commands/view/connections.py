@@ -70,7 +70,7 @@ class Connection(H11Protocol):
         super().resume_writing()
 
     def _is_between(self) -> bool:
-        """Whether there is no request that is to be answered."""
+        """True if there is no request that waits for an answer."""
         return self.cycle is None or self.cycle.response_complete
 
     def _stop_asking(self) -> None:

@@ -66,9 +66,10 @@ class Documents:
         self._made = made
         self._number = next(_VERSIONS)
         self._whole: dict[Choice, Choice] = {}
-        """What choices mean that were asked for, with everything that they leave open."""
+        """The full choice for each choice that was asked for, with everything that was left
+        open."""
         self._listed: dict[str, Any] = {"subjects": [], "rigs": [], "passes": []}
-        """What the file declares; of a file that cannot be read, what it did before."""
+        """The declarations of the file; if it cannot be read, those from before."""
         self._told = ""
         """The version whose errors the terminal has been told."""
 
@@ -149,13 +150,13 @@ class Documents:
             show(diagnostics)
 
     def _refused(self, text: str) -> str:
-        """What the page says of something that cannot be drawn; the terminal says it, too."""
+        """The page's text about something that cannot be drawn; the terminal gets it, too."""
         if self._told != self.version:
             remark("error", text)
         return f"{Style(True).severity('error', 'error')}: {text}"
 
     def _head(self) -> dict[str, Any]:
-        """What every document has."""
+        """The fields that every document has."""
         return {
             "file": self._name,
             **self._listed,
@@ -222,7 +223,7 @@ class Documents:
         )
 
     def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
-        """What is shown, as a frame."""
+        """The chosen subject as a frame."""
         from ...targets.runner.frames.single import single_frame
         from ...targets.runner.instances.literals import color_lanes
 
@@ -297,7 +298,10 @@ class Documents:
 
 
 def choice_of(query: Mapping[str, str]) -> Choice:
-    """What a page asks for, by the names in its address. What nobody can mean is left out."""
+    """The choice that a page asks for, by the names in its address.
+
+    Values that have no meaning are left out.
+    """
     profile = query.get("profile", PROFILES[0])
     pictures = {
         key.removeprefix(_PICTURE): asked
@@ -330,14 +334,14 @@ def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> No
 
 
 def _takes_mesh(frame: FrameSubject) -> bool:
-    """Whether a mesh of the page's choice is drawn, or captured."""
+    """True if a mesh of the page's choice is drawn, or captured."""
     from ...targets.runner.frames.single import SingleFrame, captures
 
     return bool(frame.plan.models) or (isinstance(frame, SingleFrame) and captures(frame))
 
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:
-    """What the texture of this name has to be, if there is one."""
+    """The kind of the texture of this name, if there is one."""
     for values in (host.values, *host.instances):
         for row in values.declared.textures:
             if row.name == name:

@@ -15,7 +15,7 @@ _KINDS = {
     ".svg": "image/svg+xml",
 }
 PAGE = "/web_view/index.html"
-"""What ``/`` shows."""
+"""The file that ``/`` shows."""
 
 
 def page_files() -> dict[str, tuple[bytes, str]]:

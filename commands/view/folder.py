@@ -25,7 +25,7 @@ _MOST_SUBJECTS = 32
 
 
 class Folder:
-    """What is shown. Threads may share it."""
+    """The files that are shown. Threads may share a ``Folder``."""
 
     def __init__(self, root: Path, search_path: Sequence[Path]) -> None:
         """``root`` is a file or a folder."""

@@ -1,4 +1,4 @@
-"""What the server of ``burnish view`` keeps in memory, and how much that may be.
+"""The data that the server of ``burnish view`` keeps in memory, and its limit.
 
 The files of pictures that pages were given are kept, since nobody else has them; and textures and
 documents that were made, since they are asked for again. All of it together has one limit.
@@ -14,8 +14,8 @@ from typing import Any, Generic, TypeVar
 from ...compiler.budget import allowed
 
 _SHARE = 4
-"""What is kept takes this part of the limit called ``memory`` at most; the rest is for what is
-being made."""
+"""The share of the limit called ``memory`` that kept data may take; the rest is for what is being
+made."""
 
 Key = TypeVar("Key", bound=Hashable)
 Value = TypeVar("Value")
@@ -63,7 +63,7 @@ class Shelf(Generic[Key, Value]):
         keeping.add(self)
 
     def get(self, key: Key) -> Value | None:
-        """What is kept under a key, which is then the last that goes."""
+        """The value that is kept under a key. It becomes the last one that is dropped."""
         with self._keeping.lock:
             if key not in self._kept:
                 return None

@@ -34,14 +34,14 @@ class Kept(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """What a texture of a shader has to be."""
+    """The kind of texture that a shader needs."""
 
     dimension: Dimension
     sample: Kind
 
 
 def wanted_of(dimension: str, sample: str) -> Wanted | None:
-    """What a page says that a texture has to be, if there can be such a texture."""
+    """The kind of texture that a page names; ``None`` if there is no such kind."""
     from ...targets.runner.drivers.texels import Dimension
     from ...targets.runner.textures.kinds import Kind
 
@@ -80,7 +80,7 @@ class Pictures:
         return self._files.get(asked.removeprefix(_SRGB))
 
     def is_srgb(self, asked: str, wanted: Wanted) -> bool:
-        """Whether the colours that a page asks for are sRGB. Floats never are."""
+        """True if the colours that a page asks for are sRGB. Floats never are."""
         kept = self.get(asked)
         is_color = wanted.sample == "float" and kept is not None and not kept.is_float
         return is_color and asked.startswith(_SRGB)

@@ -43,7 +43,7 @@ _PATIENCE = 0.8
 its threads do."""
 _Queue = asyncio.Queue[tuple[str, str] | None]
 _SIGNALLED = 128
-"""What shells add to the number of the signal that has ended a program."""
+"""The number that shells add to the signal that has ended a program."""
 _PIECE = 1 << 18
 """Bytes of a document that are sent at once."""
 _PULSE = 15.0
@@ -66,12 +66,12 @@ class Server:
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is nothing to show."""
+        """True if there is nothing to show."""
         return self._watched.folder.first() is None
 
     @property
     def address(self) -> str:
-        """What a browser opens."""
+        """The address that a browser opens."""
         return f"http://{HOST}:{self._port}/"
 
     def run(self) -> None:
@@ -90,7 +90,7 @@ class Server:
     # --- what is served --------------------------------------------------------------------------
 
     def application(self) -> Guarded:
-        """What answers requests."""
+        """The application that answers requests."""
         routes = [
             Route("/document", self._document),
             Route("/files", self._files),
@@ -142,7 +142,7 @@ class Server:
 
     @property
     def _tidying(self) -> BackgroundTask:
-        """What is done once an answer has been sent."""
+        """The task that runs once an answer has been sent."""
         return BackgroundTask(self._watched.workshop.tidy)
 
     async def _changes(self, _request: HttpRequest) -> Response:
@@ -190,7 +190,7 @@ class Server:
 
 
 async def _next_event(queue: _Queue) -> str:
-    """What a page is told next; empty if that is nothing more."""
+    """The next event for a page; empty if there are no more."""
     try:
         told = await asyncio.wait_for(queue.get(), _PULSE)
     except TimeoutError:

@@ -37,7 +37,7 @@ class Watched:
         self._made = Documents.shelf(keeping)
         self.pictures = Pictures(keeping)
         self.is_seen = False
-        """Whether any page is open, which asks for a document itself after each change."""
+        """True if any page is open: a page asks for a document itself after each change."""
         self._watcher = Watcher[str]()
         self._lock = Lock()
         self._opened: OrderedDict[str, Documents] = OrderedDict()
@@ -76,7 +76,10 @@ class Watched:
             return self._documents(name, path).get(choice)
 
     def _documents(self, name: str, path: Path) -> Documents:
-        """Those of a file, which is followed from now on; the caller works in the workshop."""
+        """The documents of a file, which is watched from now on.
+
+        The caller works in the workshop.
+        """
         with self._lock:
             found = self._opened.get(name)
             if found is not None:

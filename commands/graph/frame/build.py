@@ -99,7 +99,7 @@ class _Builder:
         return box
 
     def _does(self, step: DrawStep | RunStep) -> Iterator[str]:
-        """What a step does, as lines of its box."""
+        """The actions of a step, as lines of its box."""
         if isinstance(step, RunStep):
             yield self._shader(step.use.shader)
             return
@@ -189,7 +189,10 @@ class _Builder:
     def _port(
         self, box: Box, result: str, name: str, what: str, texture: int | None, mark: MarkKind
     ) -> None:
-        """What several steps of a box leave by one name is one row: that of the last of them."""
+        """Add a row for a result to a box, or replace the row of the same name.
+
+        If several steps of a box leave results by one name, the row is that of the last of them.
+        """
         row = next((r for r in self._plan.results if r.name == result), None)
         place = "" if row is None else _place(row.source)
         port = Port(result, name, what, texture, mark, place)

@@ -94,7 +94,7 @@ class _Lanes:
         yield text(self._right + 30, middle + 4, cut(row.holds, HOLDS), TEXT_SIZE, FAINT) + "</g>"
 
     def _is_left_out(self, life: Life) -> bool:
-        """Whether all steps that need a result are among those that are not shown."""
+        """True if all steps that need a result are among those that are not shown."""
         first, last = self._place[life.first], self._place[life.last]
         return first == last and self._shown[first] is None
 
@@ -124,7 +124,7 @@ class _Lanes:
 
 
 def drawn_mark(mark: MarkKind, x: float, y: float) -> str:
-    """What a step does with a texture, as a small shape."""
+    """The small shape for a step's use of a texture."""
     if mark == "read":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#ffffff" stroke="{INK}"/>'
     if mark == "dropped":

@@ -37,7 +37,7 @@ MARKS: dict[MarkKind, str] = {
     "dropped": "drawn to, and then dropped",
     "read": "read",
 }
-"""What a step does with a texture, in the order of the legend."""
+"""The uses of a texture in a step, in the order of the legend."""
 LETTERS: dict[MarkKind, str] = {
     "cleared": "C", "drawn over": "O", "written": "W", "dropped": "D", "read": "r",
 }  # fmt: skip
@@ -46,13 +46,13 @@ LETTERS: dict[MarkKind, str] = {
 
 @dataclass(slots=True)
 class Port:
-    """What a step leaves: a row of its box."""
+    """A row of a box: a result that the step leaves."""
 
     key: str
     """The result's name: ``step.target``."""
     name: str
     what: str
-    """Its format, size and layers; of a buffer, its type."""
+    """The format, size and layers of a texture, or the type of a buffer."""
     texture: int | None
     """The number of the texture that has it; ``None`` for buffers."""
     mark: MarkKind
@@ -67,19 +67,19 @@ class Box:
     kind: Kind
     name: str
     lines: list[str] = field(default_factory=list)
-    """What stands below the name."""
+    """The lines below the name."""
     repeated: str = ""
     """How often, and for what, the step is repeated."""
     only_first: bool = False
-    """Whether it is done in the first frame only."""
+    """True if the step is done in the first frame only."""
     notes: list[str] = field(default_factory=list)
-    """What is set by the frame, and where it is written."""
+    """The values that the frame sets, and where they are written."""
     ports: list[Port] = field(default_factory=list)
 
 
 ArrowKind = Literal["given", "read", "over", "initial", "back"]
-"""Whether something is given by the host; read; drawn over; read in the first frame only; or read
-in the next frame."""
+"""The kind of dependence: given by the host; read; drawn over; read in the first frame only; or
+read in the next frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,9 +111,9 @@ class Life:
     first: int
     last: int
     before: bool = False
-    """Whether the last frame left it."""
+    """True if the last frame left the result."""
     after: bool = False
-    """Whether the host or the next frame needs it."""
+    """True if the host or the next frame needs the result."""
 
 
 @dataclass(slots=True)
@@ -125,7 +125,7 @@ class Row:
     texture: int | None
     lives: list[Life] = field(default_factory=list)
     marks: dict[int, MarkKind] = field(default_factory=dict)
-    """What the steps do with it, by their columns."""
+    """The uses of the texture by the steps, by their columns."""
 
     @property
     def holds(self) -> str:

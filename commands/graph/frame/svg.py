@@ -153,7 +153,7 @@ def _inner(box: Box, item: Item) -> float:
 
 
 def _lines(box: Box) -> list[str]:
-    """What stands below a box's name."""
+    """The lines below a box's name."""
     found = [cut(line) for line in box.lines]
     if box.repeated:
         found.append(f"× {box.repeated}")
@@ -213,7 +213,7 @@ def _rectangle(
 
 
 def _ports(box: Box, item: Item, width: float) -> Iterator[str]:
-    """What a step leaves: a row each, with the colour of its texture."""
+    """The results of a step: one row each, with the colour of its texture."""
     top = item.y + _head(box)
     yield (
         f'<rect x="{item.x + 1:.1f}" y="{top - 1:.1f}" width="{width - 2:.1f}" '

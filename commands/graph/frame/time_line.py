@@ -77,7 +77,7 @@ def _touched(step: PlanStep) -> Iterator[tuple[int | None, str, MarkKind]]:
 
 
 def mark_of(target: AttachmentRow) -> MarkKind:
-    """What a pass does with a texture that it draws to; one of depths may have stencils, too."""
+    """The use of an attachment by a render pass; one of depths may have stencil values, too."""
     stencil = target.stencil
     if not (target.store or (stencil is not None and stencil.store)):
         return "dropped"
