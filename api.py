@@ -163,7 +163,7 @@ def check(
 def has_frames(
     source: str | Path, *, material: str | None = None, search_path: Sequence[str | Path] = ()
 ) -> bool:
-    """Whether ``compile`` makes frames of a file; ``material`` is the only name asked for.
+    """True if ``compile`` makes frames of a file; ``material`` is the only name asked for.
 
     Raises ``CompileError`` if the file cannot be read.
     """
@@ -185,7 +185,7 @@ class Declared(NamedTuple):
 
 
 def declared(source: str | Path, *, search_path: Sequence[str | Path] = ()) -> Declared:
-    """What a file declares. Raises ``CompileError`` if the file cannot be read."""
+    """The declarations of a file. Raises ``CompileError`` if the file cannot be read."""
     report = Report()
     frontend, module = _opened(source, search_path, report)
     if module is None or report.failed:
@@ -238,7 +238,7 @@ def _opened(
 
 
 def _program_of(shader: FrameShader) -> Program:
-    """What a shader of a frame is compiled to, before it is made legal anywhere."""
+    """The program of a frame's shader, before it is made legal for any profile."""
     return stage(lower_stages(shader.shader), Options()).program
 
 

@@ -108,7 +108,7 @@ def _leave_threads(code: int) -> None:
 
 
 def _compiled(arguments: list[str], question: Question | None) -> bool | None:
-    """Whether a plain ``burnish compile`` has succeeded; ``None`` where click has to see to it."""
+    """Run a plain ``burnish compile``: True if it succeeded, ``None`` if click has to run it."""
     from .commands.compile_options import plain_request
 
     request = plain_request(arguments)

@@ -1,4 +1,4 @@
-"""What compiling a file gives: its materials, with their texts, reflection and proofs.
+"""The results of compiling a file: its materials, with their texts, reflection and proofs.
 
 ``api.compile`` makes these records, and users of the library and the commands read them. What many
 of them never ask for is computed when it is first asked for.
@@ -98,7 +98,7 @@ class CompiledMaterial:
     @cached_property
     @seldom_collected
     def reflection(self) -> Reflection:
-        """What a host needs to bind; ``to_json`` makes data for JSON of it."""
+        """The data that a host needs to bind; ``to_json`` makes data for JSON of it."""
         from .compiler.reflection import reflect
 
         rows = {
@@ -176,7 +176,7 @@ class CompiledFrame:
     """One for each pass with each material and its lights, and one for each kernel, in the order of
     the plan's ``shaders``."""
     frame: Frame
-    """What was checked, which the reference draws."""
+    """The checked frame, which the reference draws."""
 
     def __repr__(self) -> str:
         """The frame with the names of its shaders."""
@@ -184,13 +184,15 @@ class CompiledFrame:
 
     @cached_property
     def plan(self) -> FramePlan:
-        """What a host does to draw the frame; ``to_json`` makes data for JSON of it."""
+        """The steps by which a host draws the frame; ``to_json`` makes data for JSON of it."""
         return self._planned(shares=True)
 
     @cached_property
     def plan_of_reference(self) -> FramePlan:
-        """What ``conform`` has the reference do: every result has a texture of its own, so that
-        nothing that is wrong with ``plan`` is wrong here as well."""
+        """The plan that the reference executes for ``conform``: every result has its own texture.
+
+        So nothing that is wrong with ``plan`` is wrong here as well.
+        """
         return self._planned(shares=False)
 
     def _planned(self, *, shares: bool) -> FramePlan:

@@ -32,7 +32,7 @@ def generate(folder: Path) -> None:
 
 
 def is_current() -> bool:
-    """Whether everything was generated from the files as they are now."""
+    """True if everything was generated from the files as they are now."""
     wanted = ((name, key) for name, values in _modules().items() for key in values)
     return all(precomputed(name, key) is not None for name, key in wanted)
 
