@@ -19,10 +19,10 @@ from .description.profile import Profile
 from .description.shading_language import Language
 
 DEFAULT = "default"
-"""Means the first profile of every target that is not marked as unproven."""
+"""The name of the first profile of every target that is not marked as unproven."""
 
 ALL = "all"
-"""Means every profile of every target, besides those that have to be named."""
+"""The name of every profile of every target, besides those that have to be named."""
 
 
 def select_targets(

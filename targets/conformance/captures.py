@@ -1,4 +1,4 @@
-"""Judges what passes capture: each value of each vertex has to lie within the reference's bounds.
+"""Judges captured vertices: each value of each vertex has to lie within the reference's bounds.
 
 What a draw captures is compared as a picture of one row is: each vertex is a pixel, and each value
 of it is a target. Which vertices are captured may hang on rounding; then those before the first and
@@ -39,7 +39,7 @@ Bools = NDArray[np.bool_]
 
 
 LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
-"""The stages of which the reference can list what they capture."""
+"""The stages whose captured vertices the reference can list."""
 
 
 class CapturePlan:
@@ -100,7 +100,7 @@ class _Compared:
     kept: Bools
     """The listed vertices that are compared: those whose offsets in the buffer are known."""
     got: list[Floats]
-    """Of each member a picture of one row; NaN where a wrong number of vertices was captured."""
+    """For each member, a picture of one row; NaN if a wrong number of vertices was captured."""
 
     @classmethod
     def of(cls, listed: Listed, got: Vertices) -> _Compared:
@@ -156,7 +156,8 @@ def _row(lanes: tuple[object, ...], end: str, kept: Bools) -> Floats:
 
 
 def _padded(values: NDArray[np.generic]) -> Floats:
-    """Lanes of vertices as a picture of one row with four lanes; of none, one of zeros."""
+    """Lanes of vertices as a picture of one row with four lanes; a row of zeros if there are
+    none."""
     whole = np.zeros((1, max(len(values), 1), 4))
     whole[0, : len(values), : values.shape[1]] = values
     return whole

@@ -1,4 +1,4 @@
-"""Runs a conformance test: draws materials by every route, and compares with the reference.
+"""Runs conformance tests: draws materials by every route, and compares with the reference.
 
 ``burnish conform`` and the tests call it.
 """
@@ -191,7 +191,7 @@ def _results(
 
 
 def _lacking(plan: AnyPlan, route: Route) -> str | None:
-    """Why there is nothing to draw for a route, or nothing to compare with."""
+    """The reason why a route has nothing to draw, or nothing to be compared with; or ``None``."""
     profile = route.profile
     if isinstance(plan, FramePlan):
         return lacking(plan.subject, route)

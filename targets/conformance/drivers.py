@@ -16,24 +16,26 @@ from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 @dataclass(frozen=True, slots=True)
 class Hardware:
-    """How precise the fixed functions of a device are, in binary places."""
+    """The precision of a device's fixed functions, in binary places."""
 
     varying_bits: int
-    """Of the planes from which values are interpolated, relative to the largest number with which
-    these are computed."""
+    """Places of the planes from which values are interpolated, relative to the largest number with
+    which these are computed."""
     frag_coord_bits: int
-    """The same of a fragment's depth, and of its 1 / w."""
+    """Places of a fragment's depth, and of its 1 / w."""
     subtexel_bits: int
-    """Of the weights of filters."""
+    """Places of the weights of filters."""
     mip_bits: int
-    """Of the level of detail."""
+    """Places of the level of detail."""
     mixing_bits: int | None = None
-    """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
+    """Places of the weights of two levels whose texels are not filtered; ``None``: they are
+    floats."""
     derivatives: Derivatives = "any"
     euclidean_steps: bool = False
     """True if mip levels follow from a quad's first row and column, by Euclidean lengths."""
     corner_bits: int | None = None
-    """Of the mean of the three texels around a cube's corner; ``None``: it may be one of them."""
+    """Places of the mean of the three texels around a cube's corner; ``None``: it may be one of
+    them."""
     lines: Lines = "any"
     """The rule for the pixels that a line covers."""
 
@@ -55,7 +57,8 @@ class Driver:
     owns_bottom: bool = False
     """True if pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
-    """How close to an edge, in pixels, it may put a pixel on the wrong side."""
+    """The distance from an edge, in pixels, at which the driver may put a pixel on the wrong
+    side."""
     snaps_line_ends: bool = False
     """True if the driver snaps the ends of lines, and half their width separately."""
     level_power: int | None = None

@@ -1,4 +1,4 @@
-"""Explains a pixel of a frame: which step has made it, and what carries the error to it.
+"""Explains a pixel of a frame: the step that made it, and the inputs that carry the error to it.
 
 ``explaining.py`` calls it for ``burnish conform --explain``. All that the step's own shader does is
 explained as it is for materials.
@@ -27,7 +27,7 @@ from .seen import (
 )
 
 _LARGE_PART = 0.5
-"""An input is to blame if the bounds would be apart by less than this part of what they are."""
+"""The part of the bounds' distance by which an exact input has to reduce it to be blamed."""
 
 
 def frame_lines(
@@ -50,7 +50,7 @@ def frame_lines(
 
 
 def reasons_of_frame(subject: FrameSubject, row: Row) -> Iterator[str]:
-    """Where precision is lost, at a usual pixel of the case that proves the least."""
+    """The places where precision is lost, at a usual pixel of the case that proves the least."""
     plan = FramePlan(subject.name, subject, SIZE)
     least = max(_seen(plan, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
@@ -69,7 +69,7 @@ def reasons_of_frame(subject: FrameSubject, row: Row) -> Iterator[str]:
 
 
 def made_lines(made: Made) -> Iterator[str]:
-    """How a pixel came about, as lines of text."""
+    """The origin of a pixel, as lines of text."""
     yield f"the step `{made.step}` has made it, and its bounds are {short(made.apart)} apart"
     if made.carried:
         yield from ("", "how far apart they would be without the error of:")

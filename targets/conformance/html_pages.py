@@ -16,8 +16,8 @@ from markupsafe import Markup
 from ...compiler.diagnostics.display import harmless_lines
 
 _OWN_PICTURES = "'self' file: data:"
-"""Where pictures may come from that lie beside a page: of a page on disk, some browsers do not take
-files in its own folder for ``'self'``."""
+"""The sources of pictures beside a page: of a page on disk, some browsers do not take files in its
+own folder for ``'self'``."""
 _EMBEDDED_PICTURES = "data:"
 
 

@@ -1,4 +1,4 @@
-"""Judges what kernels write: every lane has to lie within the reference's bounds.
+"""Judges the results of kernels: every lane has to lie within the reference's bounds.
 
 A run of a kernel is compared as a picture of one row is: each element is a pixel, and what is
 written to each part of it is a target.
@@ -39,13 +39,13 @@ Floats = NDArray[np.float64]
 MANY = (64, 70, 200)
 ANY = (0, 1, *MANY)
 CASES = {"first": ANY, "second": MANY, "third": ANY}
-"""How many elements storage buffers may get: a whole work group, and parts of one; none or one, but
-not in all cases."""
+"""The numbers of elements that storage buffers may get: a whole work group, and parts of one; none
+or one, but not in all cases."""
 
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """One dispatch, and the values that it is made of."""
+    """One dispatch, and the values with which it was made."""
 
     name: str
     instance: Instance
@@ -58,12 +58,12 @@ class Run:
 
     @property
     def count(self) -> int:
-        """How many elements are computed."""
+        """The number of elements that are computed."""
         return self.dispatch.extent[0]
 
     @property
     def height(self) -> int:
-        """There is one row."""
+        """One: an element is a pixel of a single row."""
         return 1
 
 
@@ -167,7 +167,7 @@ def _expected(lanes: Sequence[Lane], width: int) -> Expected:
 
 
 def _undecided(lanes: Sequence[Lane], width: int) -> NDArray[np.bool_]:
-    """Where nothing is defined of anything that is written."""
+    """The elements for which no written value is defined."""
     found = np.zeros((1, width), np.bool_)
     for lane in lanes:
         found[0, : len(lane.undecided)] |= lane.undecided

@@ -110,4 +110,4 @@ ENVELOPES: Mapping[str, Envelope] = {
         },
     ),
 }
-"""By the name of the driver in routes."""
+"""The envelopes, by the name of the driver in routes."""

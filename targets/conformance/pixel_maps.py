@@ -1,4 +1,4 @@
-"""Turns what is known of each pixel into the report's pictures: bounds, differences, decisions."""
+"""Turns the verdict on each pixel into the report's pictures: bounds, differences, decisions."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def decision_map(result: CaseResult) -> Floats:
 
 
 def histogram(results: tuple[CaseResult, ...]) -> list[int]:
-    """How many lanes of covered pixels are how far from their value, in bounds."""
+    """The number of lanes of covered pixels, by their distance from their value in bounds."""
     counts = np.zeros(len(EDGES) + 1, dtype=np.int64)
     for result in results:
         expected = result.expected

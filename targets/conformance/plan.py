@@ -39,8 +39,8 @@ from .rows import CaseResult
 Floats = NDArray[np.float64]
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
-"""The errors of functions that were not measured follow from those that were, on any platform. So
-all routes to a driver share one picture."""
+"""The platform whose errors are assumed. The errors of functions that were not measured follow from
+those that were, on any platform. So all routes to a driver share one picture."""
 FLOATS = "rgba32f"
 """The format that holds every float that is compared, in series that show what shaders write."""
 
@@ -121,7 +121,8 @@ class Plan:
         questions: Sequence[Bounds],
         series: Series,
     ) -> Iterator[tuple[Comparison, Expected]]:
-        """The comparisons with the first bounds, and with the next ones where these are left."""
+        """The comparisons with the first bounds, and with the next ones if a picture leaves
+        these."""
         program, source = (
             self._program(profile, exact=series.exact) for profile in (route.profile, None)
         )
@@ -184,7 +185,7 @@ def _compared(
 
 
 def summed_up(found: Sequence[Comparison]) -> Comparison:
-    """The last comparison, with how tight the first one was."""
+    """The last comparison, with the tightness of the first one."""
     first, last = found[0], found[-1]
     if first is last:
         return first
@@ -268,8 +269,10 @@ def rules_of(
 
 
 def precise(rules: RasterRules) -> RasterRules:
-    """The rules of a device that covers the same pixels, but rounds nothing, and of which nothing
-    is known where an operation without a guard leaves its domain."""
+    """The rules of a device that covers the same pixels, but rounds nothing.
+
+    Of this device, nothing is known about an operation without a guard that leaves its domain.
+    """
     return replace(
         rules,
         subtexel_bits=None,

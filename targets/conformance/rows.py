@@ -46,7 +46,7 @@ class Row:
     route: Route
     status: Status
     problem: str = ""
-    """Why it failed, or was not run."""
+    """The reason why it failed, or was not run."""
     device: Device | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
@@ -62,7 +62,7 @@ class Row:
 
     @property
     def bite(self) -> float:
-        """The largest of the cases' medians of how many steps their bounds leave open."""
+        """The largest of the cases' median distances of the bounds, in steps."""
         return max((result.comparison.bite for result in self.results), default=0.0)
 
     @property

@@ -28,16 +28,16 @@ order of how wide their bounds are."""
 
 
 class PixelError(Exception):
-    """There is no such pixel, or nothing to explain in it; the text tells people why."""
+    """The pixel does not exist, or has nothing to explain; the text tells people why."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Seen:
-    """One case, with what the routes that drew it have made of it."""
+    """One case, with the results of the routes that drew it."""
 
     name: str
     results: Mapping[str, CaseResult]
-    """By the route's name."""
+    """The results, by the route's name."""
     leading: Row
     """The row whose device and rules the explanation is for."""
 
@@ -60,7 +60,7 @@ def results_of(case: str, rows: Iterable[Row]) -> dict[str, CaseResult]:
 
 
 def leading_of(results: Mapping[str, CaseResult], rows: Iterable[Row]) -> Row:
-    """The first of the rows that has drawn a case."""
+    """The first of the rows that drew a case."""
     return next(row for row in rows if row.route.name in results)
 
 
@@ -87,7 +87,7 @@ def named(cases: Mapping[str, T], name: str) -> T:
 
 
 def values_lines(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
-    """The value and its bounds, and what each route has drawn."""
+    """The value and its bounds, and the value that each route has drawn."""
     x, y = pixel
     rows = []
     for route, result in seen.results.items():
@@ -111,7 +111,7 @@ def values_lines(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
 
 
 def width_of(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    """(height, width): how far a pixel's bounds are apart, in its widest lane."""
+    """(height, width): the distance of a pixel's bounds, in its widest lane."""
     pairs = zip(expected.low, expected.high, strict=True)
     apart = [np.where(np.isfinite(high - low), high - low, np.inf) for low, high in pairs]
     widest: np.ndarray[tuple[int, int], np.dtype[np.float64]] = np.max(apart, axis=(0, 3))

@@ -25,7 +25,7 @@ def cells(row: Row) -> tuple[str, ...]:
 
 
 def share(row: Row) -> str:
-    """How much of its bound the worst pixel needs; more than 100% is a violation."""
+    """The part of its bound that the worst pixel needs; more than 100% is a violation."""
     worst = max(result.comparison.excess for result in row.results)
     return (
         f"{worst:.0%}" if worst < 1000 else f"{worst:.0e}" if math.isfinite(worst) else "infinite"
@@ -33,7 +33,7 @@ def share(row: Row) -> str:
 
 
 def bite(row: Row) -> str:
-    """How tight the bounds were: the median of their width, in steps of the target's format."""
+    """The tightness of the bounds: the median of their width, in steps of the target's format."""
     if not math.isfinite(row.bite):
         return "infinite"
     if row.bite >= 1e5:
@@ -42,7 +42,7 @@ def bite(row: Row) -> str:
 
 
 def unproven(row: Row) -> str:
-    """How many of the object's pixels have bounds that say nothing, or are not compared."""
+    """The number of the object's pixels whose bounds say nothing, or that are not compared."""
     return f"{row.covered - row.proven} of {row.covered}"
 
 
@@ -113,7 +113,7 @@ def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]
 
 
 def details(row: Row) -> Iterator[str]:
-    """Lines that say what is wrong with a row, or weak; none if it agrees."""
+    """Lines about a row that fails or proves little; none if it agrees."""
     yield from row.problem.splitlines()
     if row.results and not row.covered:
         yield "no scene shows anything of it, which proves nothing"
@@ -162,7 +162,7 @@ def _place(sample: Sample, result: CaseResult) -> str:
 
 
 def _range(sample: Sample) -> str:
-    """Between which values a pixel has to be."""
+    """The range in which a pixel's value has to be."""
     if sample.low == sample.high:
         return f"exactly {lanes_text(sample.low)}"
     return f"from {lanes_text(sample.low)} to {lanes_text(sample.high)}"

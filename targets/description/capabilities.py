@@ -1,4 +1,4 @@
-"""The table of capabilities: what of the language a profile can carry out, and by which means.
+"""The table of capabilities: features of programs, the profiles that have them, and by which means.
 
 A *capability* is something that programs may use and that not every profile has, such as a geometry
 stage. Each is a row of ``CAPABILITIES``; which profiles have it follows from their own rows. So a

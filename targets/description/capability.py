@@ -1,4 +1,4 @@
-"""The records of the table of capabilities, and how one of its cells is found.
+"""The records of the table of capabilities, and the function that computes one of its cells.
 
 ``capabilities.py`` has the rows and says who reads them. A row does not say which profiles have the
 capability: that follows from what a ``Profile`` says of itself, by the *needs* of the row.
@@ -16,13 +16,13 @@ from .profile import Profile
 
 @frozen(eq=False)
 class Need:
-    """Something that a profile has or has not got."""
+    """A requirement that a profile meets or does not meet."""
 
     feature: str
-    """Behind "… has no"."""
+    """The name of the feature, which follows "… has no" in messages."""
     is_met: Callable[[Profile], bool]
     builtins: frozenset[str] = frozenset()
-    """The builtins that cannot be had without it."""
+    """The builtins that need the feature."""
 
 
 def feature_of_stage(row: StageRow) -> str:
@@ -48,7 +48,7 @@ def words_for(feature: str, *names: str) -> Need:
 
 @frozen
 class Way:
-    """By which means a capability is carried out where all that is needed is there."""
+    """One way to implement a capability, and the needs that a profile has to meet for it."""
 
     needs: tuple[Need, ...]
     how: str = ""
@@ -61,12 +61,12 @@ class Capability:
     """One row of the table."""
 
     name: str
-    """In tables, and as a key of JSON."""
+    """The name in tables, and the key in JSON."""
     doc: str
     """Describes the capability, and how a program asks for it."""
     ways: tuple[Way, ...]
-    """The first is by the profile's own means. Where these are not there, or are not asked for, the
-    compiler takes the first of the others whose needs are met."""
+    """The ways in order; the first one uses the profile's own means. If these are missing, or not
+    asked for, the compiler takes the first of the other ways whose needs are met."""
     instead: str = ""
     """Advice for a user where no way works: an imperative that follows "help:"."""
     on_request: bool = False
@@ -79,7 +79,7 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 
 @frozen
 class Standing:
-    """One cell of the table: what a profile can do of a capability."""
+    """One cell of the table: how a profile implements a capability, if it does."""
 
     kind: Kind
     how: str = ""

@@ -1,4 +1,4 @@
-"""The data that all printers of one program share.
+"""The data that all printers of one program share: the program, its names, and its dialect.
 
 The emitter makes one ``Context`` for each program and profile, and hands it to every printer.
 """
@@ -31,7 +31,7 @@ class Context:
         self.names = names
         self.flip_y = flip_y
         self.definitions = legal.definitions
-        """The functions for what the profile lacks."""
+        """The functions that replace builtins that the profile lacks."""
         self.members = {
             member.parameter: (block.name, member.name, member.type)
             for block in program.blocks
@@ -46,7 +46,7 @@ class Context:
         self.textures = TextureSpeller(language.textures, program)
         """Writes the types of textures and samplers."""
         self.in_place = legal.in_place
-        """Values that no statement gives a name."""
+        """Values that are printed in place, without a name of their own."""
         self._passed = legal.passed
 
     def passed(self, stage: StageName, body: Node) -> Passed:

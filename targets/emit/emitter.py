@@ -26,7 +26,7 @@ from .views import EntryView, FileView
 from .wrapping import Breaks, moved, wrapped
 
 ALL_STAGES = "all"
-"""Stands for the name of a stage where one text holds them all."""
+"""Replaces the name of a stage where one text holds all stages."""
 
 
 @frozen
@@ -48,13 +48,13 @@ class EmittedFile:
     suffix: str
     """The end of the file's name, behind the material's name: ``vert.glsl``."""
     stage: StageName
-    """``all`` for a text that holds all stages."""
+    """The stage of the text; ``all`` for a text that holds all stages."""
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
     marks: Marks
     breaks: Breaks
-    """The lines that were broken. The marks know the text as it was before."""
+    """The lines that were broken. The marks count lines as they were before."""
 
     def origins(self) -> dict[int, Node]:
         """The value that each statement belongs to, by line of ``text``, counted from 1."""
@@ -76,7 +76,7 @@ class Emission:
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
-    """Print a program. ``ValueError`` if one file is wanted and the profile needs several."""
+    """Print a program. Raises ``ValueError`` if it needs several files, and one is wanted."""
     options = options or EmitOptions()
     if options.single_file and not legal.profile.single_file:
         raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")

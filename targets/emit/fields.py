@@ -1,4 +1,4 @@
-"""The inputs and outputs of one stage as a text declares them, and what it says of its patches.
+"""The inputs and outputs of one stage as a text declares them, and the division of its patches.
 
 ``stage.py`` makes ``Fields`` for each stage, and puts what they give into the stage's view.
 """
@@ -43,7 +43,7 @@ class Fields:
 
     @property
     def delivered(self) -> list[FieldView]:
-        """For each result with a place, where it goes."""
+        """The outputs to which the stage's results go, in their order."""
         return self._delivered
 
     def names(self) -> list[str]:
@@ -56,7 +56,7 @@ class Fields:
         return self._name(output.field, self._role(output))
 
     def capture_stride(self) -> int:
-        """The bytes of each vertex that the stage captures, where the text has to say it."""
+        """The bytes of each captured vertex, if the text has to state them; else 0."""
         capture = self._context.program.capture
         stream = self._context.profile.stream_output
         is_said = stream is not None and stream.told == "text"

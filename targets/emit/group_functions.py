@@ -53,7 +53,7 @@ class GroupFunctions(GroupCalls):
         self._size = 1 if group is None else invocations(group)
         used = [(use.builtin, use.types[0]) for use in stage.natives if use.builtin in OF_GROUPS]
         self._origins: dict[Use, Node] = {}
-        """By what each function is called first: what its lines belong to."""
+        """The node of each function's first call, for the source map."""
         builtins = [builtin for builtin, _ in used]
         declare = context.names.common.declare
         self._names = {
@@ -65,9 +65,10 @@ class GroupFunctions(GroupCalls):
         namer = context.names.locals(()) if used else None
         self._local = {word: namer.declare(word) for word in _WORDS} if namer else {}
         self._place, self._present = "", ""
-        """The same of the invocation that calls, as the entry point has called it."""
+        """The calling invocation's number in the work group, and the number of invocations with an
+        element, as the entry point names them."""
         self.has_element = ""
-        """The condition under which it has an element to compute."""
+        """The condition under which the calling invocation has an element to compute."""
 
     def __bool__(self) -> bool:
         """True if the stage joins values of a work group."""
@@ -151,7 +152,7 @@ class GroupFunctions(GroupCalls):
         return FunctionView(comment_lines(DOCS[part]), head, lines_of)
 
     def _all(self, use: Use, natives: Natives) -> Iterator[str]:
-        """Pairs are joined, the second half of a group with the first one, until one is left."""
+        """Joins pairs, one from each half of what is left, until one value is left."""
         forms, array = self._forms, self._arrays[use[1]]
         place, present, reach, joined = (
             self._local[word] for word in ("place", "present", "reach", "joined")
@@ -212,13 +213,13 @@ class GroupFunctions(GroupCalls):
         return natives.combined(row.joins, type_, [(one, POSTFIX), (other, POSTFIX)])[0]
 
     def _put(self, type_: Type, value: str) -> Iterator[str]:
-        """Each invocation shows the others what it has."""
+        """Stores the value of each invocation in the shared array, and waits for the others."""
         place = f"{self._arrays[type_]}[{self._local['place']}]"
         yield self._forms.assign.format(name=place, value=value)
         yield self._forms.barrier
 
     def _loop(self, first: str, condition: str, step: str) -> str:
-        """The head of a loop over how far apart the invocations are that join."""
+        """The head of the loop over the distance between the invocations that join."""
         return f"for ({self._variable(self._local['reach'], UINT, first)} {condition}; {step}) {{"
 
     def _variable(self, name: str, type_: Type, value: str) -> str:

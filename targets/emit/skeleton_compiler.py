@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from jinja2 import nodes
 
 FILTERS = {"length": "len"}
-"""Filters, and Python's functions that do the same."""
+"""Filters, with the functions of Python that do the same."""
 PARAMETERS = ("file", "forms", "profile", "flip_y")
 """The variables of a skeleton."""
 GLOBALS = ("joiner",)
@@ -26,7 +26,7 @@ Lines = Iterator[str]
 
 
 class UnsupportedError(Exception):
-    """The skeleton uses something of Jinja that is not translated here."""
+    """The skeleton uses a feature of Jinja that is not translated here."""
 
 
 def translated(tree: nodes.Template, function: str) -> str:
@@ -74,7 +74,7 @@ def _names(target: nodes.Node) -> list[nodes.Name]:
 
 
 def _body(statements: Sequence[nodes.Node]) -> Lines:
-    """The body of a function that returns what the statements put out."""
+    """The body of a function that returns the text that the statements print."""
     yield f"{_INDENT}out = []"
     yield from _indented(statements)
     yield f"{_INDENT}return ''.join(out)"

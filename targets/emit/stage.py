@@ -77,7 +77,7 @@ class StagePrinter:
         self._natives = Natives(context, self._leaves, self._functions, self._groups)
         self._marks = marks
         self._index = ""
-        """The name of the number of a kernel's element."""
+        """The name of the index of a kernel's element."""
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
@@ -162,8 +162,10 @@ class StagePrinter:
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
     def _opening(self, namer: Namer, expressions: Expressions, extent: Node | None) -> list[str]:
-        """The statements that give the number of a kernel's element, or the place of its texel, a
-        name, and else what tells its invocations apart; none in other stages."""
+        """The first statements of a kernel, which name the index of its element or its texel.
+
+        They also compute other numbers by which its invocations differ. Other stages have none.
+        """
         own = self._invocation
         if own is None:
             return []
@@ -182,7 +184,7 @@ class StagePrinter:
         return [self._language.forms.let.format(typed=typed, name=self._index, value=value)]
 
     def _written(self, expressions: Expressions) -> Iterator[str]:
-        """The lines with which an invocation of a kernel writes what it has computed."""
+        """The lines by which an invocation of a kernel writes its results."""
         if self._invocation is None:
             return
         lines = list(self._all_written(expressions))
@@ -332,7 +334,7 @@ class StagePrinter:
         return self._names.locals(self._fields.names())
 
     def _supplied(self) -> tuple[str, ...]:
-        """The pipeline's values that the entry point reads; a kernel's always reads its place."""
+        """The pipeline's values that the entry point reads; a kernel always reads its index."""
         own, invocation = self._stage.builtin_inputs, self._invocation
         missing = invocation is not None and invocation.name not in own
         return (invocation.name, *own) if invocation and missing else own

@@ -1,4 +1,4 @@
-"""Prints what a geometry stage does: a loop for each group of strips, and one for their vertices.
+"""Prints the body of a geometry stage: a loop for each group of strips, and one for their vertices.
 
 ``stage.py`` calls ``Strips.emitted`` where a stage emits vertices.
 """
@@ -43,7 +43,7 @@ class Strips(Statements):
         yield self._forms.end
 
     def _counted(self, number: Formal, count: str, about: Node, block: Lines) -> Lines:
-        """A loop. Its variable is known to what comes behind it, too, as some compilers remark."""
+        """A loop. Its variable is visible behind the loop, too, as some compilers remark."""
         index = self._namer.declare(number.name)
         self._expressions.formals[number] = index
         text = self._forms.loop.format(
@@ -67,7 +67,7 @@ class Strips(Statements):
                 yield from strip
 
     def _count_of(self, group: EmittedGroup) -> str:
-        """How many strips there are; never more than the bound, whatever the host has set."""
+        """The number of strips; never more than the bound, whatever the host has set."""
         bound = literal(group.strips.strips, "int", self._literals)
         if group.count.op == "constant":
             return bound

@@ -38,7 +38,8 @@ _BRANCHES = ("body", "elif_", "else_")
 """The fields of Jinja's statements that hold other statements."""
 
 Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
-"""Fills a skeleton in. What it takes is called ``file``, ``forms``, ``profile`` and ``flip_y``."""
+"""Fills a skeleton in. Its parameters are called ``file``, ``forms``, ``profile`` and
+``flip_y``."""
 
 
 @cache
@@ -60,7 +61,7 @@ def renderer(path: Path) -> Renderer:
 def functions_to_generate(paths: Iterable[Path]) -> Precomputations:
     """The functions for which ``renderer`` looks, as code.
 
-    Each is called ``render_`` and its key. A skeleton that has to be left to Jinja has none.
+    Each is called ``render_`` and its key. A skeleton that is left to Jinja has none.
     """
     found = {_key(sources): sources for sources in (tuple(skeleton_texts(path)) for path in paths)}
     return {key: partial(_translated, found[key], f"render_{key}") for key in found}

@@ -1,4 +1,4 @@
-"""The records that a skeleton gets to print: all texts in them are finished.
+"""The records that a skeleton prints: all texts in them are finished.
 
 The emitter makes them, and ``skeleton.j2`` puts them together. What belongs between the elements of
 a list, or around them, is the skeleton's business.
@@ -35,10 +35,10 @@ class BlockView:
 
     name: str
     variable: str
-    """The variable that it is, in languages where members are reached through one."""
+    """The variable that holds the block, in languages where members are reached through one."""
     slot: BindingSlot
     register: str
-    """The slot in the language's own words, where it has such."""
+    """The binding in the language's own words, if it has such."""
     argument: str
     """The block as a parameter of a function."""
     members: tuple[MemberView, ...]
@@ -107,7 +107,7 @@ class FieldView:
     """True if the text has to declare the field invariant: the same, bit by bit, in all shaders
     that compute it in this way."""
     captured_at: str = ""
-    """At which byte of a vertex it is captured, where the text says so."""
+    """The byte of a vertex at which the field is captured, if the text says so."""
 
 
 @frozen
@@ -140,32 +140,32 @@ class ExpansionView:
     """The primitives that a geometry stage gets, and the vertices that it emits."""
 
     primitive: str
-    """In the language's own word."""
+    """The kind of primitive that the stage gets, in the language's own word."""
     corners: int
     emitted: str
     """The language's word for the stream that the stage emits: points, lines or triangles."""
     places: bool
     """True if the stage delivers positions; captured vertices have none."""
     vertices: int
-    """How many it emits at most."""
+    """The largest number of vertices that the stage emits."""
     is_layered: bool
     """True if the stage says to which layer of the render targets its vertices belong."""
 
 
 @frozen
 class TessellationView:
-    """How patches are divided, for the two stages that do it."""
+    """How patches are divided, for the two tessellation stages."""
 
     patch: str
     """The kind of the patches, in the language's own word."""
     lines: bool
     """True if patches are divided into lines, and not into triangles."""
     spacing: str
-    """How edges are divided, likewise."""
+    """How edges are divided, in the language's own word."""
     points: int
-    """How many control points each has."""
+    """The number of control points of each patch."""
     edge_levels: int
-    """How many levels there are."""
+    """The number of tessellation levels of the edges."""
     inner_levels: int
     is_control: bool
     """True in the stage that computes the tessellation levels."""
@@ -199,27 +199,27 @@ class EntryView:
     shared: list[str]
     """Declarations of variables that the invocations of a work group share."""
     written: list[str]
-    """Lines with which a kernel writes elements of buffers and texels of images."""
+    """Lines by which a kernel writes elements of buffers and texels of images."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     invariant: bool
     """True if positions, and the tessellation levels, have to be the same, bit by bit, in all
     shaders that compute them in this way."""
     opening: list[str]
-    """The statements that tell a kernel's invocations apart; none in other stages."""
+    """The first statements of a kernel, which compute its index; none in other stages."""
     guard: str
-    """Where a kernel's invocation has nothing to do; empty in other stages, and where all
-    invocations go on to the end."""
+    """The condition under which a kernel's invocation has nothing to do. Empty in other stages, and
+    in kernels in which all invocations go on to the end."""
     work_group: tuple[int, ...]
-    """How many invocations a kernel runs together along x, y and z; empty in other stages."""
+    """The size of a kernel's work group along x, y and z; empty in other stages."""
     discard: list[str]
-    """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    """Lines that discard the fragment; empty if nothing is discarded."""
     capture_stride: int = 0
-    """The bytes of each vertex that is captured, where the text says so; else 0."""
+    """The bytes of each captured vertex, if the text states them; else 0."""
     expansion: ExpansionView | None = None
-    """Of a stage that emits vertices."""
+    """The expansion of a stage that emits vertices; else ``None``."""
     tessellation: TessellationView | None = None
-    """Of the stages that divide patches."""
+    """The division of patches in tessellation stages; else ``None``."""
 
 
 @frozen
@@ -227,16 +227,16 @@ class FileView:
     """One file."""
 
     opening: list[str]
-    """Lines that have to come before all others, besides those of the profile."""
+    """Lines that have to come before all others, after those of the profile."""
     header: list[str]
     structs: list[StructView]
     blocks: list[BlockView]
     buffers: list[BufferView]
     images: list[ImageView]
     textures: list[TextureView]
-    """Each followed by its sampler, if that is an object of its own."""
+    """The textures; each is followed by its sampler, if that is an object of its own."""
     helpers: list[str]
-    """Functions of the language's own, texts of some lines."""
+    """Helper functions of the language, each a text of several lines."""
     host_uniforms: list[str]
     """Loose float uniforms."""
     entries: list[EntryView]

@@ -19,7 +19,7 @@ from .precedence import INFIX, Binding
 
 WIDTH = 110
 STEP = 4
-"""How much deeper each level is indented."""
+"""The indentation of each level, in spaces."""
 
 _BINDINGS = {
     **{symbol: rule.result for symbol, rule in INFIX.items()},
@@ -35,15 +35,16 @@ _TOKEN = re.compile(
       )""",
     re.VERBOSE,
 )
-"""Operators have blanks around them; ``<`` of a type has not, nor has a sign or ``->``. A brace at
-the end opens a block."""
+"""A bracket, a separator or an operator. Operators have blanks around them; ``<`` of a type has
+not, nor has a sign or ``->``. A brace at the end opens a block."""
 _COMMENT = re.compile(r"(?P<mark>///?) (?P<text>.*)")
 _WORD_END = re.compile(r"(?<![\\\s]) +")
 """Not behind a backslash, which would swallow the next line."""
 
 Place = TypeVar("Place")
 Breaks: TypeAlias = Mapping[int, int]
-"""For each line that was too long (counted from 1, in order), how many lines were made of it."""
+"""For each line that was too long (counted from 1, in order), the number of lines that it
+became."""
 
 
 def wrapped(text: str) -> tuple[str, Breaks]:

@@ -85,8 +85,8 @@ IMAGES: Mapping[str, str] = {
 }
 
 _CAST = "(({type}){0:p})"
-"""How a vector is converted that has just been converted: DXC drops both of `float2(int2(v))` where
-it makes SPIR-V."""
+"""The conversion of a vector that has just been converted: DXC drops both of `float2(int2(v))`
+where it makes SPIR-V."""
 
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),

@@ -36,7 +36,8 @@ class Bindings:
     blocks: Mapping[str, BindingSlot]
     textures: Mapping[str, BindingSlot]
     samplers: Mapping[str, BindingSlot]
-    """Of textures that are read by one; the texture's own slot where the profile combines them."""
+    """The slots of samplers, for textures that are read by one. Where the profile combines them, it
+    is the texture's own slot."""
     buffers: Mapping[str, BindingSlot]
     images: Mapping[str, BindingSlot]
 
@@ -76,14 +77,14 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
 
 
 class _Slots(Protocol):
-    """Hands out places that nothing has yet."""
+    """Hands out binding slots that are still free."""
 
     def free(self, kind: BindingKind, set_: int) -> BindingSlot:
-        """The next place for something of ``kind`` in a set."""
+        """The next free slot for a resource of ``kind`` in a set."""
 
 
 class _SlotsBySet:
-    """A number is used once in a set, and not where the host has bound a block of its own."""
+    """Uses a number once in a set, and skips those of blocks that the host has bound itself."""
 
     def __init__(self, taken: frozenset[BindingSlot]) -> None:
         self._taken = taken
@@ -95,8 +96,11 @@ class _SlotsBySet:
 
 
 class _SlotsByKind:
-    """A number is used once for each kind; images are textures. The host's own blocks are numbered
-    like others, and before them, since their places may be the same but for the set."""
+    """Uses a number once for each kind; images count as textures.
+
+    The host's own blocks are numbered like others, and before them, since their places may differ
+    in the set only.
+    """
 
     def __init__(self) -> None:
         self._numbers: defaultdict[BindingKind, Iterator[int]] = defaultdict(count)

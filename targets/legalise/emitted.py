@@ -52,7 +52,7 @@ def _values(shader: Shader, stage: Stage) -> Iterator[tuple[Result, Node]]:
 
 
 class _Writing:
-    """Copies nodes into a new graph, with a call wherever the text calls a definition."""
+    """Copies nodes into a new graph; uses of definitions become calls, as in the text."""
 
     def __init__(self, definitions: Definitions) -> None:
         self.graph = Graph()

@@ -1,4 +1,4 @@
-"""Finds what a program uses that a profile has not got at all.
+"""Finds the features that a program uses and a profile lacks altogether.
 
 ``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
 by ``availability.py``, as it follows from the table of capabilities. ``limits.py`` finds what a
@@ -45,7 +45,7 @@ from .values import features_of_values
 
 @frozen
 class Lack:
-    """Something that a profile has not got, and a program uses."""
+    """A feature that a program uses and a profile lacks."""
 
     feature: str
     """The feature of a ``Need`` in the table of capabilities, behind "… has no"."""
@@ -58,7 +58,7 @@ class Lack:
     needed_for: Capability | None = None
     """The capability for which it is needed, if the feature alone does not say."""
     target: int | None = None
-    """The number of the render target that needs it, if it is not its value that does."""
+    """The number of the render target that needs the feature, if its value does not."""
 
 
 FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
@@ -98,7 +98,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
-    """The number of the render targets, and how they are blended."""
+    """Lacks that follow from the number of the render targets, and from how they are blended."""
     if len(program.targets) > 1 and not SEVERAL_TARGETS.is_met(profile):
         second = program.results_of(TARGET)[1].value.id
         ways = (way for way, _ in _ways_of_blending(program.targets) if way != BLENDED_FLOATS)
@@ -108,7 +108,7 @@ def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
-    """Storage buffers, where a stage can have none."""
+    """Storage buffers in stages that can have none."""
     for stage in program.stages:
         need = buffers_of(stage.row)
         buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
@@ -117,7 +117,7 @@ def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
-    """Types of textures, and ways to read the others."""
+    """Types of textures that the profile lacks, and ways to read other textures."""
     absent = {
         read.resource: read.node
         for read in reversed(program.reads)

@@ -32,7 +32,8 @@ class Passed:
 NOTHING = Passed()
 
 ResourceArguments = Mapping[tuple[StageName, Node], Passed]
-"""By stage and the function's body; a function that reads nothing is not among them."""
+"""The resources of functions, by stage and the function's body. Functions that read none are left
+out."""
 
 
 def resource_arguments(program: Program, language: Language) -> ResourceArguments:

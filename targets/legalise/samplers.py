@@ -1,4 +1,4 @@
-"""Tells how a texture's sampler works: a depth texture is compared with, others are filtered."""
+"""Finds how a texture's sampler works: it compares depths, and filters other textures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finds values that a program has and a profile has not: their types, their places, who gives them.
+"""Finds values that a program uses and a profile lacks: by their types, indices and sources.
 
 ``lacks.py`` asks, for profiles of languages that are older than most: those without integers of a
 known width, without arrays that are values, or in which places of elements have to be constant.

@@ -91,7 +91,7 @@ PLACE, LEVEL = "uint2({1})", "uint({2})"
 
 
 def precisely(*names: str) -> Mapping[str, str]:
-    """Functions of which the compiler's options would otherwise choose a faster, coarser one."""
+    """Functions for which the compiler's options would else choose a faster, less precise one."""
     return {name: f"precise::{name}" for name in names}
 
 

@@ -122,7 +122,7 @@ def answer(compiler: Compiler, request: dict[str, Any]) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Answer requests until the input ends. Whatever the library prints goes to standard error."""
+    """Answer requests until the input ends; the library's own output goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         compiler = Compiler(sys.argv[1])

@@ -1,4 +1,4 @@
-"""How much memory, time and space a program may take that Burnish starts: one row for each kind.
+"""Limits of memory, time and space for the programs that Burnish starts: one row for each kind.
 
 A text of a thousand bytes can make a compiler take all memory of a machine, or write without end.
 The kernel enforces these limits, on Linux only: other systems have no way to limit a process that
@@ -48,25 +48,26 @@ class Limits:
 
 
 _BUDGET = "memory"
-"""The row of what is drawn at the same time."""
+"""The row of the budget for everything that is drawn at the same time."""
 
 COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB, of="a compiler")
-"""Programs that are given one text."""
+"""Limits of programs that get one text."""
 ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB, of="a program that says its version")
-"""Programs that only say their version, browsers among them."""
+"""Limits of programs that only print their version, browsers among them."""
 WORKERS = Limits(
     memory=4 * GB, file=2 * GB, output=2 * GB, draws=True,
     of="a driver, or a process that draws with the reference",
 )  # fmt: skip
-"""Drivers, the reference and the gallery. What is drawn may take a gigabyte, and there are a few
-copies of it until it has been sent."""
+"""Limits of drivers, the reference and the gallery. Pictures may take a gigabyte, and there are a
+few copies of them until they have been sent."""
 BROWSERS = Limits(
     memory=8 * GB, file=2 * GB, output=2 * GB, draws=True, of="each process of the browser"
 )
-"""A browser's pages map 4 GB at once for objects of JavaScript, and use a small part of it."""
+"""Limits of browsers. A browser's pages map 4 GB at once for objects of JavaScript, and use a small
+part of it."""
 
 EVERY_LIMIT = (COMPILERS, ASKED, WORKERS, BROWSERS)
-"""All rows."""
+"""All rows of limits."""
 
 _NO_MEMORY = re.compile(
     r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"
@@ -79,7 +80,8 @@ _NO_MEMORY = re.compile(
 def limit(process: int, limits: Limits, seconds: int | None) -> None:
     """Set the limits of a process that was just started, and its processor time if given.
 
-    Ending late is what the caller prevents; the processor's time is for when the caller has died.
+    The caller stops a process that ends late; the processor's time is for the case that the caller
+    has died.
     """
     if sys.platform != "linux":
         return

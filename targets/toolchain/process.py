@@ -22,18 +22,19 @@ Ending = Literal["ended", "crashed", "timeout"]
 RUST_PANIC = 101
 """The exit code of a Rust program that panicked. No other tool here uses it."""
 BY_SIGNAL = 128
-"""Above this, an exit code is of a program whose child was killed by a signal, as of clang."""
+"""The number above which an exit code means that a signal killed the program's child, as of
+clang."""
 PART = 1 << 16
-"""How many bytes of a program's output are read at once."""
+"""The number of bytes that are read at once from a program's output."""
 SPARE = 5
-"""How many seconds of processor time a program may have beyond its time limit."""
+"""The seconds of processor time that a program may have beyond its time limit."""
 END_LIMIT = 10.0
-"""How many seconds are waited for the end of a pipe whose program was killed."""
+"""The seconds to wait for the end of a pipe whose program was killed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a program ended and what it wrote."""
+    """The end of a program, and its output."""
 
     ending: Ending
     code: int
@@ -125,7 +126,7 @@ def _exit_code(child: Child, deadline: float) -> int | None:
 
 
 class _Reader(Thread):
-    """Reads one of a program's outputs, and kills the program if there is no end of it."""
+    """Reads one of a program's outputs, and kills the program if the output is too long."""
 
     def __init__(self, child: Child, stream: IO[bytes], most: int) -> None:
         super().__init__(daemon=True)

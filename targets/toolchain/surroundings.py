@@ -74,7 +74,7 @@ def _search_path() -> Iterator[str]:
 
 
 def _absolute(folders: str) -> Iterator[str]:
-    """The absolute ones of a list of folders that are not the current one."""
+    """The absolute folders of a list, without the current one."""
     for folder in folders.split(os.pathsep):
         if os.path.isabs(folder) and not _is_current(folder):  # noqa: PTH117 - of the host's kind
             yield folder

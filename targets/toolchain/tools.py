@@ -65,11 +65,11 @@ class Tool:
     name: str
     purpose: str
     place: Place
-    """Where to look for its files."""
+    """The places to look for its files."""
     version: Version
     """Reads the version from its files."""
     source: Source
-    """Where to get it from."""
+    """The source to get it from."""
     minimum: tuple[int, ...] = ()
     """The oldest version that works; empty if any does."""
 

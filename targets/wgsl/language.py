@@ -126,13 +126,14 @@ INPUTS = {
 
 
 def divides(facts: tuple[Fact, ...]) -> bool:
-    """Integers by anything. (By a constant 0 it is an error; but constants need no profile.)"""
+    """True for integers, whatever the divisor. (A constant 0 is an error; but constants need no
+    profile.)"""
     dividend, divisor = facts
     return dividend.kind != "float" or divisor.excludes_zero
 
 
 def leaves_remainder(facts: tuple[Fact, ...]) -> bool:
-    """A `uint` likewise; the remainder of an `int` has the sign of the dividend."""
+    """True for a `uint`; the remainder of an `int` has the sign of the dividend."""
     dividend, divisor = facts
     if dividend.kind == "uint":
         return True
