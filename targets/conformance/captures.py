@@ -156,8 +156,7 @@ def _row(lanes: tuple[object, ...], end: str, kept: Bools) -> Floats:
 
 
 def _padded(values: NDArray[np.generic]) -> Floats:
-    """Lanes of vertices as a picture of one row with four lanes; a row of zeros if there are
-    none."""
+    """Lanes of vertices as a picture of one row with four lanes; zeros if there are none."""
     whole = np.zeros((1, max(len(values), 1), 4))
     whole[0, : len(values), : values.shape[1]] = values
     return whole

@@ -133,8 +133,7 @@ def _cells(usual: int, form: Instance, size: Size) -> int:
 
 
 def _divided_share(form: Instance) -> float:
-    """The share of cells that a mesh may have if the values of ``form`` divide all of its
-    patches."""
+    """The share of cells that a mesh may have, for the levels of ``form``'s patches."""
     patches = form.reflection.draw.tessellation
     if patches is None or patches.levels is None:
         return 1.0

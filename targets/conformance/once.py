@@ -24,8 +24,7 @@ class Known(Generic[T]):
         return once.value(make)
 
     def shared(self, shared: Hashable, own: Hashable, make: Callable[[], T], fits: Fits[T]) -> T:
-        """The value of a shared key if it fits the caller; otherwise the value of the caller's own
-        key."""
+        """The value of a shared key if it fits the caller; else that of the caller's own key."""
         found = self.value(("shared", shared), make)
         return found if fits(found) else self.value(("own", own), make)
 

@@ -39,8 +39,8 @@ from .rows import CaseResult
 Floats = NDArray[np.float64]
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
-"""The platform whose errors are assumed. The errors of functions that were not measured follow from
-those that were, on any platform. So all routes to a driver share one picture."""
+"""The platform for errors of functions. Errors that were not measured follow from those that were,
+on any platform. So all routes to a driver share one picture."""
 FLOATS = "rgba32f"
 """The format that holds every float that is compared, in series that show what shaders write."""
 
@@ -121,8 +121,7 @@ class Plan:
         questions: Sequence[Bounds],
         series: Series,
     ) -> Iterator[tuple[Comparison, Expected]]:
-        """The comparisons with the first bounds, and with the next ones if a picture leaves
-        these."""
+        """The comparisons with the first bounds, and with the next ones if these are left."""
         program, source = (
             self._program(profile, exact=series.exact) for profile in (route.profile, None)
         )

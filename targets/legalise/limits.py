@@ -111,8 +111,7 @@ def _uniform_counts(program: Program, profile: Profile) -> dict[str, int]:
 
 
 def _missing_inputs(program: Program, profile: Profile) -> int:
-    """The vertex inputs that replace a buffer of corners, if the profile can have no buffer
-    there."""
+    """The vertex inputs that replace a buffer of corners, if the profile can have none."""
     corners = program.corner_buffer
     if corners is None or not isinstance(corners.type.element, Struct):
         return 0

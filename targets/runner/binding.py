@@ -141,7 +141,7 @@ def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot
 
 
 def _stream_output(reflection: Reflection, backend: BackendRow) -> StreamOutput | None:
-    """How vertices are captured; ``None`` if they are drawn, or if a kernel captures."""
+    """The stream output that captures vertices; ``None`` if nothing, or a kernel, captures."""
     captured, names = reflection.capture, backend.captures
     if captured is None or not names:
         return None
@@ -178,7 +178,7 @@ def _divided_natively(draw: DrawRow) -> bool:
 
 
 def _layers(row: LayersRow | None) -> int:
-    """To how many layers a single draw reaches; 0 if there are none, or a draw for each."""
+    """The number of layers of a single draw; 0 if there are none, or a draw for each."""
     return 0 if row is None or row.parameter is not None else row.count
 
 
@@ -224,7 +224,7 @@ def _input(row: VertexInputRow, backend: BackendRow) -> Input:
 
 
 def _block(row: BlockRow, binding: BlockBindingRow) -> BlockSlot:
-    """A block; one that has no name in the text is uniforms there."""
+    """A block; if it has no name in the text, loose uniforms."""
     loose = () if binding.identifier else tuple(uniforms_of(row, binding))
     return BlockSlot(_place(binding), row.size, loose)
 

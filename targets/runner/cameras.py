@@ -1,4 +1,4 @@
-"""Cameras: where somebody looks from, and how much they see.
+"""Cameras: their position, direction and field of view.
 
 ``scene.py`` has one, and files of scenes bring theirs. World space is right-handed with y upwards;
 clip space has z from 0 to w.
@@ -26,7 +26,7 @@ class Camera:
     world_to_camera: Matrix
     near: float
     far: float
-    """May be infinite for a perspective."""
+    """The far plane; may be infinite for a perspective."""
     fov: float | None
     """The vertical angle of view from bottom to top; ``None`` without perspective."""
     height: float = 2.0

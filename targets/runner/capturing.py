@@ -1,4 +1,4 @@
-"""Captures vertices: runs a pass that captures by a route, and gives what it wrote as arrays.
+"""Captures vertices: runs a pass that captures by a route, and returns its output as arrays.
 
 Hosts and tests call ``capture``, and ``conform`` calls the parts of it. ``Vertices.mesh`` makes a
 mesh of them, which is drawn like any other.
@@ -38,7 +38,7 @@ class Vertices:
     """Captured vertices, in the order in which they were drawn."""
 
     members: Mapping[str, NDArray[Any]]
-    """By the name of the capture, of shape (vertices, lanes)."""
+    """The captured values, by the name of the capture, of shape (vertices, lanes)."""
     primitive: str
     """The primitives: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
     count: int
@@ -98,7 +98,7 @@ def captured_by(
 
 
 def give_elements(state: SceneState) -> None:
-    """Give the kernel that captures of a mesh what it reads of it."""
+    """Give a kernel that captures the values of the mesh that it reads."""
     rows = mesh_rows(state.instance.reflection)
     give_mesh(state.instance, {row.name: _of_elements(row, state) for row, _ in rows})
 
@@ -132,7 +132,7 @@ def _compacted(state: SceneState, written: Written) -> Captured:
 
 
 def most(state: SceneState) -> int:
-    """How many vertices are captured of a mesh at most."""
+    """The largest number of vertices that can be captured of a mesh."""
     row = _capture(state.instance.reflection)
     return row.vertices * len(state.triangles) * state.instance_count
 
@@ -146,7 +146,7 @@ def vertices(reflection: Reflection, captured: Captured) -> Vertices:
 
 
 def _capture(reflection: Reflection) -> CaptureRow:
-    """How a pass captures that does."""
+    """The capture of a pass that captures."""
     assert reflection.capture is not None
     return reflection.capture
 

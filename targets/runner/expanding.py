@@ -1,4 +1,4 @@
-"""Meshes as a material draws them that says what each of their primitives or patches turns into.
+"""Makes the draw calls of materials that turn primitives or patches of a mesh into others.
 
 ``scene_state.py`` calls ``as_drawn``. Where a draw of instances stands for another stage, each
 primitive is an instance, and each vertex input has a value for each of them.
@@ -29,10 +29,10 @@ class Drawn:
     """The vertices and instances of a draw call."""
 
     attributes: Values
-    """By vertex input, of shape (vertices or instances, lanes)."""
+    """The values of vertex inputs, by input, of shape (vertices or instances, lanes)."""
     corners: Indices
-    """The vertices of each primitive, (primitives, corners); of each instance, where one stands for
-    a primitive that is expanded."""
+    """The vertices of each primitive, (primitives, corners); or of each instance, if an instance
+    stands for a primitive that is expanded."""
     instance_count: int
 
 

@@ -1,4 +1,4 @@
-"""Opens files that a user names, or that a file which was received names.
+"""Opens files that a user names, or that a received file names.
 
 They may be anything: a pipe that nobody writes to, a device that never ends, a file of many
 gigabytes. Pictures, scenes and the elements of buffers are read by this module, so that all of them
@@ -62,10 +62,10 @@ def _check_regular(status: os.stat_result, name: str) -> None:
 
 
 def _without_waiting(path: str, flags: int) -> int:
-    """Open a file; should it have become a pipe, this does not wait until somebody writes."""
+    """Open a file without waiting for a writer, should the file have become a pipe."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _without_links(path: str, flags: int) -> int:
-    """The same, unless it has become a link."""
+    """Open a file without waiting for a writer; fails if the file has become a link."""
     return _without_waiting(path, flags | getattr(os, "O_NOFOLLOW", 0))

@@ -39,8 +39,10 @@ class EmptyImageError(ValueError):
 
 
 class UndrawableError(ValueError):
-    """A material has stages that the reference does not draw, or of which it does not capture, such
-    as those that make lines of patches."""
+    """The reference cannot draw a stage of the material, or cannot capture its vertices.
+
+    An example are stages that make lines of patches.
+    """
 
     def __init__(self, material: str, does: Literal["draw", "capture"] = "draw") -> None:
         super().__init__(

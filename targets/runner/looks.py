@@ -14,10 +14,10 @@ class Look:
     """Values for parameters and textures of whichever material draws a model."""
 
     name: str = ""
-    """The name of its material in the file."""
+    """The name of the material in the file."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     textures: Mapping[str, Texture] = field(default_factory=dict)
 
 
 PLAIN = Look()
-"""For what no file says anything about."""
+"""The look of models about which no file says anything."""

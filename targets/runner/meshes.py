@@ -43,12 +43,13 @@ class Mesh:
     """Triangles, with values at each vertex; or, without triangles, points."""
 
     channels: Mapping[str, NDArray[Any]]
-    """By channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices, lanes)."""
+    """Values by channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices,
+    lanes)."""
     triangles: Indices
     """Indices of vertices, of shape (triangles, 3); the first of a triangle is its provoking
     vertex."""
     instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
-    """By name of a vertex input per instance, of shape (instances, lanes)."""
+    """Values by name of a vertex input per instance, of shape (instances, lanes)."""
     instance_count: int = 1
     patches: Indices | None = None
     """Indices of vertices, of shape (patches, points), for materials that divide patches; if there
@@ -159,7 +160,7 @@ _SIDES = (
     ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
     ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
 )
-"""For each side of a cube, the directions of the x, y and z axis of a side that faces +z."""
+"""For each side of a cube, the directions of the x, y and z axis of the side that faces +z."""
 
 
 def cylinder(around: int = 64, rows: int = 8, radius: float = 0.6, half: float = 0.7) -> Mesh:
@@ -285,7 +286,7 @@ def _skin(position: Floats) -> tuple[Floats, Indices]:
 
 
 def _not_degenerate(triangles: Indices, position: Floats) -> Indices:
-    """The triangles without those that a pole has shrunk to a line."""
+    """The triangles that a pole has not shrunk to a line."""
     a, b, c = (position[triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     kept: Indices = triangles[area > 1e-9]

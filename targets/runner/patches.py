@@ -45,7 +45,7 @@ def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indice
 def pattern(
     kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
-    """Where the points of a divided patch lie in it, and the triangles or lines between them."""
+    """The points of a divided patch, in its own coordinates, and its triangles or lines."""
     found = divided(kind, edges, inside, spacing)
     row = PATCH_KINDS[kind]
     lanes = width(row.coordinate.type)
@@ -117,7 +117,7 @@ def _halves(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
 def _placed(
     points: int, ends: Sequence[int], corners: Sequence[_Place], others: Iterable[_Place]
 ) -> list[_Place]:
-    """Where each point lies: the ends at the corners, and the others one after the other."""
+    """The position of each point: the ends at the corners, and the others one after the other."""
     left = (place for place in others if place not in corners)
     at_end = dict(zip(ends, corners, strict=True))
     return [at_end.get(number) or next(left) for number in range(points)]
@@ -133,7 +133,7 @@ def _runs(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
 
 
 def _steps(points: int) -> int:
-    """Into how many steps the edges of a triangle are divided that has room for so many points."""
+    """The number of steps of each edge of a triangle that has room for this number of points."""
     return (isqrt(8 * points - 7) - 1) // 2
 
 
@@ -147,7 +147,7 @@ def _squares(lattice: Indices, side: int, step: int) -> Iterator[Indices]:
 
 
 def _distance(side: int, one: int, other: int) -> int:
-    """How far apart two points of a square are: along a row or a column, or 1 if in one place."""
+    """The distance of two points of a square along a row or a column; 1 if they are one point."""
     (row, column), (other_row, other_column) = divmod(one, side), divmod(other, side)
     return max(abs(other_row - row), abs(other_column - column), 1)
 
@@ -189,4 +189,4 @@ _MADE: Mapping[Patch, Callable[[Mesh], Indices]] = {
     "quad": _quads,
     "isoline": _lines,
 }
-"""Patches of the primitives that a mesh has anyway."""
+"""Makes patches of the primitives that a mesh has anyway."""

@@ -52,7 +52,7 @@ def expected(
 ) -> Expected:
     """The picture that every driver must draw; always computed again.
 
-    With the ``errors`` of functions, it has the bounds between which a driver's picture must be.
+    With the ``errors`` of functions, it has the bounds of a driver's picture.
     """
     return stacked_expected(
         [
@@ -138,8 +138,7 @@ def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A shader, and everything that the reference reads of it as text, by which equal ones are
-    found."""
+    """A shader, with the text of everything that the reference reads of it, as a key."""
 
     shader: Shader
     text: str

@@ -28,14 +28,14 @@ from .reference import dumped, expected, loaded
 from .scene_state import SceneState
 
 TIME_LIMIT = 600.0
-"""After how many seconds a process is given up."""
+"""The seconds after which a process is given up."""
 
 
 class References(Closing):
     """A few processes that draw; several threads may ask them at once."""
 
     def __init__(self, size: int) -> None:
-        """With no process, everything is drawn by whoever asks."""
+        """``size`` is the number of processes; without any, the caller draws everything."""
         self._size = size
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(__name__), WORKERS))
 
@@ -85,7 +85,7 @@ def _answer(question: str) -> dict[str, str]:
 
 
 def main() -> None:
-    """Answer questions until the input ends. What libraries print goes to standard error."""
+    """Answer questions until the input ends. Output of libraries goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         for line in sys.stdin:

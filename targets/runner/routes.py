@@ -75,9 +75,10 @@ class Route:
 
     @property
     def platforms(self) -> tuple[Platform, ...]:
-        """The specifications that say how accurate its pictures are; the weakest promise counts.
+        """The specifications that define how accurate the route's pictures are.
 
-        If a text becomes SPIR-V, both the language and Vulkan may lose accuracy.
+        The weakest promise counts: if a text becomes SPIR-V, both the language and Vulkan may lose
+        accuracy.
         """
         language = _PLATFORMS[self.profile]
         return tuple({language: None, "vulkan": None} if self.compiler else {language: None})
@@ -96,7 +97,7 @@ class Route:
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """A way to every Vulkan driver."""
+    """A text and a compiler by which every Vulkan driver can draw."""
 
     name: str
     title: str
@@ -115,7 +116,7 @@ _PLATFORMS: Mapping[str, Platform] = {
     "glsl:es300": "es",
     "glsl:es310": "es",
 }
-"""The platform for which each profile that is drawn is written."""
+"""The platform of each profile that is drawn."""
 _BOTTOM_UP = frozenset({"glsl:gl330", "glsl:es100", "glsl:es300", "glsl:es310"})
 """The profiles whose rows count upwards."""
 
@@ -192,7 +193,7 @@ def _vulkan_routes(driver: str) -> Iterator[Route]:
 
 
 def _opengl_routes(driver: str) -> Iterator[Route]:
-    """All texts that a driver for OpenGL 4.5 takes; those of ES 3.1 it takes as they are."""
+    """The routes to a driver for OpenGL 4.5, which also takes texts of ES 3.1 as they are."""
     for version, words in (("gl330", "3.30"), ("gl450", "4.50"), ("es310", "ES 3.10")):
         title = f"GLSL {words}, {EVERY_DRIVER[driver].title}"
         yield Route(f"{driver}:{version}", title, f"glsl:{version}", driver)
@@ -225,8 +226,8 @@ NARROW_ROUTES: Mapping[str, Route] = {
         ),
     )
 }  # fmt: skip
-"""The routes of profiles in which many programs cannot be had. They draw the same on every machine,
-too, and only if they are named, since all that is drawn with every route needs more."""
+"""The routes of profiles that cannot express many programs. They draw the same on every machine,
+too, and only if they are named, since drawing by all routes should not fail for that reason."""
 
 DEVICE_ROUTES: Mapping[str, Route] = {
     route.name: route

@@ -32,7 +32,7 @@ STORE = "pictures"
 """The name of the store that keeps pictures."""
 
 TIME_LIMIT = 120.0
-"""How many seconds one job may take, including the start of its driver."""
+"""The seconds that one job may take, including the start of its driver."""
 
 
 class Runner(Closing):
@@ -47,11 +47,11 @@ class Runner(Closing):
         reuse: bool = True,
         device: str = "",
     ) -> None:
-        """For these routes. ``parallel`` workers of each driver draw at once, by default one per
-        core.
+        """``routes`` are those that will draw.
 
-        Without ``reuse`` nothing is taken from the store. ``device`` is what the drivers draw with
-        that can draw with any: a part of its name, or its number; empty for the usual one.
+        ``parallel`` workers of each driver draw at once, by default one per core. Without ``reuse``
+        nothing is taken from the store. ``device`` names the device of drivers that can draw with
+        any: a part of its name, or its number; empty for the usual one.
         """
         self._wanted = device
         self._time_limit = time_limit

@@ -31,8 +31,7 @@ class Lifeline:
             self._held = open(writing, "wb", buffering=0)  # noqa: PTH123, SIM115 - for close
 
     def tie(self, process: int, *, group: bool) -> None:
-        """Bind a started process to this one: its end kills the process, or the group that it
-        leads."""
+        """Let the end of this process kill a started one, or the whole group that it leads."""
         if sys.platform == "linux":
             import fcntl
 

@@ -43,8 +43,7 @@ class Toolbox:
         )
 
     def close(self) -> None:
-        """End all tools and workers. Callers that wait for one of them are told that it was
-        killed."""
+        """End all tools and workers. Callers that wait for one are told that it was killed."""
         self._running.close()
         self.dxc.close()
         self.tint.close()

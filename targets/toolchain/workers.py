@@ -104,8 +104,7 @@ class Worker:
         return self._child
 
     def _post_mortem(self, ending: Ending, reason: str) -> Answer:
-        """The reason why there is no answer; without a ``reason``, it follows from the child's
-        end."""
+        """The reason why there is no answer; by default, the way in which the child has ended."""
         assert self._child is not None and self._errors is not None
         if reason:
             self._child.kill()

@@ -126,8 +126,10 @@ INPUTS = {
 
 
 def divides(facts: tuple[Fact, ...]) -> bool:
-    """True for integers, whatever the divisor. (A constant 0 is an error; but constants need no
-    profile.)"""
+    """True for integers, whatever the divisor.
+
+    A constant 0 is an error; but constants need no profile.
+    """
     dividend, divisor = facts
     return dividend.kind != "float" or divisor.excludes_zero
 

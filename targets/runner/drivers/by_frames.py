@@ -47,7 +47,7 @@ class DrawsByFrames(ABC):
         """Raise ``DriverError`` if the device cannot draw a job that is consistent."""
 
     def accept_kernel(self, job: KernelJob) -> None:  # noqa: B027
-        """The same of a job that runs a kernel."""
+        """Raise ``DriverError`` if the device cannot run a kernel job that is consistent."""
 
     def draw(self, job: Job) -> Sequence[Picture]:
         """A picture for each draw of the job. Raises ``DriverError``."""
@@ -127,7 +127,7 @@ class _Canvas:
         return cls(numbers[:count], numbers[-count:] if count else (), len(textures) - 1)
 
     def steps(self, pipeline: Pipeline, draw: Draw) -> Iterator[FrameStep]:
-        """A draw, and the reading of what it has drawn."""
+        """The steps that draw, and read the targets back."""
         is_first = self.use == "undefined"
         several = [number for number in self.drawn if number not in self.read]
         barriers = [Barrier(number, self.use, "target") for number in self.read]
@@ -155,7 +155,7 @@ class _Canvas:
 
 
 def _alone(draw: Draw) -> FrameDraw:
-    """A draw that brings along all that it reads."""
+    """A draw that carries all textures and buffers that it reads."""
     return FrameDraw(0, (OWN,) * len(draw.textures), (OWN,) * len(draw.buffers), draw=draw)
 
 
@@ -168,7 +168,7 @@ def _picture(pipeline: Pipeline, draw: Draw, found: Sequence[FrameTexels]) -> Pi
 
 
 def _turned_over(found: FrameTexels) -> bytes:
-    """Texels whose first row is the bottom one, from the top."""
+    """Texels whose first row is the bottom one, turned so that the top row comes first."""
     rows = np.frombuffer(found.texels, np.uint8).reshape(found.layers, found.height, -1)
     return rows[:, ::-1].tobytes()
 
@@ -196,7 +196,7 @@ def frame_of_dispatches(job: KernelJob) -> FrameJob:
 
 
 def _numbered(slots: Sequence[BufferSlot], first: int) -> Iterator[int]:
-    """For each storage buffer of a pipeline, the number of the frame's that stands for it."""
+    """For each storage buffer of a pipeline, the number of the frame's buffer for it."""
     for slot in slots:
         yield first if slot.written else OWN
         first += slot.written

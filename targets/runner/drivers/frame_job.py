@@ -29,7 +29,7 @@ Area = tuple[int, int, int, int]
 BLACK = (0.0, 0.0, 0.0, 0.0)
 
 OWN = -1
-"""In place of the number of a texture or a buffer: one that the draw brings along."""
+"""Stands for a texture or a buffer that the draw itself carries, in place of a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class FrameTexture:
 
 @dataclass(frozen=True, slots=True)
 class Barrier:
-    """From here on, a texture is used in another way."""
+    """A barrier for a texture: from here on, it is used in another way."""
 
     texture: int
     before: TextureUse
@@ -75,7 +75,7 @@ class Barrier:
 
 @dataclass(frozen=True, slots=True)
 class BufferBarrier:
-    """From here on, a storage buffer is used in another way."""
+    """A barrier for a storage buffer: from here on, it is used in another way."""
 
     buffer: int
     before: BufferUse
@@ -84,7 +84,7 @@ class BufferBarrier:
 
 @dataclass(frozen=True, slots=True)
 class Resolve:
-    """Where the mean of each texel's samples is written behind a step."""
+    """A resolve target: gets the mean of each texel's samples at the end of a step."""
 
     texture: int
     layer: int = 0
@@ -128,14 +128,16 @@ class FrameDraw:
 
 @dataclass(frozen=True, slots=True)
 class FrameStep:
-    """Something that the device does: it draws, runs a kernel, copies a texture, or brings texels
-    back; or nothing but to wait at barriers."""
+    """One action of the device: a render pass, a kernel, a copy of a texture, or a read-back.
+
+    A step may also do nothing but wait at barriers.
+    """
 
     barriers: tuple[Barrier, ...] = ()
     targets: tuple[Attachment, ...] = ()
     depth: Attachment | None = None
     draws: tuple[FrameDraw, ...] = ()
-    """In one render pass; of a kernel, only one."""
+    """The draws of one render pass; of a kernel, a single dispatch."""
     viewport: Area | None = None
     """The part of the targets to which the clip volume is mapped; ``None``: all of it. Nothing is
     drawn outside of it."""
@@ -148,22 +150,23 @@ class FrameStep:
     groups: Sides = (0, 0, 0)
     """The numbers of work groups that a kernel runs in."""
     copied: tuple[int, ...] = ()
-    """From which texture to which other one, if it is a copy."""
+    """Of a copy, the numbers of the source and of the destination."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
     buffer_barriers: tuple[BufferBarrier, ...] = ()
     read_buffers: tuple[int, ...] = ()
     """The buffers that are read back."""
     captures: int | None = None
-    """How many vertices its draw captures at most, which has a stream output and no targets."""
+    """The largest number of vertices that the step's draw captures, which has a stream output and
+    no targets."""
 
     @property
     def drawn_to(self) -> tuple[Attachment, ...]:
-        """All that it draws to, its depths last."""
+        """All attachments of the step; the depths come last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
-        """The viewport in targets of this size, and all that is drawn to."""
+        """The viewport in targets of this size, and the part of them that is drawn to."""
         whole = (0, 0, width, height)
         viewport = whole if self.viewport is None else self.viewport
         return viewport, _common(viewport, whole if self.scissor is None else self.scissor, whole)
@@ -198,7 +201,7 @@ class FrameBuffer:
 
 @dataclass(frozen=True, slots=True)
 class FrameJob:
-    """Steps in order, and what they share."""
+    """Steps in order, and the resources that they share."""
 
     textures: tuple[FrameTexture, ...]
     buffers: tuple[FrameBuffer, ...]
@@ -228,5 +231,5 @@ class Found:
 
 
 def groups_of(pipeline: Pipeline, dispatch: Dispatch, work_group: Sides) -> Sides:
-    """How many work groups a dispatch takes."""
+    """The numbers of work groups of a dispatch."""
     return KernelJob(pipeline, work_group, (dispatch,)).groups(dispatch)

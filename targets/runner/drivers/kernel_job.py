@@ -1,4 +1,4 @@
-"""Jobs that run kernels, and what a driver answers."""
+"""Jobs that run kernels, and the answers of drivers."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ Sides = tuple[int, int, int]
 
 @dataclass(frozen=True, slots=True)
 class Dispatch:
-    """One run of a kernel: the bytes for every slot, and how many elements it computes."""
+    """One run of a kernel: the bytes for every slot, and the number of elements."""
 
     extent: Sides
-    """The elements along x, y and z; a buffer's stand along x. Of images, the width, the height and
+    """The elements along x, y and z. Those of buffers lie along x; images have width, height and
     1."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
@@ -27,7 +27,7 @@ class Dispatch:
 
 @dataclass(frozen=True, slots=True)
 class KernelJob:
-    """A pipeline with a kernel as its only stage, and what to compute with it."""
+    """A pipeline with a kernel as its only stage, and its dispatches."""
 
     pipeline: Pipeline
     work_group: Sides
@@ -35,7 +35,7 @@ class KernelJob:
     dispatches: tuple[Dispatch, ...]
 
     def groups(self, dispatch: Dispatch) -> Sides:
-        """How many work groups a dispatch takes along x, y and z."""
+        """The numbers of work groups of a dispatch along x, y and z."""
         x, y, z = (
             -(-length // side)
             for length, side in zip(dispatch.extent, self.work_group, strict=True)

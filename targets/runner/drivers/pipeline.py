@@ -39,7 +39,8 @@ stage, and patches need the tessellation stages instead."""
 CORNERS: Mapping[Primitive, int] = {
     "point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6,
 }  # fmt: skip
-"""How many vertices each of them has, but for patches: a pipeline says how many theirs have."""
+"""The number of vertices of each primitive. Patches are not among them: a pipeline states their
+number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +77,7 @@ class CapturedOutput:
 
 @dataclass(frozen=True, slots=True)
 class StreamOutput:
-    """How vertices are captured instead of drawing."""
+    """The stream output of a pipeline: captures vertices instead of drawing."""
 
     outputs: tuple[CapturedOutput, ...]
     stride: int
@@ -92,17 +93,17 @@ class Pipeline:
     """The state that all draws of a job share."""
 
     stages: Mapping[str, Code]
-    """By the names of the stages, in pipeline order."""
+    """The codes by the names of the stages, in pipeline order."""
     inputs: tuple[VertexInput, ...]
     blocks: tuple[BlockSlot, ...]
     textures: tuple[TextureSlot, ...]
     targets: tuple[RenderTarget, ...]
-    """In the order of their locations."""
+    """The render targets, in the order of their locations."""
     layers: int = 0
-    """How many layers each target has, if a geometry stage draws to all of them; 0: none."""
+    """The number of layers of each target, if a geometry stage draws to all of them; 0: none."""
     primitive: Primitive = "triangle"
     patch_points: int = 0
-    """How many vertices each patch has, where that is what the vertices are."""
+    """The number of vertices of each patch, if the primitives are patches."""
     cull: Cull = "none"
     fill: Fill = "faces"
     samples: int = 1
@@ -112,7 +113,7 @@ class Pipeline:
     depth_write: bool = True
     depth_bias: DepthBias = NO_BIAS
     stencil: Stencil | None = None
-    """``None`` where there is no stencil test, and no stencil values are needed."""
+    """The stencil test; ``None`` if there is none, and no stencil values are needed."""
     flip_y: bool = False
     """True if the text negates clip y; a Vulkan driver chooses its viewport by it."""
     front_face: Winding = "ccw"
@@ -127,11 +128,11 @@ class Pipeline:
     """The arguments of ``glClipControl`` (the reflection's ``clip_control``). Empty: OpenGL's
     defaults."""
     stream_output: StreamOutput | None = None
-    """Where vertices are captured; then there are no targets."""
+    """The stream output; if there is one, there are no targets."""
 
     @property
     def corners(self) -> int:
-        """How many vertices each primitive has."""
+        """The number of vertices of each primitive."""
         return self.patch_points or CORNERS[self.primitive]
 
     @property

@@ -22,7 +22,7 @@ from .kernel_job import KernelJob, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
-"""After how many seconds a request ends the process. The sender waits for less time; so this
+"""The seconds after which a request ends the process. The sender waits for less time; so this
 happens only if the sender has died, which a driver that hangs does not notice."""
 
 

@@ -12,12 +12,12 @@ Filter = Literal["linear", "nearest"]
 Mip = Literal["linear", "nearest", "none"]
 Wrap = Literal["repeat", "clamp", "mirror"]
 Sampling = Literal["filtering", "non-filtering", "comparison"]
-"""How a shader uses a sampler."""
+"""The use of a sampler by a shader."""
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a block, texture or sampler is bound."""
+    """The binding of a block, buffer, texture or sampler."""
 
     identifier: str
     """The name in the text; OpenGL binds by it."""
@@ -28,7 +28,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class UniformSlot:
-    """A uniform on its own, which has the value of a member of a block."""
+    """A loose uniform, which has the value of a member of a block."""
 
     identifier: str
     """The uniform's name in the text."""
@@ -73,14 +73,14 @@ class TextureSlot:
 
     texture: Place
     sampler: Place | None
-    """``None`` if texture and sampler are one object, bound at ``texture``, or if there is no
-    sampler."""
+    """The sampler's binding; ``None`` if texture and sampler are one object, bound at ``texture``,
+    or if there is no sampler."""
     filter: Filter = "linear"
     mip: Mip = "linear"
     wrap: Wrap = "repeat"
     compare: Compare | None = None
-    """How the sampler compares a reference with depths; ``None`` if it does not."""
+    """The comparison of a reference with depths; ``None`` if the sampler does not compare."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"
-    """``None`` if texels are only loaded, without a sampler."""
+    """The use of the sampler; ``None`` if texels are only loaded, without a sampler."""

@@ -1,4 +1,4 @@
-"""A pipeline in the words of WebGPU: descriptors of its state, and what is bound where.
+"""A pipeline in the words of WebGPU: descriptors of its state, and its bind groups.
 
 The driver of wgpu makes pipelines with them. Keys are written with underscores, as Python's library
 for WebGPU has them; ``for_pages`` writes them as web pages do, for packages of frames and for the
@@ -25,7 +25,7 @@ FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
 VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
 DRAWN, COMPUTED = 0x3, 0x4
-"""The bits of GPUShaderStage: of both stages that draw, and of kernels."""
+"""The bits of GPUShaderStage: of the two stages that draw, and of kernels."""
 _LANES = {"r": 0x1, "g": 0x2, "b": 0x4, "a": 0x8}
 """The bits of GPUColorWrite."""
 _ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat"}
@@ -65,8 +65,10 @@ def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
 
 
 def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
-    """The tests of depths and of stencil values, but for the format. The words of a pipeline are
-    WebGPU's, with other dashes."""
+    """The tests of depths and of stencil values, without the format.
+
+    The words of a pipeline are WebGPU's, with other dashes.
+    """
     state: dict[str, Any] = {
         "depth_write_enabled": pipeline.depth_write,
         "depth_compare": _word(pipeline.depth_compare),
@@ -102,7 +104,7 @@ def _stencil_side(side: StencilSide) -> Mapping[str, str]:
 
 
 def color_target(target: RenderTarget) -> Mapping[str, Any]:
-    """How a target is blended, and which of its lanes are written."""
+    """The format, the blend state and the write mask of a target."""
     mask = sum(bit for lane, bit in _LANES.items() if target.writes(lane))
     state = {"format": target.format, "write_mask": mask}
     if (blend := target.blend) is None:
@@ -219,8 +221,10 @@ Names = Mapping[type, Sequence[str]]
 
 
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
-    """The descriptors of a pipeline, and what is bound in its groups, as a page hands them to the
-    browser: see ``web_gpu_pipeline`` in ``package.schema.json``."""
+    """The descriptors and bindings of a pipeline, as a page hands them to the browser.
+
+    See ``web_gpu_pipeline`` in ``package.schema.json``.
+    """
     found: dict[str, Any] = _camel({
         "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],
         "buffers": [buffer_layout(each) for each in vertex_buffers(pipeline.inputs)],
@@ -247,7 +251,7 @@ def _named_slots(
 
 
 def _camel(value: Any) -> Any:
-    """The same with keys as JavaScript has them."""
+    """The value with keys in JavaScript's spelling."""
     if isinstance(value, Mapping):
         return {_camel_word(key): _camel(each) for key, each in value.items()}
     return [_camel(each) for each in value] if isinstance(value, list | tuple) else value

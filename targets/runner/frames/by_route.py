@@ -1,4 +1,4 @@
-"""Draws a frame with a driver: makes a frame job of the plan, and reads what comes back.
+"""Draws a frame with a driver: makes a frame job of the plan, and returns what is read back.
 
 All frames that are asked for are steps of one job, so that textures which one frame leaves for the
 next stay on the device.
@@ -56,7 +56,7 @@ Floats = NDArray[np.float64]
 
 DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
-"""Bytes."""
+"""The bytes of a word."""
 
 
 def lacking(subject: FrameSubject, route: Route) -> str | None:
@@ -100,12 +100,12 @@ def array_of(texels: FrameTexels) -> Floats:
 
 @dataclass(slots=True)
 class _Textures:
-    """The textures of the job, and which of them a texture of the plan is at the moment."""
+    """The textures of the job, and the present texture of the job for each of the plan."""
 
     made: list[FrameTexture] = field(default_factory=list)
     uses: list[TextureUse] = field(default_factory=list)
     at: dict[int, int] = field(default_factory=dict)
-    """By the plan's numbers."""
+    """The present textures, by the plan's numbers."""
 
 
 class _Job:
@@ -124,7 +124,7 @@ class _Job:
         """Bytes of the textures that kernels write: their sizes are known when the kernels are run.
         ``_shared_memory`` counts all other textures."""
         self._memory: dict[int, int] = {}
-        """For textures of the plan that take turns in the same memory, a number of the latter."""
+        """For textures of the plan that share memory in turn, the number of that memory."""
         self._steps: list[FrameStep] = []
 
     def add_frame(self, number: int) -> None:
@@ -147,7 +147,7 @@ class _Job:
             self._exchange(row)
 
     def add_reading(self, outputs: Sequence[str]) -> None:
-        """Have these outputs brought back."""
+        """Read these outputs back."""
         read = [self._output(name) for name in outputs]
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
@@ -217,7 +217,7 @@ class _Job:
                 return self._drawn(step, is_first)
 
     def _wait_at(self, place: PlanStep | WaitingRow, is_first: bool) -> None:
-        """Wait where nothing is done: at the end, and in place of a step of the first frame."""
+        """Wait at barriers without a step: at the end, or in place of a step of the first frame."""
         barriers = self._barriers(place, is_first)
         buffers = self._buffer_barriers(place, is_first)
         if barriers or buffers:
@@ -320,13 +320,15 @@ class _Job:
         return [row.name for row in rows if row.stages]
 
     def _buffers_of(self, shader: int) -> list[str]:
-        """Likewise its storage buffers."""
+        """The names of the storage buffers that a shader reads."""
         rows = self._host.shaders[shader].reflection.buffers
         return [row.name for row in rows if row.stages]
 
     def _tell_counts(self, draw: HostDraw) -> None:
-        """Tell a shader how many elements there are in the buffers that kernels have written. The
-        zeros stay here: the shader reads the job's own buffer."""
+        """Set a shader's counts of elements in the buffers that kernels have written.
+
+        The zeros in these elements stay here: the shader reads the job's own buffer.
+        """
         for name, read in draw.reads.items():
             if read.texture is None:
                 words = self._buffers[self._buffer_of[read.result]].words
@@ -387,7 +389,7 @@ class _Job:
         )  # fmt: skip
 
     def _written(self, step: PlanStep, dispatch: Dispatch, first: int) -> list[int]:
-        """The job's buffers for what a kernel writes; each run has new ones."""
+        """The job's buffers for a kernel's results; each run has new ones."""
         found = []
         for row, data in zip(step.buffers, dispatch.buffers[first:], strict=True):
             self._bytes.add(len(data))
@@ -400,7 +402,7 @@ class _Job:
     def _run_as_pass(
         self, draw: HostDraw, barriers: tuple[Barrier, ...], images: tuple[int, ...]
     ) -> FrameStep:
-        """A kernel over images where these are drawn."""
+        """A kernel over images, on routes that draw these."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
 
@@ -413,9 +415,11 @@ def _texture_of(plan: FramePlan, output: str) -> int:
 
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
-    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
-    does, and leaves what the second one leaves. What this resolves to is ready from the beginning.
-    They stay two if their settings differ."""
+    """Two steps that draw to the same attachments, as one render pass; ``None`` if they stay two.
+
+    The pass begins as the first step does, and leaves what the second one leaves. Its resolve
+    targets are ready from the beginning. The steps stay two if their settings differ.
+    """
     settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
     if settings[0] != settings[1]:
         return [before, step]
@@ -433,8 +437,10 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:
-    """A number for each texture that takes turns with others. Sizes that a kernel says are known
-    too late."""
+    """A number of memory for each texture that shares it with others in turn.
+
+    Sizes that a kernel determines are known too late.
+    """
     rows = host.plan.textures
     known = [number for number, row in enumerate(rows) if row.size.value is not None]
     needed = {number: bytes_of(rows[number], host.size_of(number)) for number in known}

@@ -18,14 +18,14 @@ from .checks.rows import drawn_to, written
 from .sizes import Size
 
 MOST_TRIED = 64
-"""In how many groups a place is looked for, so that many textures do not take long."""
+"""The most groups that are tried for a texture, so that many textures do not take long."""
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
-"""Of a texel."""
+"""The bytes of a texel of depths."""
 
 
 def bytes_of(texture: FrameTextureRow, size: Size) -> int:
-    """How much memory a texture needs at least."""
+    """The least memory that a texture needs, in bytes."""
     width, height = size
     texels = sum(halved(width, level) * halved(height, level) for level in range(texture.levels))
     samples = texels * texture.layers * texture.samples
@@ -40,15 +40,15 @@ def _texel_bytes(format_: str) -> int:
 
 
 def taking_turns(plan: FramePlan, needed: Mapping[int, int]) -> list[list[int]]:
-    """The textures of a plan in groups of which each needs the memory of its largest texture.
+    """The textures of a plan in groups; each group needs the memory of its largest texture.
 
-    ``needed`` says how many bytes each takes; textures that it leaves out are alone, as those are
+    ``needed`` has the bytes of each texture; textures that it leaves out are alone, as those are
     that later frames read.
     """
     spans, lasting = _spans(plan), _lasting(plan)
     groups: list[list[int]] = []
     taken: list[list[tuple[int, int]]] = []
-    """Of each group the spans of its textures, in order: none of them meet."""
+    """For each group the spans of its textures, in order; none of them overlap."""
     for texture in sorted(needed, key=lambda each: -needed[each]):
         if texture in lasting:
             continue

@@ -1,4 +1,4 @@
-"""Checks the type of what the steps of a plan's value have computed: ``FrameHost`` asks for it."""
+"""Checks the types of a plan's computed values: ``FrameHost`` calls it."""
 
 from __future__ import annotations
 

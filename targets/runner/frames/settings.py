@@ -1,4 +1,4 @@
-"""Values that a step sets for all its draws: viewport, scissor, blend constant, clear values.
+"""Values that a step sets for all its draws: viewport, scissor, blend constant and clears.
 
 ``FrameHost`` asks for it, for the reference and for drivers.
 """
@@ -20,7 +20,7 @@ FAR: Color = (1.0, 0.0, 0.0, 0.0)
 """The clear value of depths, in the first number, if the plan has none."""
 
 Number = Callable[[int], Any]
-"""The value of a plan that has a number."""
+"""Returns the value of a plan with a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,7 @@ class StepState:
 
     viewport: Area | None
     scissor: Area | None
-    """``None``: the whole of the targets."""
+    """The scissor; ``None``: the whole of the targets."""
     blend_constant: Color
 
 

@@ -1,4 +1,4 @@
-"""Shows a single material as a frame: a plan of one step that draws it, or runs it.
+"""Shows a single material as a frame: a plan of one step that draws or runs it.
 
 Hosts have one road only, which is that of plans. ``burnish view`` takes it for materials, kernels
 and passes that capture; who writes an engine can do the same with any reflection.
@@ -35,7 +35,7 @@ class SingleFrame:
 
     @property
     def plan_of_reference(self) -> FramePlan:
-        """The same: what one step leaves shares nothing."""
+        """The same plan: the results of one step share nothing."""
         return self.plan
 
 
@@ -54,7 +54,7 @@ class _Renamed:
 
     @property
     def lacking(self) -> Mapping[str, str]:
-        """For profiles without texts, the reason."""
+        """The reason for each profile that has no texts."""
         return self.subject.lacking
 
     @property
@@ -68,12 +68,11 @@ class _Renamed:
 
 
 def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
-    """The frame that shows a material on all models of the scene, or what a kernel writes; it has
-    an output for each render target, image or buffer. ``background`` is what its first target is
-    cleared to, unless its pass says so.
+    """The frame that shows a material on all models of the scene, or the results of a kernel.
 
-    Raises ``PlanError`` for what leaves nothing that a host could get: a pass that captures
-    vertices by a stream output.
+    The frame has an output for each render target, image or buffer. ``background`` is the clear
+    value of its first target, unless its pass has one. Raises ``PlanError`` for a pass that
+    captures vertices by a stream output, as it leaves nothing for a host.
     """
     reflection = subject.reflection
     if not (reflection.targets or reflection.results):

@@ -51,12 +51,15 @@ SIZE = f"{STEP}.size"
 
 _DEPTH = "depth"
 _PLACE = PlaceRow(file="", line=1, column=1, length=0)
-"""Nobody has written the plan."""
+"""The place of all rows: nobody has written the plan."""
 
 
 def single_plan(material: str, shader: str, reflection: Reflection, background: Color) -> FramePlan:
-    """The plan that shows a material, or a kernel; ``shader`` is what the plan calls its only
-    shader, and ``background`` what its first target is cleared to, unless its pass says so."""
+    """The plan that shows a material, or a kernel.
+
+    ``shader`` is the plan's name for its only shader, and ``background`` the clear value of its
+    first target, unless its pass has one.
+    """
     return _Planning(material, shader, reflection, background).plan()
 
 
@@ -219,7 +222,7 @@ class _Planning:
         return self._attachment(target.name, texture, value, store=False, resolve=resolve)
 
     def _depth(self) -> AttachmentRow | None:
-        """The depths, and the stencil values beside them, if the pass has to do with any."""
+        """The depth attachment, with stencil values, if the pass uses any."""
         state = self._reflection.render_state
         if not state.depth.is_used:
             return None

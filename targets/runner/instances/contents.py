@@ -24,7 +24,7 @@ class Layout:
     stride: int
     """The distance between elements, in bytes."""
     counter: str
-    """The parameter that says how many elements there are."""
+    """The parameter with the number of elements."""
 
 
 @dataclass(frozen=True, slots=True)

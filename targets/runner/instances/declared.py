@@ -1,4 +1,4 @@
-"""All that has a value of its own, of a material or of a frame."""
+"""The declarations of a material or of a frame that have values of their own."""
 
 from __future__ import annotations
 
@@ -47,4 +47,4 @@ class Declared(Protocol):
 
     @property
     def computed(self) -> Iterable[Sequence[StepRow]]:
-        """The steps of all that the host computes."""
+        """The steps of all values that the host computes."""

@@ -29,18 +29,18 @@ class SceneObject:
 
     name: str
     mesh: Mesh
-    """Objects with the same mesh share it."""
+    """The mesh; several objects may share it."""
     object_to_world: Matrix
     look: Look
     tags: frozenset[str] = frozenset()
-    """Words by which frames choose what they draw."""
+    """Words by which frames choose models."""
     bones: Matrix | None = None
-    """The transform of each bone, from where the mesh rests to world space: (bones, 4, 4)."""
+    """The transform of each bone, from the mesh at rest to world space: (bones, 4, 4)."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class SceneFile:
-    """All that a file shows."""
+    """The contents of a file."""
 
     objects: tuple[SceneObject, ...]
     cameras: tuple[Camera, ...] = ()

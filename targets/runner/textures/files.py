@@ -41,13 +41,15 @@ _OF_SMALL, _OF_LARGE = (6, 20), (22, 32)
 """The bytes of a pixel as a texture with all its levels, and what decoding it and making the levels
 takes in addition, as measured: of colours in lanes of 8 bits, and of anything else."""
 _PASSING_OF_LAYERS = 5
-"""How often the layers of a texture are there while it is made of them, levels included."""
+"""The factor of the layers' size that is needed while a texture is made of them, levels
+included."""
 _SCAN = b"\xff\xda"
 """The first bytes of a scan of a JPEG picture."""
 _MOST_SCANS = 64
-"""Of a picture, or of one of its parts. Each is decoded into all texels; encoders write a dozen."""
+"""The most scans of a picture, or of one of its parts. Each is decoded into all texels; encoders
+write a dozen."""
 _PART = 1 << 20
-"""How many bytes of a file are looked through at once."""
+"""The bytes of a file that are searched at once."""
 _TILE_SIZE = 322, 323
 """The tags of a TIFF picture for the width and the height of its tiles."""
 _BYTES_OF_TILE = 16
@@ -94,16 +96,20 @@ def picture_in(
     data: bytes, name: str, memory: Tally, sample: Kind = "float",
     formats: tuple[str, ...] = FORMATS,
 ) -> NDArray[Any]:  # fmt: skip
-    """The array of the picture that some bytes are, in one of these formats of Pillow; errors call
-    it ``name``. ``memory`` counts what the texture takes. Raises ``PictureError`` and
-    ``BudgetError``."""
+    """The array of a picture from its bytes, in one of these formats of Pillow.
+
+    ``name`` is the picture's name in errors, and ``memory`` counts the memory of the texture.
+    Raises ``PictureError`` and ``BudgetError``.
+    """
     with _told(name):
         return _decoded(BytesIO(data), name, sample, formats, memory)
 
 
 def announced_size(data: bytes, name: str) -> tuple[int, int]:
-    """The width and height of the picture that some bytes are, as they say themselves: nothing is
-    decoded. Raises ``PictureError``."""
+    """The size in the header of a picture: width and height.
+
+    Nothing is decoded. Raises ``PictureError``.
+    """
     with _told(name), _header_of(BytesIO(data), name, FORMATS) as picture:
         return picture.size
 
@@ -170,7 +176,7 @@ def _check_size(picture: ImageFile, name: str, sample: Kind, memory: Tally) -> N
 
 
 def _texels_of_tile(picture: ImageFile) -> int:
-    """How many texels a tile of a TIFF picture has, which may be far larger than the picture."""
+    """The number of texels of a TIFF picture's tile, which may be far larger than the picture."""
     tags = getattr(picture, "tag_v2", {})
     return prod(int(tags.get(tag, 0)) for tag in _TILE_SIZE)
 
@@ -184,7 +190,10 @@ def _check_scans(file: BinaryIO, picture: ImageFile, name: str) -> None:
 
 
 def _parts_of(file: BinaryIO) -> Iterator[bytes]:
-    """The bytes of a file, after which it is where it was. Parts overlap by one byte."""
+    """The bytes of a file, part by part; afterwards the file is at its old position.
+
+    Parts overlap by one byte.
+    """
     place = file.tell()
     file.seek(0)
     last = b""
@@ -196,7 +205,7 @@ def _parts_of(file: BinaryIO) -> Iterator[bytes]:
 
 @contextmanager
 def _told(name: str) -> Iterator[None]:
-    """Turn whatever goes wrong with a picture into a ``PictureError``."""
+    """Turn any error about a picture into a ``PictureError``."""
     try:
         yield
     except (BudgetError, PictureError, MemoryError, ModuleNotFoundError):

@@ -12,4 +12,4 @@ FACES = ("+x", "-x", "+y", "-y", "+z", "-z")
 
 
 class PictureError(ValueError):
-    """A picture that cannot be made a texture of; the text says why, for people."""
+    """A picture cannot become a texture; the text tells people why."""

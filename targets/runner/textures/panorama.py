@@ -1,4 +1,4 @@
-"""Makes a cube of a panorama: one picture of all directions, twice as wide as high.
+"""Makes a cube from a panorama: one picture of all directions, twice as wide as high.
 
 The middle of the picture lies along -z, where a camera looks by itself; u goes to the right, to +x,
 and the top is +y (equirectangular). ``files.py`` calls this module.
@@ -18,8 +18,11 @@ Floats = NDArray[np.float64]
 
 
 def cube_of(picture: NDArray[Any], name: str) -> NDArray[np.float32]:
-    """The six faces of a picture of floats, of shape (6, side, side, lanes); a side is half as long
-    as the picture is high. Raises ``PictureError``, which calls the picture ``name``."""
+    """The six faces of a panorama of floats, of shape (6, side, side, lanes).
+
+    A side is half as long as the picture is high. Raises ``PictureError``, which calls the picture
+    ``name``.
+    """
     height, width = picture.shape[:2]
     if picture.dtype != np.float32:
         raise PictureError(f"a cube takes six pictures, or a panorama of floats, and not {name}")

@@ -178,7 +178,7 @@ class Texture:
         return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
 
     def size(self, level: int) -> tuple[int, ...]:
-        """The number of texels in each direction of a level; of the nearest one that there is."""
+        """The number of texels in each direction of a level, or of the nearest existing one."""
         depth, height, width = self._size(min(max(level, 0), len(self.levels) - 1))
         return (width, height, depth) if self.dimension == "3d" else (width, height)
 

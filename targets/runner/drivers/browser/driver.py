@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 
 APIS: Mapping[str, str] = {"webgpu": WGSL, "webgl2": "glsl:es300"}
-"""The APIs of a web page, each with the profile whose texts it takes. What draws with one is the
-module of that name."""
+"""The APIs of a web page, each with the profile whose texts it takes. A module of the API's name
+draws with it."""
 
 
 class Browser(DrawsByFrames):

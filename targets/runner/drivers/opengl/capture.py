@@ -63,7 +63,7 @@ def captured(
 def _recording(
     functions: Functions, stream: StreamOutput, buffer: moderngl.Buffer
 ) -> Iterator[None]:
-    """Capture what is drawn inside by the program that is used. moderngl captures no patches."""
+    """Capture the draws inside the ``with`` block. moderngl captures no patches."""
     functions.glEnable(GL_RASTERIZER_DISCARD)
     functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.glo)
     functions.glBeginTransformFeedback(MODES[stream.primitive])

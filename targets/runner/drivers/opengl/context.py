@@ -14,9 +14,9 @@ from ..choice import chosen
 from ..device import DriverError
 
 SOFTWARE = {"LIBGL_ALWAYS_SOFTWARE": "1", **mesa.SETTINGS}
-"""The variables that have Mesa's software draw."""
+"""Variables that make Mesa's software draw."""
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swrast")
-"""How the names begin of devices that are no hardware."""
+"""The beginnings of the names of devices that are no hardware."""
 
 CLIP_CONTROL = {
     "GL_LOWER_LEFT": 0x8CA1,
@@ -120,7 +120,7 @@ def _chosen(wanted: str) -> int:
 
 
 def _device_count() -> int:
-    """How many devices EGL has. Raises ``DriverError``."""
+    """The number of EGL's devices. Raises ``DriverError``."""
     try:
         query, count = Functions().eglQueryDevicesEXT, ctypes.c_int()
     except OSError as error:

@@ -129,7 +129,7 @@ class _Frame:
             self._functions.glDisable(GL_SCISSOR_TEST)
 
     def _resolve(self, step: FrameStep, width: int, height: int) -> None:
-        """Write the means of samples from the framebuffer that is bound to where they belong."""
+        """Write the means of samples from the bound framebuffer to the resolve targets."""
         functions = self._functions
         for number, target in enumerate(step.targets):
             if target.resolve is None:
@@ -216,7 +216,7 @@ class _Frame:
     def _bound(
         self, program: Linked, pipeline: Pipeline, drawn: FrameDraw, values: Draw | Dispatch
     ) -> Iterator[None]:
-        """Bind what a draw brings along, and what the frame has."""
+        """Bind the resources that a draw carries, and those of the frame."""
         images, contents = iter(values.textures), iter(values.buffers)
         textures: list[Any] = [
             next(images) if number == OWN else self._textures[number] for number in drawn.textures

@@ -33,7 +33,7 @@ class Renderer:
         )
 
     def most_groups(self) -> Sequence[int]:
-        """How many work groups may run at once, along x, y and z."""
+        """The most work groups that may run at once, along x, y and z."""
         most: Sequence[int] = self._context.info["GL_MAX_COMPUTE_WORK_GROUP_COUNT"]
         return most
 

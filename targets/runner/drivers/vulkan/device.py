@@ -49,7 +49,7 @@ class Gpu:
     """True if vertices can be captured."""
     messages: Messages
     seconds: float
-    """How many seconds one submission may take."""
+    """The seconds that one submission may take."""
 
 
 def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:

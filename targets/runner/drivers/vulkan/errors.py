@@ -28,7 +28,7 @@ HARMLESS = (
     # member of a block.
     ("Decoration not allowed on struct members: SpvDecorationInvariant",),
 )
-"""The parts of each message that says nothing against a shader."""
+"""The parts of each message that is no fault of a shader."""
 
 VALIDATION_FAILED = -1000011001
 """``VK_ERROR_VALIDATION_FAILED_EXT``, which the Python binding does not know as a result code."""

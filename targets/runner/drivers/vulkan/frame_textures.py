@@ -37,7 +37,7 @@ class BufferAccess:
 
 @dataclass(frozen=True, slots=True)
 class Use:
-    """The same of a texture."""
+    """The layout, stages and accesses of one use of a texture, for barriers."""
 
     layout: int
     stages: int
@@ -87,12 +87,12 @@ class MadeTexture:
     spec: ImageSpec
     image: Any
     view: Any
-    """Of all of it, by which shaders read."""
+    """The view of the whole texture, by which shaders read."""
     parts: dict[tuple[int, int, int], Any] = field(default_factory=dict)
     """Views of some layers of a level, to which steps draw."""
 
     def part(self, layer: int, level: int, layers: int = 1) -> Any:
-        """The view of what is drawn to."""
+        """The view of the layers of a level to which a step draws."""
         key = layer, layers, level
         if key not in self.parts:
             self.parts[key] = self._part(*key)
@@ -133,7 +133,7 @@ class MadeTexture:
         return vk.VK_ACCESS_MEMORY_WRITE_BIT if is_shared else 0
 
     def clear(self, commands: Any) -> None:
-        """Make it transparent black, or as far away as can be, and ready to be read."""
+        """Clear the texture to transparent black, or to the far plane, ready to be read."""
         record(commands, [self], [Barrier(0, "undefined", "copied_to")])
         layout, ranges = USES["copied_to"].layout, [self.spec.subresources()]
         if self.description.is_depth:

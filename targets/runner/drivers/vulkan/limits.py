@@ -1,4 +1,4 @@
-"""Reports what a device cannot do of a job, before the job reaches the device."""
+"""Finds the parts of a job that a device does not support, before the job reaches the device."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Creates the bind groups of a draw or of a dispatch, and what these bring along."""
+"""Creates the bind groups of a draw or of a dispatch, and the resources that these carry."""
 
 from __future__ import annotations
 

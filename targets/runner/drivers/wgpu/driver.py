@@ -49,7 +49,7 @@ class Wgpu(DrawsByFrames):
         return draw_frame(gpu, job)
 
     def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """WebGPU has no stream output: kernels capture there. Raises ``DriverError``."""
+        """Raise ``DriverError``: WebGPU has no stream output, and kernels capture there."""
         del job
         raise DriverError("WebGPU has no stream output")
 

@@ -167,7 +167,7 @@ class _Frame:
         given: Draw | Dispatch,
         images: Sequence[int],
     ) -> list[Any]:
-        """The bind groups of a draw, over what it brings along and what the frame has."""
+        """The bind groups of a draw, over the resources that it carries and those of the frame."""
         own_textures, own_buffers = iter(given.textures), iter(given.buffers)
         views = [
             self._uploads.view(next(own_textures))

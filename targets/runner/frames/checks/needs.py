@@ -1,7 +1,8 @@
-"""Checks what a plan says of its results against what its steps do with them.
+"""Checks a plan's rows about results against the steps.
 
-Which result is where, who needs it last, what a texture is used as, and what has to be stored: all
-of this follows from the steps, and hosts rely on it when they make, share and free memory.
+Which texture has a result, which step reads it last, how a texture is used, and what has to be
+stored: all of this follows from the steps, and hosts rely on it when they make, share and free
+memory.
 """
 
 from __future__ import annotations
@@ -32,11 +33,11 @@ from .rows import (
 )
 
 _Place = tuple[str, int, int | None, int]
-"""Where a step draws: the result, its texture, and the layer and level of that."""
+"""The place to which a step draws: the result, its texture, and the texture's layer and level."""
 
 
 def check_needs(plan: FramePlan) -> None:
-    """Raise ``PlanError`` where a row says something else than the steps."""
+    """Raise ``PlanError`` for a row that contradicts the steps."""
     needs = _Needs(plan)
     needs.check_results()
     needs.check_textures()
@@ -51,7 +52,7 @@ class _Needs:
         self._outputs = {row.result for row in plan.outputs}
         self._previous = {row.previous: row.result for row in plan.kept
                           if row.previous is not None}  # fmt: skip
-        """Of textures that the last frame has left, the result."""
+        """For textures that the last frame has left, the result."""
 
     @cached_property
     def _read_last(self) -> dict[str, None]:
@@ -61,7 +62,7 @@ class _Needs:
     # --- results and textures --------------------------------------------------------------------
 
     def check_results(self) -> None:
-        """Every result is where all that use it say, and needed as long as it says."""
+        """Check that every result is in the texture that its users name, as long as stated."""
         first: dict[str, int] = {}
         last: dict[str, int] = {}
         for number, step in enumerate(self._steps):
@@ -115,7 +116,7 @@ class _Needs:
             fail(self._plan, where, f"`{result}` is not in texture {texture}")
 
     def check_textures(self) -> None:
-        """Every texture has the results and uses that it says."""
+        """Check that every texture has the results and uses that its row states."""
         pairs = dict(_exchanged(self._plan))
         kept = pairs.keys()
         for number, row in enumerate(self._plan.textures):
@@ -134,8 +135,11 @@ class _Needs:
 
     @cached_property
     def _held(self) -> Mapping[int, list[str]]:
-        """The results that each texture holds, in order: all in which others find them, or all that
-        are drawn there with several samples."""
+        """The results that each texture holds, in order.
+
+        They are all results that other steps find there, and all that are drawn there with several
+        samples.
+        """
         found: dict[int, dict[str, int]] = defaultdict(dict)
         for name, row in self._results.items():
             if row.texture is not None:
@@ -160,7 +164,7 @@ class _Needs:
     # --- steps -----------------------------------------------------------------------------------
 
     def check_steps(self) -> None:
-        """A step stores what somebody needs, and later frames wait for what they use."""
+        """Check that a step stores what is needed, and that later frames wait for what they use."""
         self._check_later_frames()
         read_in_pass: set[int | None] = set()
         for number, step in enumerate(self._steps):

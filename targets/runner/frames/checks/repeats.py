@@ -53,9 +53,9 @@ class _Repeats:
             not any(isinstance(part, ParameterStep | ResourceStep) for part in value.steps)
             for value in plan.values
         ]
-        """Of each value whether it is the same in every frame."""
+        """For each value, True if it is the same in every frame."""
         self._read_by: dict[int, Set[str]] = {}
-        """By the number of a shader, what it reads."""
+        """The names that a shader reads, by the shader's number."""
 
     def only_first(self) -> set[str]:
         """The names of the steps that only a first frame needs, since it has no last one."""
@@ -95,7 +95,7 @@ class _Repeats:
         )
 
     def _numbers(self, step: PlanStep) -> Iterator[int | None]:
-        """The values that say what a step draws, and how large; ``None`` for an unknown one."""
+        """The values that define a step's draws and sizes; ``None`` for an unknown one."""
         textures = [row.texture for row in step.attachments]
         textures += [image.texture for image in step.images]
         yield from (self._plan.textures[texture].size.value for texture in textures)
@@ -121,7 +121,7 @@ class _Repeats:
 
 
 def _wanted(step: PlanStep) -> set[str]:
-    """The results that have to be drawn in later frames where a step is done in them."""
+    """The results that later frames have to draw if they do this step."""
     now = read_now(step, is_first=False)
     read = (result for result, _ in (*written(step), *read_before(step), *now))
     return {*read, *drawn_over(step)}

@@ -1,4 +1,4 @@
-"""Makes looks of the materials of a glTF file: their numbers and their pictures.
+"""Makes looks from the materials of a glTF file: their numbers and their pictures.
 
 The words are those by which ``stdlib/scene.toml`` finds parameters and textures of a material that
 draws them.
@@ -27,7 +27,7 @@ class Looks:
     def __init__(
         self, file: File, folder: Folder, accessors: Accessors, notes: Notes, memory: Tally
     ) -> None:
-        """``memory`` counts the pictures, and ``notes`` get what is left out."""
+        """``memory`` counts the pictures, and ``notes`` collects what is left out."""
         self._file = file
         self._folder = folder
         self._accessors = accessors
