@@ -1,4 +1,4 @@
-"""Finds the files of a folder, and how its README groups and describes them.
+"""Finds the files of a folder, with their groups and descriptions from its README.
 
 ``burnish gallery`` and ``burnish view`` show folders by it. A table of the README has a row for
 each file: what it shows, and a link to it. What no table lists comes last.
@@ -22,7 +22,7 @@ from ..targets.runner.files import FileError, opened
 ENDING = ".burnish"
 README = "README.md"
 OTHERS = "Others"
-"""The heading of what no table lists."""
+"""The heading of files that no table lists."""
 
 MOST_OF_README = 1 << 20
 """The most bytes of a README that is read."""
@@ -30,7 +30,7 @@ MOST_OF_README = 1 << 20
 _HEADING = re.compile(r"#{1,6} +(.+)")
 _LINK = re.compile(r"\[[^\[\]]*\]\(([^()\s]+\.burnish)\)")
 _MENTION = re.compile(rf"{_LINK.pattern}(?:: (?P<what>[^.]+))?")
-"""A link within a text, which may say behind a colon what the file shows."""
+"""A link within a text; a description of the file may follow behind a colon."""
 
 
 class Listed(NamedTuple):
@@ -53,7 +53,7 @@ class Group(NamedTuple):
 
 
 def catalogue(folder: Path) -> list[Group]:
-    """The files of a folder and of those in it, in the order of its README."""
+    """The files of a folder and its sub-folders, in the order of its README."""
     names = sorted(_files(folder), key=lambda name: name.split("/"))
     found = {name: folder / name for name in names}
     readme = _lines(folder)
@@ -84,8 +84,10 @@ def is_shown(path: Path, root: Path, ending: str = "") -> bool:
 
 
 def _files(folder: Path) -> Iterator[str]:
-    """The names of all files with the ending, in this folder and those in it; links to folders are
-    left out."""
+    """The names of all files with the ending, in this folder and its sub-folders.
+
+    Links to folders are left out.
+    """
     root = folder.resolve()
     pending = [""]
     while pending:
@@ -143,7 +145,7 @@ def _sections(readme: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
 
 
 def _tables(readme: Sequence[str]) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """The headings with their texts, and what each file shows that stands below, by its name."""
+    """The headings with their texts, and the descriptions of the files below, by file name."""
     for title, lines in _sections(readme):
         rows = dict(filter(None, map(_row, lines)))
         begun = next((n for n, line in enumerate(lines) if line.startswith("|")), len(lines))
@@ -155,7 +157,7 @@ def _tables(readme: Sequence[str]) -> Iterator[tuple[str, str, dict[str, str]]]:
 
 
 def _row(line: str) -> tuple[str, str] | None:
-    """The file of a row of a table, and what it shows."""
+    """The file of a table's row, and its description."""
     before, *cells, after = line.split("|") if line.count("|") > 2 else ("", "")
     found = _LINK.fullmatch(cells[-1].strip()) if cells and not before and not after else None
     what = "|".join(cells[:-1]).strip()

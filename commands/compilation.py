@@ -1,4 +1,4 @@
-"""Does what a command line of ``burnish compile`` asks for: compiles, writes and reports.
+"""Executes a command line of ``burnish compile``: compiles, writes and reports.
 
 ``cli.py`` calls ``succeeds`` for plain command lines, ``compile.py`` for those that click has read.
 """
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 
 def succeeds(request: Request, question: Question | None) -> bool:
-    """Compile once and report what was found; returns whether there was any output.
+    """Compile once and report the diagnostics; True if there was any output.
 
-    ``question`` is what the output is the answer to, if it is to be kept.
+    ``question`` is the key under which the output is kept, if it is to be kept.
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 

@@ -20,15 +20,15 @@ class Option:
     """One option: a value, a flag, or a switch between two flags."""
 
     field: str
-    """The field of ``Request`` that it sets."""
+    """The field of ``Request`` that the option sets."""
     names: tuple[str, ...]
     help: str
     metavar: str = ""
     """The word for the value in the help; a flag has none."""
     off: str = ""
-    """The flag that switches off what is on by default, and what ``names`` switch on."""
+    """The flag that switches the option off, which is on by default; ``names`` switch it on."""
     many: bool = False
-    """May be given several times; all values count."""
+    """True if the option may be given several times; all values count."""
     is_path: bool = False
     required: bool = False
 
@@ -98,7 +98,7 @@ OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES,
     HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
-"""All that say what to compile. ``--watch`` and ``--help`` are about something else."""
+"""The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
 
 @frozen(kw_only=True)
@@ -109,7 +109,8 @@ class Request:
     output: str
     """A folder, or ``-``."""
     targets: tuple[str, ...] = ()
-    """As they were given, each perhaps several with commas; empty for the default ones."""
+    """The targets as they were given, each perhaps several with commas; empty for the default
+    ones."""
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None

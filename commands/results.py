@@ -1,4 +1,4 @@
-"""Keeps what ``burnish compile`` has written, so that repeating it takes hardly longer than Python.
+"""Keeps the output of ``burnish compile``, so that repeating it takes hardly longer than Python.
 
 ``cli.main`` asks it before anything else is loaded. A result is found by its command line, word for
 word. It is used only if everything that the compile depended on is still the same: the current
@@ -41,7 +41,7 @@ _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
 
 
 class Question:
-    """A command line, where and by what it is run."""
+    """A command line, with the folder and the program that run it."""
 
     __slots__ = ("arguments", "circumstances", "key")
 
@@ -49,7 +49,7 @@ class Question:
         self.arguments = tuple(arguments)
         here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
         self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
-        """Where the answer is kept; the next one to the same command line takes its place."""
+        """The key of the answer; the next answer to the same command line replaces it."""
         self.circumstances = [*here, sys.version, installation(), str(wants_color(sys.stderr))]
 
 
@@ -65,13 +65,13 @@ class Output:
         self.texts = texts
         """Files to write into the folder, by name."""
         self.printed = printed
-        """For standard output."""
+        """The text for standard output."""
         self.warnings = warnings
-        """For the error output."""
+        """The text for standard error."""
 
 
 def ask(arguments: Sequence[str]) -> Question | None:
-    """The question that a command line is; ``None`` where no answer to it is ever kept."""
+    """The question of a command line; ``None`` if no answer to it is ever kept."""
     wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(arguments)
     if not wanted or os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
         return None
@@ -82,7 +82,7 @@ def ask(arguments: Sequence[str]) -> Question | None:
 
 
 def answer(question: Question) -> bool:
-    """Do again what was done for the question before; whether that was possible.
+    """Write the kept output for the question again; True if that was possible.
 
     Raises ``BrokenPipeError`` if the reader of the output has left: compiling would not help.
     """
@@ -114,7 +114,7 @@ def answer(question: Question) -> bool:
 
 
 def keep(question: Question, output: Output, inputs: Inputs) -> None:
-    """Keep what was done for a question."""
+    """Keep the output for a question."""
     import json
 
     sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
@@ -187,7 +187,7 @@ def installation() -> str:
 
 
 def _stamps(folder: str) -> Iterator[str]:
-    """Of each module, and of everything that lies beside those of a sub-package."""
+    """The stamps of each module, and of everything beside the modules of a sub-package."""
     with os.scandir(folder) as entries:
         for entry in entries:
             if entry.is_dir():

@@ -1,4 +1,4 @@
-"""Tells which files have changed: one watcher for all that a command compiles or shows.
+"""Finds the files that have changed: one watcher for everything that a command compiles or shows.
 
 ``burnish compile --watch`` compiles again after each change, and ``burnish view`` draws again.
 """
@@ -21,19 +21,19 @@ from ..compiler.frontend import Frontend
 from .console import remark
 
 _POLL = 1000
-"""After how many milliseconds files are examined even if no change was reported: file systems of
+"""The milliseconds after which files are examined even if no change was reported: file systems of
 other computers report none."""
 _STEP = 20
-"""How many milliseconds nothing may be reported until a change counts as complete: an editor
-writes a file in several steps, and nobody wants to wait."""
+"""The milliseconds without reports after which a change is complete: an editor writes a file in
+several steps, and nobody wants to wait."""
 _POLL_ALONE = 0.3
-"""After how many seconds files are examined where the system fails to report changes; then it is
+"""The seconds after which files are examined if the system fails to report changes; then it is
 asked again."""
 _TELL_AFTER = 3
-"""After how many such failures this is told."""
+"""The number of such failures after which a message is printed."""
 _REST = 20
-"""How many times as long as it takes to examine all files nothing is done afterwards, so that not
-even very many of them, or a folder that never rests, keep a processor busy."""
+"""The rest after examining all files, as a factor of the time that this took. So not even very many
+files, or a folder that never rests, keep a processor busy."""
 
 Key = TypeVar("Key", bound=Hashable)
 Stamp = tuple[int, ...] | None
@@ -82,14 +82,18 @@ class Watcher(Generic[Key]):
         self._lock = Lock()
         self._followed: dict[Key, dict[Path, Stamp]] = {}
         self._again = Event()
-        """Is set where the system has to watch other folders than before, or nothing more."""
+        """Set if the system has to watch other folders than before, or nothing more."""
         self._is_stopped = False
         self._failures = 0
-        """How often the system has failed to report changes since it last did."""
+        """The number of times that the system has failed to report changes since it last
+        succeeded."""
         self._is_told = False
 
     def follow(self, key: Key, file: Path, find: Callable[[], Iterable[Path]]) -> None:
-        """Follow a file, and what ``find`` finds by reading it; call it again after each change."""
+        """Follow a file, and the files that ``find`` finds by reading it.
+
+        To be called again after each change.
+        """
         before = _stamp(file)
         stamps = {path: _stamp(path) for path in find()} | {file: before}
         with self._lock:
@@ -99,7 +103,7 @@ class Watcher(Generic[Key]):
             self._again.set()
 
     def leave(self, key: Key) -> None:
-        """Follow the files of a thing no longer."""
+        """Stop following the files of a thing."""
         with self._lock:
             self._followed.pop(key, None)
 
@@ -109,8 +113,10 @@ class Watcher(Generic[Key]):
         self._again.set()
 
     def changes(self) -> Iterator[Key]:
-        """The key of each thing whose files have changed, as soon as that is noticed; until
-        ``stop`` is called."""
+        """The key of each thing whose files have changed, as soon as that is noticed.
+
+        The iterator ends when ``stop`` is called.
+        """
         while True:
             self._again.clear()
             if self._is_stopped:
@@ -144,9 +150,11 @@ class Watcher(Generic[Key]):
         yield None
 
     def _fail(self, error: Exception) -> None:
-        """Say once that changes may be noticed late, if the system reports none again and again. A
-        single failure means nothing: a folder has gone just now, or the name of a file beside those
-        that matter is no UTF-8."""
+        """Print once that changes may be noticed late, if the system fails repeatedly.
+
+        A single failure means nothing: a folder has gone just now, or the name of a file beside
+        those that matter is no UTF-8.
+        """
         self._failures += 1
         if self._failures == _TELL_AFTER and not self._is_told:
             self._is_told = True
@@ -156,7 +164,7 @@ class Watcher(Generic[Key]):
             ))  # fmt: skip
 
     def _changed(self) -> list[Key]:
-        """The keys of what has changed since this was asked before."""
+        """The keys of the things that have changed since the last call."""
         with self._lock:
             followed = {key: dict(stamps) for key, stamps in self._followed.items()}
         now = {path: _stamp(path) for path in {p for each in followed.values() for p in each}}
@@ -168,14 +176,16 @@ class Watcher(Generic[Key]):
         return changed
 
     def _note(self, key: Key, before: Mapping[Path, Stamp], now: Mapping[Path, Stamp]) -> None:
-        """Remember what files are now, unless somebody has followed the key anew meanwhile."""
+        """Remember the present files, unless somebody has followed the key anew meanwhile."""
         with self._lock:
             if self._followed.get(key) == before:
                 self._followed[key] = {path: now[path] for path in before}
 
     def _folders(self) -> dict[Path, Stamp]:
-        """The folders in which followed files lie, or would lie, with what tells them apart. The
-        system cannot watch those whose names are no UTF-8."""
+        """The folders of followed files, existing or not, with stamps that identify the folders.
+
+        The system cannot watch folders whose names are no UTF-8.
+        """
         with self._lock:
             parents = {path.parent for each in self._followed.values() for path in each}
         return {folder: _stamp(folder) for folder in parents if _is_unicode(folder)}

@@ -33,10 +33,11 @@ LONGEST = 4000
 """The most letters of a command that is followed."""
 _SRGB = "srgb:"
 MOST_WORK = 2**26
-"""How many pixels a file may ask for in all steps of all its frames: 64 pictures of 1024 × 1024."""
+"""The most pixels that a file may ask for in all steps of all its frames: 64 pictures of 1024 ×
+1024."""
 _LEAST_SIZE = 256
-"""The pixels of a side that a smaller picture counts with, as steps of kernels take no less time
-for it."""
+"""The least pixels of a side for this count, as steps of kernels take no less time for smaller
+pictures."""
 
 
 class Paragraph(NamedTuple):
@@ -50,7 +51,7 @@ class Asked(NamedTuple):
     """The command that a file's comment asks for."""
 
     words: Sequence[str]
-    """The words behind ``burnish render``; none if it asks for nothing that is followed."""
+    """The words behind ``burnish render``; none if there is no command that is followed."""
     options: Mapping[str, Any]
     """Values of options, by the names that ``render`` has for them."""
     note: str
@@ -61,7 +62,7 @@ NOTHING = Asked((), {}, "")
 
 
 class _NotFollowedError(Exception):
-    """Ends reading a command; the text is the end of a sentence about the comment."""
+    """Stops reading a command; the text is the end of a sentence about the comment."""
 
 
 def paragraphs(source: str) -> list[Paragraph]:
@@ -108,8 +109,10 @@ def asked(source: str, name: str, root: Path, size: int) -> Asked:
 
 
 def files_of(value: str, root: Path) -> Iterator[Path]:
-    """All files that are there and that the value of a parameter, a texture or a buffer may name:
-    ``Instance.set_text`` takes it as one path, or as several with commas between them."""
+    """All existing files that the value of a parameter, a texture or a buffer may name.
+
+    ``Instance.set_text`` takes the value as one path, or as several with commas between them.
+    """
     plain = value.strip().removeprefix(_SRGB)
     parts = dict.fromkeys((value, plain, *map(str.strip, plain.split(","))))
     for path in (root / part for part in parts if part):
@@ -163,7 +166,7 @@ def _options(words: Sequence[str], root: Path) -> dict[str, Any]:
 
 
 def _check_work(options: Mapping[str, Any], size: int) -> None:
-    """Insist that nobody waits long for what a file asks for."""
+    """Refuse options that would take too long."""
     frames, steps = options.get("frames", 1), options.get("steps", 1)
     most = max(MOST_WORK // max(size, _LEAST_SIZE) ** 2, 1)
     if frames * steps > most:
@@ -186,7 +189,7 @@ def _at_most(most: int) -> Callable[[str, Path], str]:
 
 
 def _plain_name(value: str, _root: Path) -> str:
-    """Refuse names of files that lead elsewhere.
+    """The reason to refuse a name that is not a plain file name; empty if it is one.
 
     The gallery names its own files; but people may copy the command from the page.
     """
@@ -220,8 +223,8 @@ FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
     "--rig": _anything,
     "--pass": _anything,
 }
-"""The options that a file may ask for. Each function says why a value is not followed, or nothing;
-what a value means, and whether it makes sense, is asked of the option itself."""
+"""The options that a file may ask for. Each function returns why a value is not followed, or
+nothing; the option itself checks the value."""
 
 _RENDERS = {
     name: option for option in render.params if isinstance(option, click.Option)

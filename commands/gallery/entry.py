@@ -29,16 +29,16 @@ class Program(TypedDict):
     label: str
     stages: list[Stage]
     lacking: list[str]
-    """Why there is no text for a language."""
+    """The reasons why languages have no text."""
 
 
 class Graph(TypedDict):
-    """A picture of what is computed where, or of the steps of a frame."""
+    """A picture of a material's computations, or of the steps of a frame."""
 
     label: str
     svg: str
     problem: str
-    """Why there is none."""
+    """The reason why there is no picture."""
 
 
 class Figure(TypedDict):
@@ -48,17 +48,17 @@ class Figure(TypedDict):
     """The content of the picture, in words."""
     route: str
     note: str
-    """The device that has drawn it, or why there is no picture."""
+    """The device that has drawn the picture, or the reason why there is none."""
     picture: str
-    """The name of the picture; empty if there is none. Of several frames it shows the last one."""
+    """The name of the picture, of the last one of several frames; empty if there is none."""
     moving: str
-    """The name of a picture that moves, of what evolves from frame to frame; else empty."""
+    """The name of an animated picture of something that changes from frame to frame; else empty."""
     status: str
     """``drawn``, ``not run`` or ``failed``."""
 
 
 class Verdict(TypedDict):
-    """How a route has drawn something, as ``burnish conform`` says it."""
+    """The verdict on a route, as ``burnish conform`` reports it."""
 
     label: str
     route: str
@@ -75,7 +75,7 @@ class Verdict(TypedDict):
 
 
 class Entry(TypedDict):
-    """All that the gallery shows of one file."""
+    """Everything that the gallery shows of one file."""
 
     source: str
     kinds: list[str]
@@ -94,11 +94,12 @@ class Entry(TypedDict):
     pictures: dict[str, str]
     """Files in PNG and WebP, as Base64, by their names."""
     inputs: dict[str, str]
-    """The digests of all files that were read, by their paths; empty where none was there."""
+    """The digests of all files that were read, by their paths; empty for a file that did not
+    exist."""
 
 
 def failed(source: str, reason: str) -> Entry:
-    """The entry of a file of which nothing can be shown but its text."""
+    """The entry of a file of which only the text can be shown."""
     return {
         "source": source, "kinds": [], "names": [], "command": "", "programs": [], "graphs": [],
         "figures": [], "verdicts": [], "notes": [], "errors": [reason], "pictures": {},

@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 
 REFERENCE = "reference"
 EVOLVED = 24
-"""So many frames are drawn of what evolves from frame to frame."""
+"""The number of frames that are drawn if something changes from frame to frame."""
 LARGEST_SOURCE = 1 << 18
 """The most bytes of a file that is shown."""
 _NAME = "file"
@@ -75,7 +75,7 @@ class Maker(Closing):
         self._toolchain.close()
 
     def entry(self, file: Path) -> Entry:
-        """Everything about one file of the current folder. What goes wrong is part of it."""
+        """Everything about one file of the current folder. Errors are part of it."""
         source, problem = source_of(file, Path.cwd())
         entry = failed(source, problem)
         if problem:
@@ -133,7 +133,7 @@ class _Making:
 
     @contextmanager
     def _told(self, command: click.Command, words: Sequence[str]) -> Iterator[dict[str, Any]]:
-        """A command's options, in whose context what goes wrong becomes part of the entry."""
+        """The options of a command; errors inside the ``with`` block become part of the entry."""
         said = StringIO()
         try:
             with (
@@ -151,7 +151,7 @@ class _Making:
             self._entry["notes"] += filter(None, [said.getvalue().strip()])
 
     def _name(self, found: compared.Subjects) -> None:
-        """Tell what there is."""
+        """Note the kinds and names of the subjects."""
         for _label, subject in found:
             if isinstance(subject, CompiledFrame):
                 kind = "frame"
@@ -251,7 +251,7 @@ class _Making:
 
     @contextmanager
     def _failure_of(self, label: str, route: str) -> Iterator[None]:
-        """A route that fails has a figure that says so; the other routes draw all the same."""
+        """Add a figure for a route that fails inside the block; the other routes draw anyway."""
         from ...targets.runner.codes import CodeError
         from ...targets.runner.drivers.device import DriverError
         from ...targets.runner.frames.checking import PlanError
@@ -264,7 +264,7 @@ class _Making:
     def _figure(
         self, label: str, route: str, note: str, images: Sequence[Image], problem: str
     ) -> None:
-        """Add what a route has drawn: an image for each frame, if it could draw."""
+        """Add the pictures of a route: an image for each frame, if the route could draw."""
         name = f"{len(self._entry['figures'])}-{route.replace(':', '-')}"
         figure: Figure = {
             "label": label, "route": route, "note": note, "picture": "", "moving": "",
@@ -349,8 +349,10 @@ def _digests(read: Sequence[Inputs]) -> dict[str, str]:
 
 
 def _insist_on_shown(error: CompileError) -> None:
-    """Raise ``ClickException`` where errors are in an imported file that the gallery does not show:
-    it may be hidden, or no source at all, and they quote its lines."""
+    """Raise ``ClickException`` for errors in an imported file that the gallery does not show.
+
+    Such a file may be hidden, or no source at all, and the errors quote its lines.
+    """
     spans = [
         span for found in error.diagnostics
         for span in (found.span, *(label.span for label in found.labels)) if span is not None
@@ -365,7 +367,7 @@ def _insist_on_shown(error: CompileError) -> None:
 
 
 def source_of(file: Path, root: Path) -> tuple[str, str]:
-    """The text of a file of a folder, and why it is not shown; one of them is empty."""
+    """The text of a file of a folder, and the reason why it is not shown; one of them is empty."""
     if not is_shown(file, root, ENDING):
         return "", "it is not a file of the folder any more"
     try:
@@ -379,7 +381,7 @@ def source_of(file: Path, root: Path) -> tuple[str, str]:
 
 
 def _digests_of_files(values: Sequence[tuple[str, str]]) -> dict[str, str]:
-    """The digests of the files that values are read of: pictures, and elements of buffers."""
+    """The digests of the files from which values are read: pictures, and elements of buffers."""
     paths = (path for _name, text in values for path in files_of(text, Path.cwd()))
     return {str(path.resolve()): digest_of(content_of(path)) for path in paths}
 
@@ -393,5 +395,5 @@ def content_of(path: Path) -> bytes | None:
 
 
 def digest_of(content: bytes | None) -> str:
-    """The digest of a file; empty for one that is not there."""
+    """The digest of a file; empty for a file that does not exist."""
     return "" if content is None else blake2b(content, digest_size=20).hexdigest()

@@ -31,7 +31,7 @@ FOLDER = Path(__file__).parent
 LONGEST_NAME = 100
 """The most bytes of the name of a page, without its ending."""
 MOST_WORDS = 2000
-"""The most letters of a file's comment by which it is found."""
+"""The most letters of a file's comment that the search looks at."""
 _DEVICES = (
     "con",
     "prn",
@@ -125,10 +125,10 @@ def in_short(entry: Entry) -> str:
 
 
 def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]:
-    """Each file with a name of its own for its page, which all lie in one folder.
+    """Each file with a name of its own for its page; all pages lie in one folder.
 
-    Such a name is one on every system and server: it has no letters but those of words, is short,
-    and differs from others by more than small and capital letters.
+    Such a name is valid on every system and server: it has only letters of words, is short, and
+    differs from others by more than small and capital letters.
     """
     taken = {"index", *_DEVICES}
     numbers: Counter[str] = Counter()
@@ -201,7 +201,7 @@ def _state(entry: Entry) -> str:
 
 
 def _counted(verdicts: Sequence[Verdict]) -> str:
-    """How many verdicts there are of each kind: ``12 agree, 1 not run``."""
+    """The number of verdicts of each kind: ``12 agree, 1 not run``."""
     counts = Counter(verdict["status"] for verdict in verdicts)
     return ", ".join(
         f"{counts[status]} {status if counts[status] == 1 else _WORDS.get(status, status)}"
@@ -217,7 +217,7 @@ def _counted_kinds(shown: Sequence[_Page]) -> list[dict[str, Any]]:
 
 
 def _routes(routes: Sequence[Route], shown: Sequence[_Page]) -> list[dict[str, Any]]:
-    """Each route with what came of it, what has drawn, and why it was not run."""
+    """Each route with its verdicts, its device, and the reason why it was not run."""
     verdicts = [verdict for page in shown for verdict in page.entry["verdicts"]]
     found = []
     for route in routes:

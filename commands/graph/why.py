@@ -1,4 +1,4 @@
-"""Writes proofs as text: why each guard was left out, or what is missing where one stays."""
+"""Writes proofs as text: why each guard was left out, or what a kept guard lacks."""
 
 from __future__ import annotations
 

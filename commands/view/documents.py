@@ -1,4 +1,4 @@
-"""Makes what a page of ``burnish view`` gets: a package to draw, with its controls, or errors.
+"""Makes the documents of pages of ``burnish view``: a package to draw, with controls, or errors.
 
 The server asks for a document when a page is opened, when it chooses something else, and after
 every change to the file.
@@ -39,13 +39,13 @@ if TYPE_CHECKING:
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
 _PICTURE = "picture."
-"""Begins the names by which a page asks for pictures; the rest is the texture's."""
+"""The beginning of the names by which a page asks for pictures; the rest is the texture's name."""
 _SIZE = (512, 512)
-"""Of the picture, until the page says how large it is."""
+"""The size of the picture, until the page states its size."""
 _MOST_NAMES = 1000
-"""Of each kind of declaration, a page can choose from so many."""
+"""The most names of each kind of declaration from which a page can choose."""
 _MOST_CHOICES = 1000
-"""Of so many choices it is known what they leave open."""
+"""The most choices whose full form is remembered."""
 _VERSIONS = count()
 
 Made = Shelf[tuple[str, Choice], bytes]
@@ -55,7 +55,8 @@ Made = Shelf[tuple[str, Choice], bytes]
 class Documents:
     """The documents of a file as it is now.
 
-    Threads may ask for the version, and for what is kept; everything else one does at a time.
+    Threads may ask for the version and for kept documents; everything else is for one thread at a
+    time.
     """
 
     def __init__(self, request: Request, name: str, pictures: Pictures, made: Made) -> None:
@@ -75,7 +76,7 @@ class Documents:
 
     @staticmethod
     def shelf(keeping: Keeping) -> Made:
-        """Where the documents of several files are kept."""
+        """The shelf for the documents of several files."""
         return Shelf(keeping, len)
 
     @property
@@ -85,8 +86,7 @@ class Documents:
 
     @property
     def version(self) -> str:
-        """Tells apart what the file was before and after each change; and from any other file or
-        server."""
+        """Identifies the present contents of the file, among all files and servers."""
         return f"{os.getpid()}.{self._number}"
 
     @property
@@ -98,7 +98,7 @@ class Documents:
         return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}
 
     def forget(self) -> None:
-        """The file has changed: make everything again."""
+        """Make everything again, as the file has changed."""
         self._number = next(_VERSIONS)
         self._whole = {}
         self._made.forget(lambda key: key[0] == self._name)
@@ -145,7 +145,7 @@ class Documents:
         return {**self._head(), **made}
 
     def _tell(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        """Print what is wrong, once for each version of the file."""
+        """Print the diagnostics, once for each version of the file."""
         if self._told != self.version:
             show(diagnostics)
 
@@ -203,8 +203,10 @@ class Documents:
         return declared
 
     def _chosen(self, choice: Choice, declared: api.Declared) -> Choice:
-        """The choice with everything filled in that it leaves open. What a page asks for and the
-        file has no longer is left open, too."""
+        """The full choice: everything that a choice leaves open is filled in.
+
+        A name that the file no longer has counts as left open.
+        """
         request = self._request
         names = (*declared.frames, *declared.materials, *declared.kernels)
         subject = _first(choice.subject if choice.subject in names else None, request.material)
@@ -241,8 +243,10 @@ class Documents:
     def _host(
         self, frame: FrameSubject, chosen: Choice
     ) -> tuple[FrameHost, dict[str, dict[str, Any]]]:
-        """The frame with a scene, with the values of the command line, and with the pictures that
-        were given, which are also told by name."""
+        """The frame with a scene, and with the values of the command line and the page's pictures.
+
+        The pictures are also returned by name.
+        """
         from ...targets.runner.frames.host import FrameHost
         from ...targets.runner.frames.single import SingleFrame, captures, give_captured
 
@@ -268,8 +272,10 @@ class Documents:
     def _give(
         self, host: FrameHost, pictures: Sequence[tuple[str, str]]
     ) -> Iterator[tuple[str, dict[str, Any]]]:
-        """Give textures the pictures of the page, as far as both are there. Yields what the page
-        tells of each."""
+        """Give textures the pictures of the page, if both exist.
+
+        Yields the page's words for each.
+        """
         for name, asked in pictures:
             wanted = _wanted(host, name)
             texture = wanted and self._pictures.texture(asked, wanted)
@@ -280,7 +286,7 @@ class Documents:
                 yield name, {"file": kept.name, "is_float": kept.is_float, "is_srgb": is_srgb}
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
-        """The other kernels of the file, if what is shown reads buffers, which they may write."""
+        """The other kernels of the file, if the subject reads buffers, which they may write."""
         rows = (row for each in host.instances for row in each.reflection.buffers)
         if not any(row.stages for row in rows):
             return []
@@ -289,7 +295,7 @@ class Documents:
         return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
     def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
-        """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
+        """A mesh for a material; a mesh for each of a frame's materials; or a file's objects."""
         from ...targets.runner.frames.single import SingleFrame, single_scenery
 
         if isinstance(frame, SingleFrame) and self._request.scene is None:
@@ -316,8 +322,10 @@ def choice_of(query: Mapping[str, str]) -> Choice:
 
 
 def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> None:
-    """Set a value of what is shown, and of the kernels that have one of this name. Raises
-    ``ParameterError`` if nobody has, and ``PictureError``."""
+    """Set a value of the subject, and of the kernels that have one of this name.
+
+    Raises ``ParameterError`` if nothing has the name, and ``PictureError``.
+    """
     from ...targets.runner.instances.values import UnknownParameterError
 
     found, unknown = False, None

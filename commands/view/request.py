@@ -10,7 +10,7 @@ class Request(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path
-    """Or a folder."""
+    """A file or a folder."""
     mesh: str
     scene: Path | None
     instances: int
@@ -36,6 +36,6 @@ class Choice(NamedTuple):
     pass_: str | None = None
     mesh: str | None = None
     profile: str = "wgsl:webgpu"
-    """The texts that its browser can draw."""
+    """The profile of the texts that the browser can draw."""
     pictures: tuple[tuple[str, str], ...] = ()
     """For textures, by name, the pictures that somebody has given, by the words of ``Pictures``."""

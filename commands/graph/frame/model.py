@@ -41,7 +41,7 @@ MARKS: dict[MarkKind, str] = {
 LETTERS: dict[MarkKind, str] = {
     "cleared": "C", "drawn over": "O", "written": "W", "dropped": "D", "read": "r",
 }  # fmt: skip
-"""The same as letters, for texts."""
+"""The letters for these uses, for texts."""
 
 
 @dataclass(slots=True)
@@ -54,14 +54,14 @@ class Port:
     what: str
     """The format, size and layers of a texture, or the type of a buffer."""
     texture: int | None
-    """The number of the texture that has it; ``None`` for buffers."""
+    """The number of the texture with the result; ``None`` for buffers."""
     mark: MarkKind
     place: str
 
 
 @dataclass(slots=True)
 class Box:
-    """A step, or several that one equation repeats; or what the host gives or gets."""
+    """A step, or several that one equation repeats; or an input or output of the host."""
 
     key: str
     kind: Kind
@@ -69,7 +69,7 @@ class Box:
     lines: list[str] = field(default_factory=list)
     """The lines below the name."""
     repeated: str = ""
-    """How often, and for what, the step is repeated."""
+    """The number of repetitions of the step, and their reason."""
     only_first: bool = False
     """True if the step is done in the first frame only."""
     notes: list[str] = field(default_factory=list)
@@ -105,7 +105,7 @@ class Column:
 
 @dataclass(slots=True)
 class Life:
-    """From which column to which a result is needed."""
+    """The columns from which to which a result is needed."""
 
     result: str
     first: int
@@ -118,7 +118,7 @@ class Life:
 
 @dataclass(slots=True)
 class Row:
-    """A texture, or a buffer, with what it holds one after the other."""
+    """A texture, or a buffer, with its results one after the other."""
 
     title: str
     what: str
@@ -129,7 +129,7 @@ class Row:
 
     @property
     def holds(self) -> str:
-        """The names of what it holds."""
+        """The names of the results."""
         lives = sorted(self.lives, key=lambda life: (life.first, life.last))
         names = (f"{life.result}{' of the last frame' * life.before}" for life in lives)
         return ", ".join(dict.fromkeys(names))
@@ -148,7 +148,7 @@ class FramePicture:
 
     @property
     def shared(self) -> str:
-        """How many textures hold how many results."""
+        """The number of textures, and of the results in them."""
         textures = [row for row in self.rows if row.texture is not None]
         found = {life.result for row in textures for life in row.lives}
         before = sum(all(life.before for life in row.lives) for row in textures)
