@@ -175,7 +175,7 @@ def has_frames(
 
 
 class Declared(NamedTuple):
-    """The names of what a file declares and ``compile`` takes, in the order of the file."""
+    """The names of declarations that ``compile`` accepts, in the order of the file."""
 
     frames: tuple[str, ...]
     materials: tuple[str, ...]
@@ -273,8 +273,11 @@ def _compiled(
     emit_options: EmitOptions,
     to_textures: bool = False,
 ) -> CompiledMaterial:
-    """``to_textures``: whether the shader draws what others read, so that its first row lies first
-    in memory."""
+    """Compile one shader for the chosen profiles.
+
+    ``to_textures`` is True if the shader draws textures that others read, so that the first row of
+    the picture lies first in memory.
+    """
 
     def options(profile: Profile) -> EmitOptions:
         # What a kernel writes has its first row at the top, also where a pass draws it.
@@ -338,7 +341,7 @@ def _lacking(
 
 
 def _place_of(shader: Shader, lack: Lack) -> Span | None:
-    """Where something is written that a profile has not got."""
+    """The place in the source that needs a feature which a profile lacks."""
     targets = shader.results_of(TARGET)
     if lack.target is not None and targets:
         return targets[lack.target].span

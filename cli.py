@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .commands.results import Question
 
 PATIENCE = 1.0
-"""How many seconds threads may take to end after an interruption."""
+"""The seconds that threads may take to end after an interruption."""
 
 
 def main() -> None:
@@ -76,10 +76,11 @@ def _exit_code(arguments: list[str]) -> int:
 
 
 def _heed_termination() -> None:
-    """Have SIGTERM and SIGHUP end the process as Ctrl-C does, with all that it has started.
+    """Let SIGTERM and SIGHUP end the process like Ctrl-C, with everything that it has started.
 
-    Who ignores them, as nohup does, goes on to do so. But the first process, as in a container, has
-    to listen to SIGTERM: the kernel ignores it there otherwise, and ``--watch`` would run for ever.
+    A process that ignores them, as under nohup, goes on to do so. But the first process, as in a
+    container, has to listen to SIGTERM: the kernel ignores it there otherwise, and ``--watch``
+    would run for ever.
     """
     import signal
 

@@ -77,9 +77,9 @@ class CompiledMaterial:
     pass."""
     _staged: Staged
     _emissions: tuple[tuple[Legal, Emission], ...]
-    """Of each profile that has texts: the program in its form, and the texts."""
+    """For each profile that has texts: the program in its form, and the texts."""
     _flipped: frozenset[str]
-    """The profiles whose texts turn the picture upside down."""
+    """The profiles whose texts flip the picture vertically."""
 
     def __repr__(self) -> str:
         """The material with the names of its files, since the whole shader would fill pages."""
@@ -127,7 +127,7 @@ class CompiledMaterial:
 
     @cached_property
     def proofs(self) -> tuple[Proof, ...]:
-        """Why operations have no guard, were removed, or keep their guard."""
+        """The proofs for operations without a guard, and the reasons for guards that stay."""
         from .compiler.passes.proofs import Proofs
 
         evidence = self._staged.evidence
@@ -173,8 +173,8 @@ class CompiledFrame:
 
     name: str
     shaders: tuple[CompiledMaterial, ...]
-    """One for each pass with each material and its lights, and one for each kernel, in the order of
-    the plan's ``shaders``."""
+    """The shaders, in the order of the plan's ``shaders``: one for each pass with each material and
+    its lights, and one for each kernel."""
     frame: Frame
     """The checked frame, which the reference draws."""
 
@@ -207,7 +207,7 @@ class CompileResult:
     """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
 
     materials: tuple[CompiledMaterial, ...]
-    """Of a file with frames, their shaders."""
+    """The materials; for a file with frames, their shaders."""
     diagnostics: tuple[Diagnostic, ...]
     inputs: Inputs
     """The files that were read, and the places where files were searched."""

@@ -27,7 +27,7 @@ EMPTY: Any = MappingProxyType({})
 
 
 class _Fresh:
-    """Stands for the default of a field that each record gets anew."""
+    """A placeholder for the default of a field that each record gets anew."""
 
     def __init__(self, factory: Callable[[], object]) -> None:
         self.factory = factory

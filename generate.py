@@ -1,4 +1,4 @@
-"""Computes what is the same for every compile, and writes it as modules of the package.
+"""Computes everything that is the same for every compile, and writes it as modules of the package.
 
 ``setup.py`` calls ``generate`` when a wheel is built or a checkout is installed. ``make demo`` and
 pytest run ``python -m burnish.generate``, which does so if something has changed.

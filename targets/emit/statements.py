@@ -145,8 +145,7 @@ class Statements:
         yield self._forms.end
 
     def _connective(self, connective: Connective) -> Lines:
-        """A variable with the left operand, which the right one replaces unless the left
-        decides."""
+        """A variable with the left operand; the right one replaces it if it is needed."""
         left, right = connective.node.operands
         value = self._expressions.text(left)
         name = self._namer.declare(connective.name)

@@ -55,7 +55,7 @@ def _title(adapter: Any) -> str:
 
 
 def _most_bytes(adapter: Any) -> int:
-    """The bytes of all targets of a pixel: several float32 targets need more than the default."""
+    """The most bytes of all targets per sample: several float32 targets exceed the default."""
     return int(adapter.limits["max-color-attachment-bytes-per-sample"])
 
 
