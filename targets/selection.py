@@ -1,7 +1,8 @@
 """Finds the languages and profiles that a user asks for, by names such as ``glsl:es300``.
 
-``api.compile`` calls ``select_targets`` before it compiles anything. The registry knows which
-languages there are; here is what a user may call them, and what is said of names that mean nothing.
+``api.compile`` calls ``select_targets`` before it compiles anything. The registry knows the
+languages that exist; this module has the names by which a user may call them, and the messages
+about unknown names.
 """
 
 from __future__ import annotations

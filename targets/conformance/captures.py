@@ -1,7 +1,7 @@
 """Judges captured vertices: each value of each vertex has to lie within the reference's bounds.
 
-What a draw captures is compared as a picture of one row is: each vertex is a pixel, and each value
-of it is a target. Which vertices are captured may hang on rounding; then those before the first and
+The vertices of a draw are compared as a picture of one row: each vertex is a pixel, and each value
+of it is a target. Rounding may decide which vertices are captured; then those before the first and
 behind the last such vertex are compared, and their number has to be possible.
 """
 
@@ -95,7 +95,7 @@ class CapturePlan:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Compared:
-    """The vertices that are compared, and what was captured of them."""
+    """The vertices that are compared, with the captured values of them."""
 
     kept: Bools
     """The listed vertices that are compared: those whose offsets in the buffer are known."""
@@ -104,7 +104,7 @@ class _Compared:
 
     @classmethod
     def of(cls, listed: Listed, got: Vertices) -> _Compared:
-        """The part of a list that can be compared with what was captured."""
+        """The part of a list that can be compared with the captured vertices."""
         tipping = np.flatnonzero(listed.possible & ~listed.certain)
         place = np.arange(len(listed.certain))
         first, last = (tipping[0], tipping[-1]) if len(tipping) else (len(place), len(place))

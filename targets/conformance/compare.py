@@ -1,7 +1,7 @@
 """Compares the picture of a route with the reference's bounds; ``conform`` calls it for each case.
 
-A pixel agrees if every lane of it lies between the ends that the reference gives it. What the
-material means has to lie there, too: otherwise the compiler has changed the meaning.
+A pixel agrees if every lane of it lies between the bounds that the reference gives it. The meaning
+of the material has to lie there, too: otherwise the compiler has changed the meaning.
 """
 
 from __future__ import annotations
@@ -124,11 +124,11 @@ def compare(
 ) -> Comparison:
     """Compare the targets of pictures, each of shape (height, width, 4).
 
-    ``expected`` has the bounds of the emitted program, and ``meant`` is what the material means.
-    ``possible`` has the bounds of the material itself, if these are known: what a device may make
-    of it without any compiler is no change of the meaning.
-    Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
-    are the distances between neighbouring numbers of each target's format.
+    ``expected`` has the bounds of the emitted program, and ``meant`` the meaning of the material.
+    ``possible`` has the bounds of the material itself, if these are known: a value that a device
+    may compute without any compiler is no change of the meaning. Uncovered pixels have the clear
+    colour, and ``got`` must have exactly the same there. ``steps`` are the distances between
+    neighbouring numbers of each target's format.
     """
     values, low, high = ends_of(expected)
     drawn, source = np.stack(got), np.stack(meant)
@@ -249,7 +249,7 @@ def _bite(low: Floats, high: Floats, steps: Floats, seen: Bools) -> float:
 def _sample(
     where: Bools, amount: Floats, got: Floats, pictures: tuple[Floats, Floats, Floats]
 ) -> Sample | None:
-    """Of the pixels ``where``, the one with the largest amount, in the target that has it."""
+    """The pixel with the largest amount among ``where``, in the target that has it."""
     if not where.any():
         return None
     per_pixel = np.where(where, largest_of_lanes(amount), -1.0)

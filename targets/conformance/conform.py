@@ -100,8 +100,8 @@ def rows_of(
 ) -> list[Row]:
     """A row for each plan and each route, in this order.
 
-    Plans keep what the reference has drawn, for further routes. Rows that are ``brief`` end with
-    the first picture that differs.
+    Plans keep the reference's pictures for further routes. Rows that are ``brief`` end with the
+    first picture that differs.
     """
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()

@@ -1,8 +1,8 @@
 """Properties of each driver that its API does not report, and its measured accuracy.
 
-``plan.py`` makes the rules of the reference's pictures of these rows, and docs/conformance.md shows
-them. A picture is first held against the bounds of what was *measured* of the driver. Only where it
-leaves them, it is held against what specifications guarantee.
+``plan.py`` makes the rules of the reference's pictures from these rows, and docs/conformance.md
+shows them. A picture is first compared with the bounds that were *measured* of the driver. Only if
+it leaves them, it is compared with those that specifications guarantee.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Specifications promise much less than most drivers keep, so a driver could become a thousand times
 less accurate and still conform. ``measured.py`` has the largest errors that were found on each
-driver, and ``MARGIN`` times as much is what a picture is first compared with.
+driver, and a picture is first compared with bounds of ``MARGIN`` times as much.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Explains pixels of a conformance run: the values of each route, and where the error comes from.
 
 ``burnish conform`` calls it when a run is over: with ``--explain`` for the pixel that somebody asks
-about, and for rows that differ or prove little, to say what in the source has to do with it.
+about, and for rows that differ or prove little, to name the cause in the source.
 """
 
 from __future__ import annotations
@@ -91,10 +91,10 @@ def explanation_lines(
 
 
 def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int) -> list[Row]:
-    """The rows of one material, with what the source has to do with their verdicts.
+    """The rows of one material, with the reasons in the source for their verdicts.
 
-    What proves little does so for the same reason on all routes; it is worked out once. There are
-    reasons of pixels only, so none where no picture is drawn.
+    Rows that prove little do so for the same reason on all routes; it is worked out once. Reasons
+    concern pixels, so there are none if no picture is drawn.
     """
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
     if not is_shader(subject):
@@ -119,7 +119,7 @@ def _is_weak(row: Row) -> bool:
 
 
 def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> Explanation:
-    """The explanation of a pixel by what a route guarantees, without having drawn anything.
+    """The explanation of a pixel by a route's guaranteed bounds, without drawing anything.
 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """

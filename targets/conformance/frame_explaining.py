@@ -1,7 +1,7 @@
 """Explains a pixel of a frame: the step that made it, and the inputs that carry the error to it.
 
-``explaining.py`` calls it for ``burnish conform --explain``. All that the step's own shader does is
-explained as it is for materials.
+``explaining.py`` calls it for ``burnish conform --explain``. Errors of the step's own shader are
+explained as they are for materials.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Judges pictures of frames: every output has to lie within the reference's bounds.
 
 The reference draws the whole frame with a device's rounding, step by step, so an error of a first
-step counts in all that is drawn of it. It does not believe the plan that drivers execute: it draws
-what was checked, with a texture for every result. Several outputs, and frames one after the other,
-are cases.
+step counts in all later steps that read it. It does not trust the plan that drivers execute: it
+draws the checked frame, with a texture for every result. Several outputs, and frames one after the
+other, are cases.
 """
 
 from __future__ import annotations

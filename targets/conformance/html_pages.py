@@ -22,8 +22,11 @@ _EMBEDDED_PICTURES = "data:"
 
 
 def environment(folder: Path) -> Environment:
-    """The templates of a folder. All texts that they show are escaped, and have characters written
-    out that nobody sees, or that turn texts round."""
+    """The templates of a folder.
+
+    All texts that they show are escaped, and so are characters that nobody sees, or that reverse
+    texts.
+    """
     return Environment(
         loader=FileSystemLoader(folder),
         autoescape=True,

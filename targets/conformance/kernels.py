@@ -1,7 +1,7 @@
 """Judges the results of kernels: every lane has to lie within the reference's bounds.
 
-A run of a kernel is compared as a picture of one row is: each element is a pixel, and what is
-written to each part of it is a target.
+A run of a kernel is compared as a picture of one row: each element is a pixel, and each written
+part of it is a target.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:
 
 
 def _target(lanes: Sequence[NDArray[np.generic]], width: int) -> Floats:
-    """Lanes of all elements as a picture of one row; what is missing is zero."""
+    """Lanes of all elements as a picture of one row; missing elements are zero."""
     whole = np.zeros((1, width, 4))
     for number, lane in enumerate(lanes):
         whole[0, : len(lane), number] = lane

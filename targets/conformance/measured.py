@@ -110,4 +110,4 @@ ENVELOPES: Mapping[str, Envelope] = {
         },
     ),
 }
-"""The envelopes, by the name of the driver in routes."""
+"""By the name of the driver in routes."""

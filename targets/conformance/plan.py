@@ -67,11 +67,11 @@ class Plan:
         draw: Draw = drawn_here,
         meant: Subject | None = None,
     ) -> None:
-        """``draw`` draws with the reference, and ``store`` keeps what it has drawn. ``size`` is
-        that of all pictures. ``meant`` is the form of the material that the reference draws, if
-        that is another: one without stages that only some profiles have.
+        """``draw`` draws with the reference, and ``store`` keeps its pictures.
 
-        Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
+        ``size`` is that of all pictures. ``meant`` is the form of the material that the reference
+        draws, if that is another: one without stages that only some profiles have. Raises the
+        errors of ``Instance`` and ``set_up``, although a case should lack no value.
         """
         self.label = label
         self.subject = subject

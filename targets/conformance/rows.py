@@ -52,8 +52,8 @@ class Row:
     """The versions of the route's tools."""
     results: tuple[CaseResult, ...] = ()
     reasons: tuple[str, ...] = ()
-    """Where in the source precision is lost, if that is why it proves little; or which operation is
-    to blame for most of what a pixel that differs may be off."""
+    """The places in the source where precision is lost, if that is why the row proves little; or
+    the operation that causes most of the error of a pixel that differs."""
 
     @property
     def max_difference(self) -> float:

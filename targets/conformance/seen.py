@@ -65,8 +65,10 @@ def leading_of(results: Mapping[str, CaseResult], rows: Iterable[Row]) -> Row:
 
 
 def chosen(seen: Sequence[S], pixel: Pixel, name: str | None, what: str) -> S:
-    """The case with this name; or the one in which the pixel's bounds are widest. ``what`` says
-    what has no such pixel, if none has. Raises ``PixelError``."""
+    """The case with this name; or the one in which the pixel's bounds are widest.
+
+    ``what`` names the kind of picture in the error if no case has the pixel. Raises ``PixelError``.
+    """
     if not seen:
         raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
     x, y = pixel
@@ -126,7 +128,7 @@ def unproven(result: CaseResult) -> Bools:
 
 
 def usual_pixels(result: CaseResult) -> list[Pixel]:
-    """Of the pixels whose bounds say nothing, some of usual widths, the median first."""
+    """Some pixels of usual widths among those whose bounds say nothing, the median first."""
     rows, columns = np.nonzero(unproven(result))
     if not len(rows):
         return []

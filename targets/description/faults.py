@@ -1,9 +1,9 @@
-"""Finds what the description of a language leaves out, before anything is printed by it.
+"""Finds gaps in the description of a language, before anything is printed by it.
 
-``registry.load`` asks when a language is loaded, so that who writes one is told at once what is
-missing, and where to write it. Otherwise some material that needs it would end in an error far from
-the row. Here are only questions that take no time; the tests in ``tests/targets`` ask the others,
-such as whether a compiler knows the word for each builtin.
+``registry.load`` asks when a language is loaded, so that its author learns at once what is missing,
+and where to write it. Otherwise some material that needs it would end in an error far from the row.
+This module has only checks that take no time; the tests in ``tests/targets`` have the others, such
+as whether a compiler knows the word for each builtin.
 """
 
 from __future__ import annotations

@@ -40,9 +40,9 @@ ACCUMULATED: Mapping[str, str] = MappingProxyType(
 class Forms:
     """Expressions and statements that are not calls of builtins. The defaults are C-like.
 
-    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. Which fields each
-    form can have is listed in ``form_fields.py``; what is not listed there is a plain
-    text, in which no brace is doubled.
+    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. ``form_fields.py`` lists
+    the fields that each form can have; a form that it does not list is a plain text, in which no
+    brace is doubled.
     """
 
     # Statements.

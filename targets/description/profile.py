@@ -177,7 +177,7 @@ STORABLE = frozenset({"r32f", "rgba8", "rgba16f", "rgba32f"})
 
 @frozen(eq=False, kw_only=True)
 class Profile:
-    """One dialect of a language: what an API or a version of it takes."""
+    """One dialect of a language: that of an API, or of a version of the language."""
 
     name: str
     doc: str

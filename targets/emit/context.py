@@ -17,7 +17,7 @@ from .texture_declarations import TextureSpeller
 
 
 class Context:
-    """A program, its language, and what was decided once for all of its texts."""
+    """A program, its language, and the decisions that hold for all of its texts."""
 
     def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
         program, language, profile = legal.program, legal.language, legal.profile

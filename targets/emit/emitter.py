@@ -1,7 +1,7 @@
-"""Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
+"""Prints a program in one language: ``api.py`` calls ``emit`` after ``legalise``.
 
-What is particular to the language stands in the rows of its ``Language`` and in its skeleton. The
-passes and ``legalise`` have decided what is computed where.
+The rows of the ``Language`` and its skeleton have everything that is particular to a language. The
+passes and ``legalise`` have decided where each value is computed.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, separabl
 
 DEEPEST = 200
 """The deepest nesting of expressions in a text: printers call each other for operands, and naga
-refuses what nests much deeper. The scheduler gives operands names long before."""
+refuses expressions that nest much deeper. The scheduler gives operands names long before."""
 
 _SHIFTS = ("shift_left", "shift_right")
 

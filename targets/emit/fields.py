@@ -1,6 +1,6 @@
 """The inputs and outputs of one stage as a text declares them, and the division of its patches.
 
-``stage.py`` makes ``Fields`` for each stage, and puts what they give into the stage's view.
+``stage.py`` makes ``Fields`` for each stage, and puts the results into the stage's view.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Prints the functions by which the invocations of a work group join their values.
 
-``stage.py`` makes a ``GroupFunctions`` for each stage. Each builtin that joins is a function of the
-text for each type that it joins: the invocations put their values into an array that they share,
-wait for each other at barriers, and join what others have put there. The order in which values are
-joined is that of ``compiler/reference/in_groups.py``. Every invocation calls these functions, as
-all have to reach the barriers; what one has put there that has no element is joined with nothing.
+``stage.py`` makes a ``GroupFunctions`` for each stage. Each joining builtin becomes a function of
+the text for each type that it joins: the invocations put their values into a shared array, wait for
+each other at barriers, and join the values of others. The order of joining is that of
+``compiler/reference/in_groups.py``. Every invocation calls these functions, as all have to reach
+the barriers; the value of an invocation without an element is not joined.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The final names of everything a program declares outside of functions.
+"""The final names of everything that a program declares outside of functions.
 
 They are decided once for all stages of a program. So stages that are matched by name agree, and the
-reflection lists the names that the text has. Blocks are named first, since hosts see their names
-most: what comes later gets a suffix where two names would be equal.
+reflection lists the names of the text. Blocks are named first, since hosts see their names most: of
+two equal names, the later one gets a suffix.
 """
 
 from __future__ import annotations

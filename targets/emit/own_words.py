@@ -1,9 +1,9 @@
 """Finds the words that a language's own texts contain, and that therefore cannot be names.
 
-``names.py`` asks for them once for each language. They are what the skeleton says between its tags,
-and what stands in the rows of the language and its profiles: types, forms, spellings of builtins,
-inputs and so on. So a row that brings a new word makes it one that no name takes. ``reserved.txt``
-adds what compilers refuse although no text of Burnish has it.
+``names.py`` asks for them once for each language. They are the text of the skeleton between its
+tags, and the rows of the language and its profiles: types, forms, spellings of builtins, inputs and
+so on. So a row with a new word makes it one that no name takes. ``reserved.txt`` adds words that
+compilers refuse although no text of Burnish has them.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Translates a skeleton to a function in Python, which fills it in without Jinja.
 
 To import Jinja takes longer than to compile most materials. So ``templates.py`` has Jinja parse the
-skeletons when the package is built, and this module translates the trees. A skeleton that uses more
-of Jinja than what is translated here is left to Jinja itself: then ``translated`` raises
-``UnsupportedError``.
+skeletons when the package is built, and this module translates the trees. A skeleton with other
+features of Jinja than those that are translated here is left to Jinja itself: then ``translated``
+raises ``UnsupportedError``.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ def translated(tree: nodes.Template, function: str) -> str:
 def _check_variables(tree: nodes.Template) -> None:
     """Raise ``UnsupportedError`` where Python's local variables would mean something else.
 
-    In Jinja, what a loop sets is forgotten after each iteration. So a name may be set in one loop
-    only, or outside of loops only, and no variable of a loop may hide another one.
+    Jinja forgets a loop's variables after each iteration. So a name may be set in one loop only, or
+    outside of loops only, and no variable of a loop may hide another one.
     """
     known = {*PARAMETERS, *GLOBALS}
     known.update(name.name for name in tree.find_all(nodes.Name) if name.ctx != "load")

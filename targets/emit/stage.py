@@ -328,7 +328,7 @@ class StagePrinter:
         )
 
     def _locals(self) -> Namer:
-        """A namer for locals, which never hide what the stage's file declares."""
+        """A namer for locals, which never hide declarations of the stage's file."""
         if not self._language.global_fields:
             return self._names.locals(())
         return self._names.locals(self._fields.names())

@@ -1,7 +1,7 @@
 """Prints the statements of a region as lines of text.
 
-``stage.py`` makes a ``Statements`` for each function body. What a statement looks like is a form of
-the language (``forms.py``). Nested regions are walked with a stack, since materials may nest ``if``
+``stage.py`` makes a ``Statements`` for each function body. The look of a statement is a form of the
+language (``forms.py``). Nested regions are walked with a stack, since materials may nest ``if``
 deeply.
 """
 

@@ -1,7 +1,7 @@
 """The records that a skeleton prints: all texts in them are finished.
 
-The emitter makes them, and ``skeleton.j2`` puts them together. What belongs between the elements of
-a list, or around them, is the skeleton's business.
+The emitter makes them, and ``skeleton.j2`` puts them together. Separators and brackets of lists are
+the skeleton's business.
 """
 
 from __future__ import annotations

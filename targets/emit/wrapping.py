@@ -122,8 +122,10 @@ def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
 
 
 def _around_bracket(operands: Sequence[str], indent: int, column: int) -> list[str]:
-    """Lines for operands of which only one is too long: it is broken at its brackets, and the
-    others stand in the lines of those. Empty if that does not work."""
+    """Lines for operands of which only one is too long: it is broken at its brackets.
+
+    The other operands stand in the lines of the brackets. Empty if that does not work.
+    """
     starts = [indent, *(column for _ in operands[1:])]
     wide = [k for k, start in enumerate(starts) if start + len(operands[k]) > WIDTH]
     if len(wide) != 1 or len(_operands(operands[wide[0]])) > 1:
@@ -151,7 +153,7 @@ def _enclosed(text: str, start: int, indent: int, column: int) -> list[str]:
 
 
 def _arguments(items: Iterable[str], column: int) -> list[str]:
-    """As many arguments in a line as fit; one that has to be broken shares its lines with none."""
+    """Lines with as many arguments as fit; a broken argument shares its lines with no other."""
     lines: list[str] = []
     for line in _filled_lines(items, WIDTH - column):
         lines += _layout(line, column, column + STEP)

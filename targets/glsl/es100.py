@@ -1,8 +1,9 @@
 """The profile of GLSL ES 1.00, for OpenGL ES 2.0 and WebGL 1, which ``language.py`` lists.
 
-The language is older than all others here: no blocks, no integers of a known width, loops that say
-a constant number of turns. What it may leave out, as many devices do, is Appendix A of its
-specification (https://registry.khronos.org/OpenGL/specs/es/2.0/GLSL_ES_Specification_1.00.pdf).
+The language is older than all others here: it has no blocks, no integers of a known width, and only
+loops with a constant number of iterations. Appendix A of its specification
+(https://registry.khronos.org/OpenGL/specs/es/2.0/GLSL_ES_Specification_1.00.pdf) lists the features
+that it may leave out, as many devices do.
 """
 
 from __future__ import annotations

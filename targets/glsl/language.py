@@ -191,7 +191,7 @@ LACKS = COUNTS | {"reverse_bits"}
 WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
 
 DOWNWARDS = {"ddy": "(-dFdy({0}))"}
-"""Where rows count upwards, so does ``dFdy``."""
+"""The spelling of ``ddy`` where rows count upwards, as then ``dFdy`` does, too."""
 
 VULKAN = Profile(
     name="vulkan",

@@ -201,7 +201,8 @@ SPACINGS: Mapping[Spacing, str] = {
 
 
 LONGEST_SEMANTIC = 54
-"""Direct3D takes 64 characters; longer names are cut, and told apart by their location."""
+"""The length at which semantics are cut: Direct3D takes 64 characters. Cut names are told apart by
+their location."""
 
 
 NEVER_NAMES = (

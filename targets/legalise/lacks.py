@@ -1,8 +1,8 @@
 """Finds the features that a program uses and a profile lacks altogether.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
-by ``availability.py``, as it follows from the table of capabilities. ``limits.py`` finds what a
-profile has, but not as often as a program needs it.
+``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
+adds the way out, which follows from the table of capabilities. ``limits.py`` finds features that a
+profile has, but not as often as a program needs them.
 """
 
 from __future__ import annotations

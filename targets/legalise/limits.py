@@ -1,8 +1,8 @@
 """Finds the limits of a profile that a program exceeds.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
-by ``availability.py`` where it follows from other profiles. ``lacks.py`` finds what a profile has
-not got at all.
+``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
+adds the way out where it follows from other profiles. ``lacks.py`` finds features that a profile
+lacks altogether.
 """
 
 from __future__ import annotations

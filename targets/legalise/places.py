@@ -1,8 +1,8 @@
 """Finds indices that are constant in each iteration of a loop, and all others.
 
-In some languages only such places are allowed (``Profile.computed_indices``): expressions of
-constants and of the numbers of turns, which name no other variable. ``values.py`` refuses all
-others, and ``legalise`` has these printed where they are used, instead of giving them names.
+Some languages only allow such indices (``Profile.computed_indices``): expressions of constants and
+loop counters, which name no other variable. ``values.py`` refuses all others, and ``legalise`` has
+these printed where they are used, instead of giving them names.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Runs the kernels of a file, and gives their results to the shaders of the same file.
 
-``burnish render`` uses it: a buffer has the elements of the result that is called like it. The
-reference runs the kernels, in the order in which they need each other, so that all routes draw the
-same elements. For simulations, a step can be repeated: before it, some buffers get what results
-have become in the step before.
+``burnish render`` uses it: a buffer has the elements of the result of the same name. The reference
+runs the kernels, in the order in which they need each other, so that all routes draw the same
+elements. For simulations, a step can be repeated: before it, some buffers get the results of the
+step before.
 """
 
 from __future__ import annotations
@@ -78,8 +78,7 @@ class Feeding:
         ]
 
     def run(self, steps: int, tell: Progress) -> None:
-        """Run all kernels, and those that a step changes again; then set the buffers of what is
-        drawn.
+        """Run all kernels, and again those that a step changes; then set the subjects' buffers.
 
         Raises ``MissingValuesError``.
         """

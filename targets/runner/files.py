@@ -22,9 +22,12 @@ class FileError(ValueError):
 
 
 def read_file(path: Path, name: str, limit: str = "file", *, links: bool = True) -> bytes:
-    """All bytes of a file; ``name`` is what errors call it, and ``limit`` the row of the budget
-    that says how many there may be. Without ``links`` none is followed: what a received file names
-    may be a link to anything. Raises ``FileError`` and ``BudgetError``."""
+    """All bytes of a file.
+
+    ``name`` is the file's name in errors, and ``limit`` the row of the budget for the number of
+    bytes. Without ``links`` no link is followed: a name in a received file may be a link to
+    anything. Raises ``FileError`` and ``BudgetError``.
+    """
     with opened(path, name, limit, links=links) as file:
         size = os.fstat(file.fileno()).st_size
         data = file.read(size + 1)

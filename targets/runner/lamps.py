@@ -97,10 +97,10 @@ def _shared(
 def make_up(
     instance: HostValues, roles: Sequence[Roles], distance: float, most_of_array: int
 ) -> None:
-    """Set the parameters of all lights of a rig, so that they shine on what is at the origin.
+    """Set the parameters of all lights of a rig, so that they shine on an object at the origin.
 
     Lights with a place are at a distance from it. Those of an array have values beyond the number
-    that shines, so that this can be raised later.
+    that shines, so that this number can be raised later.
     """
     lights = instance.declared.lights
     counts = [_count(row, most_of_array) for row in lights]
@@ -136,7 +136,7 @@ def _values(roles: Roles, lamp: Lamp, known: frozenset[str] | None = None) -> di
 def _set(
     instance: HostValues, row: LightRow, values: Sequence[Mapping[str, Any]], count: int
 ) -> None:
-    """Set a light, or all lights of an array, of which ``count`` are switched on."""
+    """Set a light, or all lights of an array; ``count`` of them are switched on."""
     if values and values[0]:
         instance.set(row.name, values[0] if row.capacity is None else values)
     if row.count is not None:

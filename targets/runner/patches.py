@@ -57,7 +57,7 @@ _Place = tuple[int, int]
 """The row and the column of a vertex of a grid."""
 
 _OfGrid = Callable[[Indices, int, Sequence[int]], Indices]
-"""Makes the patches of a grid that have so many points, of which some are their ends."""
+"""Makes the patches of a grid with a number of points, some of which are their ends."""
 
 
 def _of_grids(kind: Patch, points: int) -> _OfGrid | None:
@@ -172,7 +172,7 @@ def _quads(mesh: Mesh) -> Indices:
 
 
 def _quad(one: Indices, other: Indices) -> Indices:
-    """From the vertex of the first one that the second one does not have, round both."""
+    """The four corners of two triangles, in order, from the corner that only the first one has."""
     alone = [k for k in range(3) if one[k] not in other]
     beyond = [vertex for vertex in other if vertex not in one]
     if len(alone) != 1 or len(beyond) != 1:

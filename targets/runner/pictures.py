@@ -55,9 +55,9 @@ def encoded_numbers(pixels: Floats, path: Path, *, lanes: int = 4) -> bytes:
 
 
 def encoded(image: Image.Image, path: Path, **further: Any) -> bytes:
-    """A file in the format that the ending of its name says; raises ``PictureError``.
+    """A file in the format of its name's ending; raises ``PictureError``.
 
-    ``further`` is what Pillow takes for this format, such as more pictures.
+    ``further`` are Pillow's options for this format, such as more pictures.
     """
     file = BytesIO()
     try:

@@ -79,12 +79,11 @@ Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
 def values_for(
     shader: Shader, instance: Instance, written: Mapping[str, Contents] | None = None
 ) -> dict[str, Any]:
-    """The values of the parameters that a shader reads and the contents of its buffers, in the
-    reference's form.
+    """The values of a shader's parameters, and the contents of its buffers, for the reference.
 
     ``written`` are the contents of buffers that kernels have written, of which the instance has the
-    bytes only. What a host sets is a float32 exactly. The emitted program also reads derived
-    parameters, whose values are given before they are rounded, as that is what they mean.
+    bytes only. A value that a host sets is exactly a float32. The emitted program also reads
+    derived parameters, whose values are given before they are rounded, as that is their meaning.
     """
     values = instance.values()
     values |= {name: Contents(held.bound) for name, held in instance.buffers().items()}
@@ -159,8 +158,8 @@ def remembered(
 ) -> Expected:
     """The expected picture, from the store if the reference has drawn it before.
 
-    It is kept by the rules that most pictures hang on. If what is kept there hangs on others as
-    well, and is not by these ``rules``, then it is kept by all of them.
+    It is kept under the rules on which most pictures depend. If the kept picture depends on further
+    rules, and they differ from these ``rules``, then it is kept under all of them.
     """
     for own in (False, True):
         name = _digest(program, state, rules, errors, own=own)
@@ -234,9 +233,10 @@ def _node_text(node: Node, numbers: dict[Formal, int]) -> str:
 
 @cache
 def _code_digest() -> str:
-    """A digest of the code that defines what graphs and textures mean.
+    """A digest of the code that defines the meaning of graphs and textures.
 
-    What makes the graph of a shader does not count, since the graph itself is part of the key.
+    The code that makes the graph of a shader does not count, since the graph itself is part of the
+    key.
     """
     root, here = Path(__file__).parents[2], Path(__file__).parent
     compiler = root / "compiler"

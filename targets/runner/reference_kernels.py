@@ -37,8 +37,9 @@ def elements_by_reference(
 ) -> dict[str, Contents]:
     """The elements of each result of a kernel, by name.
 
-    ``textures`` are what it reads, if not those of the instance, and ``buffers`` what it reads that
-    other kernels have written. With ``errors`` they have bounds. Raises ``MissingValuesError``.
+    ``textures`` are the textures that it reads, if not those of the instance, and ``buffers`` the
+    buffers that other kernels have written. With ``errors`` the elements have bounds. Raises
+    ``MissingValuesError``.
     """
     counts = instance.result_counts()
     lanes = computed(

@@ -2,7 +2,7 @@
 
 Python evaluates in one thread at a time. ``burnish conform`` of many materials therefore lends the
 pictures that it expects to as many processes as there are processors. A process that ends for any
-reason costs only time: its picture is drawn by whoever asked for it.
+reason costs only time: the caller draws its picture.
 """
 
 from __future__ import annotations

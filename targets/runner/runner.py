@@ -102,7 +102,7 @@ class Runner(Closing):
         return tuple(stacked([next(drawn) for _ in draws]) for draws in singles)
 
     def _drawn(self, route: Route, job: Job) -> tuple[Picture, ...]:
-        """A picture for each draw of a job, none of which has layers."""
+        """A picture for each draw of a job whose draws have no layers."""
         request = {"job": to_json(job)}
         name = self._digest(route, request)
         kept = self._store.read(name) if self._store else None

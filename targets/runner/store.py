@@ -68,7 +68,7 @@ class Store:
     def __init__(self, name: str, limit: int = LIMIT) -> None:
         """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes.
 
-        A store with the limit 0 keeps nothing, and what is in its folder stays as it is.
+        A store with the limit 0 keeps nothing, and leaves the files in its folder as they are.
         """
         self.folder = Path(private_folder()) / name
         self._limit = limit

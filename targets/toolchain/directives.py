@@ -4,9 +4,9 @@ A text may come from a file, such as the plan of a frame. There, ``#include`` wo
 read any other file, or wait for a pipe for ever, and a few lines of ``#define`` can stand for more
 code than fits into memory.
 
-Compilers differ in what they take for a comment, a string or the end of a line. So this looks for
-whatever some compiler could take for the beginning of a directive, even within a comment, where
-Burnish has nothing like it.
+Compilers differ about the ends of comments, strings and lines. So this module looks for anything
+that some compiler could take for the beginning of a directive, even within a comment, if Burnish
+emits nothing like it.
 """
 
 from __future__ import annotations

@@ -57,7 +57,7 @@ def run(
     """Run a program to its end, or kill it after ``time_limit`` seconds.
 
     A program that cannot be started counts as crashed: the tool is broken, not the shader.
-    ``folder`` is a private one; without it, the program runs where nothing is. Whoever owns the
+    ``folder`` is a private one; without it, the program runs where nothing is. The owner of the
     ``family`` may end the program meanwhile, from another thread.
     """
     name = arguments[0]
@@ -89,7 +89,7 @@ def _input(data: bytes) -> Iterator[int | IO[bytes]]:
 
 
 def _outcome(name: str, child: Child, limits: Limits, time_limit: float) -> Outcome:
-    """Read what a program writes until it ends, its time is up, or it has written too much."""
+    """Read a program's output until it ends, its time is up, or the output is too long."""
     deadline = time.monotonic() + time_limit
     readers = [_Reader(child, stream, limits.output) for stream in _outputs(child)]
     for reader in readers:

@@ -45,7 +45,7 @@ def search_path() -> str:
 
 
 def environment() -> dict[str, str]:
-    """The environment for programs: the user's, without what leads to the current folder.
+    """The environment for programs: the user's, without paths that lead to the current folder.
 
     Variables of Python are for the Python that runs Burnish. Other relative paths, such as those of
     ``LD_LIBRARY_PATH`` and ``NODE_PATH``, lead nowhere from the folder in which programs run.
@@ -57,8 +57,8 @@ def environment() -> dict[str, str]:
 def python_worker(module: str, *arguments: str) -> list[str]:
     """The command that runs a module of Burnish in a Python of its own.
 
-    It is the same Burnish that runs here, wherever that was found, beside the packages that the
-    same Python has installed. What else the user names in ``PYTHONPATH`` comes after all of these.
+    It is the same Burnish that runs here, wherever that was found, with the packages that the same
+    Python has installed. Other entries of the user's ``PYTHONPATH`` come after all of these.
     """
     flags = "-EP"
     if not site.ENABLE_USER_SITE:

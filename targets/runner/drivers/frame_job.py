@@ -1,9 +1,9 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. Where the
-``Job`` of ``draw_job.py`` has one pipeline, and each draw a picture of its own, a frame job has as
-many as it likes, and its steps draw into textures that later steps read. Only what is asked for
-comes back.
+``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. The ``Job``
+of ``draw_job.py`` has one pipeline, and a picture for each draw. A frame job has any number of
+pipelines, and its steps draw into textures that later steps read. Only requested results are read
+back.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ class FrameTexture:
     """The number of samples of each texel. A texture with several has one layer and one level, and
     no shader reads it."""
     memory: int | None = None
-    """Of textures with the same number, no step needs two, so they may lie in the same memory: when
-    a barrier takes one of them from ``undefined``, the others lose their contents."""
+    """The number of the memory that the texture shares with others, as no step needs two of them:
+    when a barrier takes one of them from ``undefined``, the others lose their contents."""
 
     @property
     def is_depth(self) -> bool:
@@ -150,7 +150,7 @@ class FrameStep:
     groups: Sides = (0, 0, 0)
     """The numbers of work groups that a kernel runs in."""
     copied: tuple[int, ...] = ()
-    """Of a copy, the numbers of the source and of the destination."""
+    """For a copy, the numbers of the source and of the destination."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
     buffer_barriers: tuple[BufferBarrier, ...] = ()

@@ -1,6 +1,6 @@
-"""Pipelines as data: the texts of the stages, what they read and write, and all state.
+"""Pipelines as data: the texts of the stages, their inputs and outputs, and all state.
 
-``binding.py`` makes one of a program and its reflection. Names are resolved to bindings here.
+``binding.py`` makes one from a program and its reflection. Names are resolved to bindings here.
 """
 
 from __future__ import annotations

@@ -195,7 +195,7 @@ def bound(pipeline: Pipeline) -> Groups:
 
 
 def layout_entries(group: Mapping[int, Bound], visibility: int) -> list[Mapping[str, Any]]:
-    """An explicit layout: ``auto`` would leave out what the shaders do not use."""
+    """An explicit layout: ``auto`` would leave out bindings that the shaders do not use."""
     return [{"binding": at, "visibility": visibility, **_entry(what)} for at, what in group.items()]
 
 

@@ -1,7 +1,7 @@
 """Shows a single material as a frame: a plan of one step that draws or runs it.
 
-Hosts have one road only, which is that of plans. ``burnish view`` takes it for materials, kernels
-and passes that capture; who writes an engine can do the same with any reflection.
+Hosts have one road only: they execute plans. ``burnish view`` takes this road for materials,
+kernels and passes that capture; the author of an engine can do the same with any reflection.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The contents of storage buffers as the bytes that a GPU reads.
 
-``Instance`` keeps one ``Contents`` for each buffer; ``buffers.py`` makes them of what a host sets.
+``Instance`` keeps one ``Contents`` for each buffer; ``buffers.py`` makes them from a host's values.
 """
 
 from __future__ import annotations

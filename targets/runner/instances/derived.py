@@ -282,8 +282,10 @@ def _depths(steps: Sequence[StepRow]) -> list[int]:
 
 
 def _of_kind(kind: Kind, arguments: list[Named]) -> list[Named]:
-    """The arguments of a function of floats, of which the first is no whole number: those of Python
-    have no largest one, and would grow with each product."""
+    """The arguments of a function of floats, as floats if the first one is an integer.
+
+    Python's integers have no largest one, and would grow with each product.
+    """
     if kind != "float" or not any(type(lane) is int for lane in arguments[0]):
         return arguments
     return [tuple(map(float, arguments[0])), *arguments[1:]]

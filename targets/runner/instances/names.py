@@ -59,8 +59,8 @@ class Names:
             **{name.rpartition(".")[2]: name for name in lights},
             **{name: name for name in of_rig},
         }
-        """The lights, and all other parameters that are set per rig: what ``rig`` calls them, and
-        their names. Among those of a rig, a light needs no rig's name before its own."""
+        """The lights, and all other parameters that are set per rig: their names in ``rig``, with
+        their full names. Among those of a rig, a light needs no rig's name before its own."""
 
     def is_needed(self, name: str) -> bool:
         """True if a parameter is one of the ``needed``."""

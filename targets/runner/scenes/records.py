@@ -1,7 +1,7 @@
 """The records of a scene's file: objects, cameras and lamps.
 
-``gltf/`` makes a ``SceneFile`` of a glTF file, and ``staging.py`` what frames draw of it.
-World space is right-handed with y upwards.
+``gltf/`` makes a ``SceneFile`` of a glTF file, and ``staging.py`` makes the models of frames from
+it. World space is right-handed with y upwards.
 """
 
 from __future__ import annotations

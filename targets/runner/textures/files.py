@@ -1,8 +1,8 @@
 """Reads pictures from files into arrays.
 
-A picture may come from anywhere, and say of itself what it likes. So it is taken for one of a few
-formats only, whatever its name is; and its size, which its header tells, is counted before its
-texels are decoded.
+A picture may come from anywhere, and its name and header may lie. So only a few formats are
+accepted, whatever its name is; and its size, as its header states it, is counted before its texels
+are decoded.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from .metered import PARTS, Metered
 from .panorama import cube_of
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
-"""The formats of pictures without floats, by Pillow's names. Pillow knows others, for some of which
-it runs programs."""
+"""The formats of pictures without floats, by Pillow's names. Pillow knows others, and runs programs
+for some of them."""
 
 _SMALL = ("1", "L", "LA", "P", "PA", "RGB", "RGBA", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV")
 """The modes of Pillow in which a lane has 8 bits."""
 _OF_SMALL, _OF_LARGE = (6, 20), (22, 32)
-"""The bytes of a pixel as a texture with all its levels, and what decoding it and making the levels
-takes in addition, as measured: of colours in lanes of 8 bits, and of anything else."""
+"""The bytes of a pixel as a texture with all its levels, and the further bytes for decoding it and
+making the levels, as measured: of colours in lanes of 8 bits, and of anything else."""
 _PASSING_OF_LAYERS = 5
 """The factor of the layers' size that is needed while a texture is made of them, levels
 included."""
@@ -84,8 +84,10 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
 
 
 def read_picture(path: Path, sample: Kind, memory: Tally) -> NDArray[Any]:
-    """The array of the picture in a file, for ``texel_array``. ``memory`` counts what the texture
-    takes. Raises ``PictureError`` and ``BudgetError``."""
+    """The array of the picture in a file, for ``texel_array``.
+
+    ``memory`` counts the memory of the texture. Raises ``PictureError`` and ``BudgetError``.
+    """
     with _told(str(path)), opened(path, str(path)) as file:
         if form := format_of(path):
             return read_floats(path, form, str(path), memory)

@@ -1,8 +1,8 @@
 """Lets Pillow read a picture's file within bounds, since Pillow has no bounds of its own.
 
-What takes time and memory in a decoder besides texels is parsed in Python: chunks and segments, of
-which a file can have millions, and lists of where the parts of a picture lie. Each is a call of
-``read``. So the calls are counted, and the bytes of what precedes the texels.
+Besides texels, a decoder spends time and memory on data that is parsed in Python: chunks and
+segments, of which a file can have millions, and lists of offsets. Each of them is a call of
+``read``. So the calls are counted, and the bytes before the texels.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Textures that a host gives to an instance: made of pictures, arrays and single colours.
 
-This is what users call as ``burnish.Texture``. A texture's numbers are those in its file, unless
-the caller says that they are sRGB: only the caller knows whether a picture shows colours or holds
-data, such as normals or roughness.
+Users call this class as ``burnish.Texture``. A texture's numbers are those in its file, unless the
+caller says that they are sRGB: only the caller knows whether a picture shows colours or holds data,
+such as normals or roughness.
 
 An array of textures has layers, a 3D texture has slices, and a cube has the faces +x, -x, +y, -y,
 +z, -z. Seen from inside a cube with y upwards, the first row of a side's face is at the top. In a

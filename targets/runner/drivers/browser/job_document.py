@@ -24,7 +24,7 @@ from ..webgpu import COMPUTED, DRAWN, for_pages, interleaved, vertex_buffers
 from ..wire import to_json
 
 WGSL = "wgsl:webgpu"
-"""The profile whose pipelines are told in the words of WebGPU."""
+"""The profile whose pipelines are described in the words of WebGPU."""
 
 _REPRESENTATIONS = {format: name for name, format in VERTEX_FORMATS.items()}
 

@@ -73,6 +73,8 @@ def _set(program: Linked, block: BlockSlot, data: bytes) -> None:
 
 
 def bound_at(place: Place, number: int) -> int:
-    """Where a block, buffer or texture is bound: at the text's binding, else at its number in the
-    pipeline, which ``program.py`` gives it."""
+    """The binding of a block, buffer or texture: the text's, else its number in the pipeline.
+
+    ``program.py`` gives it this number.
+    """
     return number if place.binding is None else place.binding

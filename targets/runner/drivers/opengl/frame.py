@@ -155,7 +155,7 @@ class _Frame:
 
     @contextmanager
     def _framebuffer(self, step: FrameStep) -> Iterator[None]:
-        """A framebuffer with all that a step draws to."""
+        """A framebuffer with all attachments of a step."""
         with self._bound_framebuffer(GL_FRAMEBUFFER):
             self._attach(step)
             yield

@@ -75,7 +75,7 @@ class _Frame:
         return Found(tuple(self._texels), tuple(self._contents), tuple(self._captured))
 
     def _submit(self, steps: Sequence[FrameStep], *, is_first: bool) -> None:
-        """Do some steps, of which the last may read something back."""
+        """Do some steps; the last of them may read something back."""
         with ExitStack() as once:
             self._do_all(once, steps, is_first=is_first)
 

@@ -1,7 +1,7 @@
 """Decodes accessors: the arrays of numbers of which meshes, skins and morph targets consist.
 
-Each range is checked against the bytes that there are, and each array is counted, before it is
-made: a small file can name the same bytes again and again, or zeros that no bytes stand for.
+Each range is checked against the existing bytes, and each array is counted, before it is made: a
+small file can name the same bytes again and again, or zeros without any bytes.
 """
 
 from __future__ import annotations

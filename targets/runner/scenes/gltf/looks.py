@@ -37,7 +37,7 @@ class Looks:
         self._memory = memory
 
     def look(self, index: int | None, what: str) -> Look:
-        """The look of a material. Raises ``SceneError``; ``what`` says in it who has the look."""
+        """The look of a material. Raises ``SceneError``; ``what`` names the look's user in it."""
         if index is None:
             return PLAIN
         if index >= len(self._file.materials):
