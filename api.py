@@ -280,7 +280,7 @@ def _compiled(
     """
 
     def options(profile: Profile) -> EmitOptions:
-        # What a kernel writes has its first row at the top, also where a pass draws it.
+        # The images of a kernel have their first row at the top, also if a pass draws them.
         turned = emit_options.flip_y and shader.chain != COMPUTED
         flip_y = profile.framebuffer.rows_up if to_textures else turned
         return changed(emit_options, flip_y=flip_y)

@@ -99,7 +99,7 @@ def _leave_threads(code: int) -> None:
     import threading
 
     threads = [each for each in threading.enumerate() if each is not threading.current_thread()]
-    # One that the interruption met just as it was started has no identifier, nor anything to do.
+    # A thread that was interrupted just as it started has no identifier, and nothing to do.
     others = [each for each in threads if each.ident is not None and not each.daemon]
     end = time.monotonic() + PATIENCE
     for thread in others:

@@ -112,7 +112,7 @@ class CompiledMaterial:
             for legal, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
-        # Which inputs a storage buffer has instead is known behind the passes.
+        # The vertex inputs that a storage buffer replaces are known after the passes.
         last = self._staged.shader
         bound = changed(
             self.shader,

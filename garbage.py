@@ -82,7 +82,7 @@ class _Calls:
     def end(self) -> None:
         with self._lock:
             self._running -= 1
-            # What the host has set in the meantime is what it wants.
+            # Thresholds that the host has set in the meantime stay.
             if self._running == 0 and gc.get_threshold() == _raised(self._before):
                 gc.set_threshold(*self._before)
 

@@ -88,7 +88,7 @@ def show_misuse(error: ClickException) -> None:
     error.show(said)
     shown, message = said.getvalue(), error.format_message()
     context = error.ctx if isinstance(error, click.UsageError) else None
-    # Where a command line has no words at all, the message is the help, which quotes nothing.
+    # If a command line has no words at all, the message is the help, which quotes nothing.
     if context is None or message != context.get_help():
         shown = shown.replace(message, harmless_message(message))
     click.echo(harmless_lines(shown), err=True, nl=False)

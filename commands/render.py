@@ -56,7 +56,7 @@ def _size(context: click.Context, _option: click.Parameter, given: str) -> tuple
     size = int(found[1]), int(found[2] or found[1])
     if not all(1 <= side <= LARGEST for side in size):
         raise click.BadParameter(f"a side has 1 to {LARGEST} pixels")
-    # Whoever names a size has the memory for it; the budget is for what files ask for.
+    # A user who names a size has the memory for it; the budget limits what files ask for.
     needed = size[0] * size[1] * OF_A_PIXEL
     context.with_resource(raised({"memory": allowed("memory") + needed}))
     return size

@@ -180,7 +180,7 @@ class _Making:
         routes: list[Route | None] = [None, *self._shown]
         words = ["--size", str(self._size), "-o", "picture.png", _NAME]
         with self._told(render, words) as chosen:
-            # With everything, what a route lacks is no error.
+            # With all routes, a route that lacks something is no error.
             whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
             request = subjects.Request(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)

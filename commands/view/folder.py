@@ -51,7 +51,7 @@ class Folder:
         """The path of a file, by its name; ``None`` if there is none."""
         with self._lock:
             path = self._paths.get(name)
-        # By now it may be a link.
+        # By now the file may be a link.
         is_own = not self._is_folder or (path and is_shown(path, self._root.resolve(), ENDING))
         return path if is_own else None
 

@@ -87,7 +87,7 @@ class Server:
         """Give back the port of a server that does not run."""
         self._socket.close()
 
-    # --- what is served --------------------------------------------------------------------------
+    # --- answers ---------------------------------------------------------------------------------
 
     def application(self) -> Guarded:
         """The application that answers requests."""
@@ -224,7 +224,7 @@ class _Ending(uvicorn.Server):
         self._end_pages = end_pages
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        # What is cancelled from here on is no error.
+        # Requests that are cancelled from here on are no errors.
         logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL)
         patience = Timer(_PATIENCE, self._end_at_once)
         patience.daemon = True

@@ -82,7 +82,7 @@ _LLVM = Driver(
     level_power=2,
 )  # fmt: skip
 _SWIFTSHADER = Driver(
-    # It blends levels in 16 bits, with several roundings.
+    # SwiftShader blends levels in 16 bits, with several roundings.
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
@@ -102,11 +102,11 @@ def _with_lines(driver: Driver, lines: Lines) -> Driver:
     return replace(driver, measured=measured)
 
 
-# Its rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
+# WebGL's rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
 _WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
-# Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
-# less than what such devices are known for. It was tried on Mesa's software only.
+# Nobody has measured the devices of other people's machines. Where the API reports nothing, this is
+# less than such devices are known to have. It was tried on Mesa's software only.
 _ANY_DEVICE = Driver(
     Hardware(
         varying_bits=INTERPOLATED_BITS,

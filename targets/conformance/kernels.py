@@ -98,7 +98,7 @@ class KernelPlan:
         data = elements_of(run.instance, written)
         for bounds in bounds_of(run, route, device):
             low_high = self._computed(program, run, bounds.rules, bounds.errors)
-            # The text has no promises any more, nor what was written as `unguarded`.
+            # The text no longer has the promises, nor the marks of `unguarded` operations.
             meant = self._computed(self._source, run, precise(bounds.rules), None)
             got = _got(low_high, data, run.width)
             expected = _expected(low_high, run.width)

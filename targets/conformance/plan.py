@@ -152,7 +152,7 @@ class Plan:
     def _wanted(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        # Rare rules are all that the rules for some drivers differ in.
+        # The rules for some drivers differ in rare rules only.
         asked = program.text, id(state), errors
         return self._expected.shared(
             (*asked, rules.common),

@@ -21,7 +21,7 @@ class Context:
 
     def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
         program, language, profile = legal.program, legal.language, legal.profile
-        # Whether the picture's rows count upwards, against Burnish's own y.
+        # True if the picture's rows count upwards, against Burnish's own y.
         rows_up = profile.framebuffer.rows_up and not flip_y
         self.program = program
         self.dialect = dialect(language, profile, rows_up)

@@ -119,7 +119,7 @@ class _Emitter:
         ]
         text, breaks = marks.taken_out(self._text(stages, entries)), EMPTY
         if not (self._options.line_directives and self._language.line_directive):
-            # Behind a directive a statement stays in its one line, as compilers count on from it.
+            # After a directive a statement stays in one line, as compilers count lines from there.
             text, breaks = wrapped(text)
         extension = self._language.extension
         first = stages[0].row

@@ -110,7 +110,7 @@ class Statements:
     def _branch(self, branch: Branch) -> Lines:
         otherwise = branch.node.operands[2]
         short = otherwise.op == "constant" and not branch.otherwise.statements
-        # What is known before the branch is printed before its name is taken.
+        # Values that are known before the branch are printed before its name is declared.
         test = self._test(branch)
         value = self._expressions.text(otherwise) if short else ""
         name = self._namer.declare(branch.name)

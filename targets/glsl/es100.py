@@ -19,18 +19,18 @@ from ..description.profile import Framebuffer, Limits, Profile, Samplers
 from ..description.spellings import Literals, Read, Spelling, Spellings, TypeNames
 
 TYPES = TypeNames(
-    # What is stored as uint are bools, of which only 0 and 1 are written.
+    # Only bools are stored as uint, so only 0 and 1 are written.
     scalars={"float": "float", "int": "int", "uint": "int", "bool": "bool"},
     vectors={"float": "vec{n}", "int": "ivec{n}", "uint": "ivec{n}", "bool": "bvec{n}"},
     matrix="mat{n}",
-    # All matrices are square. A host fills the columns that a tall one has not got with zeros.
+    # All matrices are square. A host fills the columns that a tall matrix lacks with zeros.
     tall_matrix="mat4",
 )
 
 NATIVES: Spellings = {
     "mod": Spelling(floats="mod", integers="({0:factor} - {1:factor} * ({0:factor} / {1:factor}))"),
     "fma": "({0:factor} * {1:factor} + {2:factor})",
-    # There are neither bits nor `&&` of vectors.
+    # There are no operations on bits, and no `&&` of vectors.
     "and": Spelling(vectors="{type}(vec{lanes}({0}) * vec{lanes}({1}))"),
     "or": Spelling(vectors="{type}(vec{lanes}({0}) + vec{lanes}({1}))"),
     "sample": Read("texture2D({0}, {1})", types={"texture_cube": "textureCube({0}, {1})"}),

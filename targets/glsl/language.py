@@ -133,7 +133,7 @@ FORMS = Forms(
     deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     shared="shared {typed};",
-    # GLSL says that a barrier orders what is shared, too; Mesa's OpenGL moves reads across it.
+    # In GLSL, a barrier also orders shared memory; but Mesa's OpenGL moves reads across it.
     barrier="memoryBarrierShared(); barrier();",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
@@ -236,7 +236,7 @@ OPENGL = Profile(
     preamble=("#version 330 core",),
     stages=EXPANDED,
     stream_output=StreamOutput("names"),
-    # Equations of their own came with OpenGL 4.0.
+    # Blend equations for each target came with OpenGL 4.0.
     blending="switched",
     explicit_bindings=False,
     samplers=Samplers(combined=True),
@@ -327,7 +327,7 @@ OF_EXTENSIONS = (
     "(f(16|32|64)|[iu](8|16|32|64))vec[2-4]$",
     "f(16|32|64)mat[2-4](x[2-4])?$",
     "f16(sampler|image|texture|subpassInput)",
-    # What the extensions of vendors add, and what they are called without one.
+    # Words of vendors' extensions, and those without a vendor's suffix.
     r"\w+(AMD|ARB|EXT|KHR|NV|QCOM)$",
     "coopmat$|nonprivate$|(device|queuefamily|workgroup|subgroup|shadercall)coherent$|spirv_",
 )

@@ -37,7 +37,7 @@ TYPES = TypeNames(
     stored_matrix="column_major {type}",
 )
 
-# DXC takes a choice between two plain literals for a double, or an integer of 64 bits, and remarks
+# DXC treats a choice between two plain literals as a double, or an integer of 64 bits, and warns
 # that it does not know how wide a shifted one is.
 LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 

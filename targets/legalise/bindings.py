@@ -57,7 +57,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     else:
         blocks = {name: BindingSlot(place.group, place.binding) for name, place in hosts.items()}
         slots = _SlotsBySet(frozenset(blocks.values()))
-    # First, as devices have fewer places for images than for textures.
+    # Images come first, as devices have fewer bindings for them than for textures.
     for image in program.images:
         set_ = profile.sets.get(image.group, profile.default_set)
         images[image.name] = slots.free("image", set_)

@@ -40,7 +40,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
     apart = Apart.of(undecided.results, shader.placing)
     roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
-    # Calls that only these guards make dear are copied here, with the loops in them.
+    # Calls that only these guards make expensive are inlined here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)
     roots = verified("legalise", "stored", roots)
     made = zip(undecided.results, roots, strict=True)

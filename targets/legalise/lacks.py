@@ -75,12 +75,12 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     if captured is not None:
         yield from _cannot_capture(program, profile, captured)
     elif missing:
-        # What misses the first one of several that belong together misses all of them.
+        # A profile that lacks the first of several stages that belong together lacks all of them.
         stage = missing[0]
         of_primitives = bool(stage.emitted) or stage.row == CONTROL
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
     elif is_lowered(program) and not INSTANCES.is_met(profile):
-        # All else that its stages need was not written by the user.
+        # Further needs of its stages do not come from the user's text.
         row = GEOMETRY if program.tessellation is None else CONTROL
         yield Lack(feature_of_stage(row), program.stages[0].roots[0].id, of_expansion=True)
         return

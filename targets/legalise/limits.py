@@ -74,7 +74,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
     depths = (_nested_blocks(region) for stage in program.stages for region in stage.regions)
     crossing = (len(face.varyings) for face in program.interfaces)
     return {
-        # What is captured leaves a stage as what crosses does.
+        # Captured values leave a stage as varyings do.
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         "attributes": program.input_locations + _missing_inputs(program, profile),
         "textures": max(len(stage.resources) for stage in program.stages),
@@ -84,7 +84,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         **_uniform_counts(program, profile),
         "nested_blocks": max(depths),
         "inlined_operations": max(map(_inlined_operations, program.stages)),
-        # Where there is only one, that is what ``lacks`` tells.
+        # If the profile has only one target, ``lacks`` reports that.
         "render_targets": len(program.results_of(TARGET)) if SEVERAL_TARGETS.is_met(profile) else 0,
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
         "shared_bytes": _shared_bytes(program),

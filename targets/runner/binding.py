@@ -122,7 +122,7 @@ def pipeline(
         depth_bias=_depth_bias(state.depth),
         stencil=_stencil(state.stencil),
         flip_y=backend.flip_y,
-        # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
+        # Vulkan's viewport makes every picture upright, also that of a text for another API.
         front_face=WINDINGS[state.front] if on_vulkan else backend.front_face,
         first_row="top" if on_vulkan else backend.first_row,
         host_uniforms=tuple(backend.host_uniforms),

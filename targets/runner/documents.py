@@ -49,7 +49,7 @@ class Quota:
         """Count the values of a text; returns the most that it can have. Raises ``BudgetError``."""
         count = _at_most(data)
         if self._taken + count > allowed("values"):
-            # Commas and brackets within texts are none.
+            # Commas and brackets within strings do not count.
             count = _at_most(_TEXT.sub(b"", data))
         self._taken += count
         check("values", self._taken, self._what)
@@ -63,7 +63,7 @@ def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
     Raises ``DocumentError`` and ``BudgetError``.
     """
     count = (quota or Quota(f"{name} has")).take(data)
-    # Python has as many bytes for each character of a text as for the largest one.
+    # Python needs as many bytes for each character of a text as for the largest one.
     size = count * _OF_A_VALUE + 2 * len(data) * _width_of_characters(data)
     with holding(size, f"reading {name} takes"):
         return _read(data, name)

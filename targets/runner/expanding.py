@@ -74,7 +74,7 @@ def _divided(instance: Instance, row: TessellationRow, data: Values, mesh: Mesh)
         if each.mesh is not None and not each.mesh.is_of_pattern
     }
     if row.levels is None:
-        # No input is of the pattern: each vertex finds out by its number where it lies.
+        # The pattern has no vertex inputs: each vertex computes its position from its number.
         assert draw.vertices is not None, "patches are listed"
         cells = np.arange(draw.vertices).reshape(-1, CORNERS[draw.topology])
     else:
@@ -91,7 +91,7 @@ def pattern_of(instance: Instance, row: TessellationRow) -> tuple[dict[str, NDAr
     places, cells = pattern(row.kind, row.spacing, *instance.patch_levels())
     numbers = cells
     if vertices is not None:
-        # Each vertex that a cell turns into gets where all corners of the cell lie.
+        # Each vertex of a cell gets the positions of all corners of the cell.
         numbers = np.repeat(cells, vertices, axis=0)
         cells = np.arange(len(numbers)).reshape(-1, CORNERS[draw.topology])
     attributes = {}

@@ -150,5 +150,5 @@ def drawable(shader: Shader) -> Shader:
         if shader.chain != RASTERISED:
             raise UndrawableError(shader.name)
         return shader
-    # It adds nodes, and others may walk over the graph that was given.
+    # A copy, as nodes are added, and others may walk over the given graph.
     return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))

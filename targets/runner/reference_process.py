@@ -89,7 +89,7 @@ def main() -> None:
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         for line in sys.stdin:
-            # Whoever asked has given up earlier, unless he has died.
+            # The caller has given up earlier, unless its process has died.
             faulthandler.dump_traceback_later(1.5 * TIME_LIMIT, exit=True)
             answers.write(json.dumps(_answer(json.loads(line)["question"])) + "\n")
             answers.flush()

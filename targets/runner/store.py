@@ -37,7 +37,7 @@ def digest(*ingredients: str | bytes) -> str:
     else."""
     total = blake2b(digest_size=_DIGEST_SIZE)
     for item in ingredients:
-        # Names of files may have bytes that are no text, for which Python has surrogates.
+        # File names may have bytes that are no text, which Python decodes to surrogates.
         data = item.encode("utf-8", "surrogatepass") if isinstance(item, str) else item
         total.update(len(data).to_bytes(8, "little"))
         total.update(data)

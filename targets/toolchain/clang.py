@@ -22,7 +22,7 @@ from .verdicts import accepted_unless_error, undone
 _OPTIONS = (
     "-x", "c++", "-std=c++14", "-fsyntax-only", "-nostdinc", "-Wno-unknown-attributes",
     "-fno-crash-diagnostics",  # would leave files
-    # What a text converts it has to say.
+    # Implicit conversions are errors: a text has to state its conversions.
     "-Werror=float-conversion", "-Werror=implicit-int-float-conversion", "-Werror=sign-conversion",
 )  # fmt: skip
 _ATTRIBUTES = re.compile(r"\[\[(.*?)\]\]")

@@ -95,7 +95,7 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
     if seconds is not None:
         rows[resource.RLIMIT_CPU] = seconds
     for kind, most in rows.items():
-        # It may have ended already, and the user's own limits may be lower.
+        # The process may have ended already, and the user's own limits may be lower.
         with suppress(ProcessLookupError):
             _, hard = resource.prlimit(process, kind)
             within = most if hard == resource.RLIM_INFINITY else min(most, hard)

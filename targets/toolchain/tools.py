@@ -200,7 +200,7 @@ TOOLS: tuple[Tool, ...] = (
         source=Debian(("mesa-vulkan-drivers", "libvulkan1")),
         minimum=(22, 3),  # the oldest that was tried
     ),
-    # It has no version of its own: it is built with the browser.
+    # The driver has no version of its own: it is built with the browser.
     Tool(
         name="swiftshader",
         purpose="Chromium's Vulkan driver that draws on the CPU",

@@ -158,7 +158,7 @@ WEBGPU = Profile(
     draws_edges=False,
     blends_floats=False,
     single_file=True,
-    # Tint takes 127 nested statements, of which each loop and each branch is two.
+    # Tint accepts 127 nested statements; each loop and each branch counts as two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
     checkers=("naga", "tint"),
 )

@@ -146,7 +146,7 @@ class _Builder:
             self._input(row.name, row.source, box)
         for target in step.attachments:
             if target.over is not None:
-                # Where others need what was there, it has been copied to where this step draws.
+                # If others need the old contents, these were copied to where the step draws.
                 copied = target.result in self._makers
                 over = target.result if copied else target.over
                 self._arrow_from(over, box.key, "over")

@@ -202,7 +202,7 @@ def layout_entries(group: Mapping[int, Bound], visibility: int) -> list[Mapping[
 def _entry(what: Bound) -> Mapping[str, Any]:
     slot = what.slot
     if isinstance(slot, BlockSlot):
-        # A block that is larger in the shader than here is an error.
+        # WebGPU reports an error if the block is larger in the shader than here.
         return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
     if isinstance(slot, BufferSlot):
         kind = "storage" if slot.written else "read-only-storage"

@@ -231,7 +231,7 @@ class _Job:
             number = self._texture(row.texture)
             before, after = self._use(row.before), self._use(row.after)
             if before == "undefined" and self._textures.made[number].memory is None:
-                # The last frame may still read what it left there.
+                # The last frame may still read the contents that it left there.
                 before = self._textures.uses[number]
             found.append(Barrier(number, before, after))
             self._textures.uses[number] = after

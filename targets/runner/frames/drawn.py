@@ -118,7 +118,7 @@ Textures = Mapping[int, Drawn]
 """All textures of a frame, by their numbers in the plan."""
 
 
-# --- what a step finds ---------------------------------------------------------------------------
+# --- contents before a step ----------------------------------------------------------------------
 
 
 def load(canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, textures: Textures) -> None:
@@ -158,7 +158,7 @@ def _samples(target: AttachmentRow, layer: int, textures: Textures) -> Floats:
     return found.reshape(_ENDS, -1, found.shape[-1])
 
 
-# --- what a step leaves --------------------------------------------------------------------------
+# --- contents after a step -----------------------------------------------------------------------
 
 
 def store(

@@ -83,7 +83,7 @@ def _spans(plan: FramePlan) -> dict[int, tuple[int, int]]:
             add(row.texture, row.first, row.last)
     begin = 0
     for number, step in enumerate(plan.steps):
-        # What a render pass resolves to has its memory when the pass begins.
+        # Resolve targets have their memory when the render pass begins.
         begin = begin if isinstance(step, DrawStep) and step.continues else number
         for texture in drawn_to(step):
             add(texture, begin, number)

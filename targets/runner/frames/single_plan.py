@@ -121,7 +121,7 @@ class _Planning:
             outputs=tuple(self._outputs),
         )
 
-    # --- what it leaves --------------------------------------------------------------------------
+    # --- outputs ---------------------------------------------------------------------------------
 
     def _add_outputs(self) -> None:
         """Add an output for each render target or image, and for each buffer that is written."""
@@ -310,7 +310,7 @@ def _barrier(texture: int, before: TextureState, after: TextureUse) -> BarrierRo
     return BarrierRow(texture=texture, before=before, after=after, only_first=False)
 
 
-# --- what the host sets --------------------------------------------------------------------------
+# --- values that the host sets -------------------------------------------------------------------
 
 
 def _size_row() -> ParameterRow:

@@ -268,7 +268,7 @@ def _literal(shape: Numbers, text: str, name: str) -> object:
     return radians
 
 
-# --- what is said --------------------------------------------------------------------------------
+# --- messages ------------------------------------------------------------------------------------
 
 
 def shown(given: object) -> str:

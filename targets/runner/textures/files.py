@@ -55,7 +55,7 @@ _TILE_SIZE = 322, 323
 _BYTES_OF_TILE = 16
 """The most bytes of a texel in a tile that has been decoded."""
 
-# Pillow tells of damage by exceptions. What it logs besides is not for the terminal.
+# Pillow reports damage by exceptions. Its log messages are not for the terminal.
 logging.getLogger("PIL").addHandler(logging.NullHandler())
 
 

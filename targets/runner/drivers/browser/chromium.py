@@ -37,7 +37,7 @@ FLAGS = (
     "--use-webgpu-adapter=swiftshader",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    # Turn off what a browser requests from the network by itself.
+    # Turn off the requests that a browser sends by itself.
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",

@@ -39,7 +39,7 @@ def bound(
 
     Some of the textures and buffers are on the device already.
     """
-    # OpenGL keeps what is bound only as long as somebody has the buffer.
+    # OpenGL keeps a bound buffer only as long as somebody refers to it.
     blocks = [context.buffer(data) for data in contents]
     for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
         if block.uniforms:

@@ -81,7 +81,7 @@ def create_context(wanted: str | None) -> moderngl.Context:
         os.environ.pop("GLCONTEXT_DEVICE_INDEX", None)
         context = _created(_chosen(wanted))
     context.gc_mode = "auto"
-    # What is cleared or drawn in linear light is stored as the format of its target asks for.
+    # Colours are cleared and drawn in linear light, and stored as the target's format requires.
     context.enable_direct(GL_FRAMEBUFFER_SRGB)
     return context
 
@@ -95,7 +95,7 @@ def _software() -> moderngl.Context:
 
 
 def _created(number: int) -> moderngl.Context:
-    # moderngl's stubs do not know what the backend takes.
+    # moderngl's stubs do not know the backend's arguments.
     settings: dict[str, Any] = {"backend": "egl", "device_index": number}
     return moderngl.create_context(require=450, standalone=True, **settings)
 

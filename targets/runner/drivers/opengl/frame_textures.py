@@ -97,7 +97,7 @@ class MadeTexture:
     def _cleared(self) -> tuple[int, int, ctypes.Array[ctypes.c_float]]:
         """The lanes, their type and the contents of a texel that is cleared."""
         if self.description.has_stencil:
-            # A depth, and behind it a word that ends in the stencil value.
+            # A depth, followed by a word that ends in the stencil value.
             return GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, (ctypes.c_float * 2)(1.0)
         if self.description.is_depth:
             return GL_DEPTH_COMPONENT, GL_FLOAT, (ctypes.c_float * 1)(1.0)

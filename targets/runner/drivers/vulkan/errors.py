@@ -24,7 +24,7 @@ HARMLESS = (
     # A compiler may find out that a fragment shader does not need one of its inputs, for instance
     # because it discards all fragments.
     ("OutputNotConsumed ]", "consumed by fragment shader"),
-    # Mesa warns of what SPIR-V allows, and heeds it: the position as glslang declares it is a
+    # Mesa warns about a decoration that SPIR-V allows, and obeys it: glslang makes the position a
     # member of a block.
     ("Decoration not allowed on struct members: SpvDecorationInvariant",),
 )

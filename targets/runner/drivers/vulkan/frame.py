@@ -277,7 +277,7 @@ class _Frame:
     def _size(self, attachment: Attachment) -> tuple[int, int]:
         return _halved(self._textures[attachment.texture], attachment.level)
 
-    # --- what comes back -------------------------------------------------------------------------
+    # --- read-back -------------------------------------------------------------------------------
 
     def _back(self, once: ExitStack, number: int) -> Buffer:
         texture = self._job.textures[number]

@@ -65,7 +65,7 @@ USES: Mapping[TextureUse, Use] = {
 
 BUFFER_USES: Mapping[BufferUse, BufferAccess] = {
     "undefined": BufferAccess(SHADERS, 0),
-    # Atomics read what they join values with.
+    # Atomic operations also read the element.
     "written": BufferAccess(
         vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
         vk.VK_ACCESS_SHADER_READ_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT,

@@ -44,7 +44,7 @@ def open_gpu(wanted: str) -> Gpu:
     limits = {"max-color-attachment-bytes-per-sample": _most_bytes(adapter)}
     with explained():
         device = adapter.request_device_sync(required_features=features, required_limits=limits)
-    # Neither the precision of texture filters nor the driver's own version can be asked for.
+    # WebGPU reports neither the precision of texture filters nor the driver's own version.
     version = f"{adapter.info['description']}, wgpu {wgpu.__version__}".removeprefix(", ")
     description = Device(_title(adapter), version, SUBPIXEL_BITS, subtexel_bits=0, mip_bits=0)
     return Gpu(device, frozenset(features), description)

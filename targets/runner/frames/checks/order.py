@@ -134,7 +134,7 @@ class _Execution:
                 self._draw(target, "depth" if target is step.depth else "target")
         for row in step.buffers:
             self._used_buffer(row.result, "written")
-        # Later frames wait for what only the first one reads, in place of a last one.
+        # Later frames also wait for results that the first one reads in place of a last one's.
         read_first: set[int | str] = {
             result if texture is None else texture
             for result, texture in read_now(step, is_first=True)

@@ -109,7 +109,7 @@ class _Shaders:
                 if (result := self._results[kernel.shader].get(written.name)) is not None:
                     yield written.result, result
 
-    # --- what shaders are given ------------------------------------------------------------------
+    # --- inputs of shaders -----------------------------------------------------------------------
 
     def check_use(self, where: str, use: UseRow) -> None:
         """Check that every input exists in the shader, and has its type."""
@@ -150,7 +150,7 @@ class _Shaders:
             name = declared.name
             fail(self._plan, where, f"`{name}` is {declared.type}, and `{named}` is not")
 
-    # --- what they draw and write ----------------------------------------------------------------
+    # --- targets and results ---------------------------------------------------------------------
 
     def check_draw(self, step: DrawStep) -> None:
         """Check that the targets of a pass are drawn to textures of their formats."""
