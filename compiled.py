@@ -1,7 +1,7 @@
 """The results of compiling a file: its materials, with their texts, reflection and proofs.
 
-``api.compile`` makes these records, and users of the library and the commands read them. What many
-of them never ask for is computed when it is first asked for.
+``api.compile`` makes these records, and users of the library and the commands read them. Values
+that many users never need are computed when they are first read.
 """
 
 from __future__ import annotations

@@ -16,9 +16,9 @@ Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 
 _WORDS = 70_000
-"""The number of values that the large frame could hold. CPython makes a chunk of 1 MB for it, of
-which the other half is left for calls, some thousands deep. The system only provides memory that is
-written to."""
+"""The number of values that the large frame could hold. CPython makes a chunk of 1 MB for it; the
+other half of the chunk is left for calls, some thousands deep. The system only provides memory that
+is written to."""
 
 
 def with_room(

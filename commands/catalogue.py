@@ -1,10 +1,10 @@
 """Finds the files of a folder, with their groups and descriptions from its README.
 
 ``burnish gallery`` and ``burnish view`` show folders by it. A table of the README has a row for
-each file: what it shows, and a link to it. What no table lists comes last.
+each file: its description, and a link to it. Files that no table lists come last.
 
-A folder may come from anybody, and what is shown of it may be published. So nothing is read but
-files of the folder: no pipe or device, nothing hidden, and nothing that a link leads to elsewhere.
+A folder may come from anybody, and the pages may be published. So only files of the folder are
+read: no pipe or device, no hidden file, and no file elsewhere to which a link leads.
 """
 
 from __future__ import annotations

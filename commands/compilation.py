@@ -105,7 +105,7 @@ def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
 
 
 def _deliver(output: Output) -> None:
-    """Write the files and print what there is to print, or raise ``CompileError``."""
+    """Write the files and print the texts, or raise ``CompileError``."""
     from .output import unwritable, write_all
 
     if output.folder != STDOUT:

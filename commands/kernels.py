@@ -24,7 +24,7 @@ def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
 
 
 def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]) -> Feeding:
-    """The kernels that give the buffers of all that is drawn their elements.
+    """The kernels that fill the buffers of everything that is drawn.
 
     The command ends if nothing is drawn. Raises ``FeedError``.
     """

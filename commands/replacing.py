@@ -41,8 +41,8 @@ _ANCHORED = os.open in os.supports_dir_fd
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
-    The folder is made if need be. A link that has one of the names is replaced, not followed.
-    The error's ``filename`` is what could not be written: the folder, or a file in it.
+    The folder is made if need be. A link that has one of the names is replaced, not followed. The
+    error's ``filename`` is the path that could not be written: the folder, or a file in it.
     """
     for name in contents:
         with _told(join(folder, name)):
@@ -67,7 +67,7 @@ def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
 def _insist_on_name(name: str) -> None:
     """Raise ``OSError`` unless this can be the name of a file in the folder itself.
 
-    Some names come from what was compiled or shown, and none of those may lead elsewhere.
+    Some names come from compiled or shown files, and none of those may lead elsewhere.
     """
     separators = "/\0" if _ANCHORED else "/\0\\:"
     if name in ("", ".", "..") or any(separator in name for separator in separators):

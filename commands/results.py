@@ -159,7 +159,7 @@ def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
 def _holds(path: str, content: str | None) -> bool:
     """True if a file has this content or, with ``None``, if there is no file. Raises ``OSError``.
 
-    What is no regular file, such as a pipe, can be read only once, which is left to the compile.
+    A pipe or a device can be read only once, which is left to the compile.
     """
     from stat import S_ISREG
 

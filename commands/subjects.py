@@ -43,7 +43,7 @@ class Request(NamedTuple):
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
-    """In linear light."""
+    """The colour behind the mesh, in linear light."""
     target: str | None
     material: str | None
     rig: str | None

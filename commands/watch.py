@@ -73,9 +73,9 @@ def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
 class Watcher(Generic[Key]):
     """Follows the files of several things, each of which has a key.
 
-    One thread waits in ``changes``; others may call everything else meanwhile. It has the system
-    watch folders, not files, because editors replace a file by a new one. What counts is whether a
-    file is another one than when it was followed, so no change is missed, whatever is reported.
+    One thread waits in ``changes``; others may call everything else meanwhile. The system watches
+    folders, not files, because editors replace a file by a new one. A file has changed if it is
+    another one than when it was followed, so no change is missed, whatever is reported.
     """
 
     def __init__(self) -> None:

@@ -71,7 +71,7 @@ class Verdict(TypedDict):
     problem: str
     device: str
     lines: list[str]
-    """The lines that say what is wrong, or proves little."""
+    """The lines about what differs, or proves little."""
 
 
 class Entry(TypedDict):

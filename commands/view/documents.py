@@ -72,7 +72,7 @@ class Documents:
         self._listed: dict[str, Any] = {"subjects": [], "rigs": [], "passes": []}
         """The declarations of the file; if it cannot be read, those from before."""
         self._told = ""
-        """The version whose errors the terminal has been told."""
+        """The version whose errors have been printed on the terminal."""
 
     @staticmethod
     def shelf(keeping: Keeping) -> Made:

@@ -14,8 +14,7 @@ from typing import Any, Generic, TypeVar
 from ...compiler.budget import allowed
 
 _SHARE = 4
-"""The share of the limit called ``memory`` that kept data may take; the rest is for what is being
-made."""
+"""The share of the limit called ``memory`` that kept data may take; the rest is for new data."""
 
 Key = TypeVar("Key", bound=Hashable)
 Value = TypeVar("Value")

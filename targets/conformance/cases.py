@@ -49,7 +49,7 @@ FINEST_USUAL = 6.0
 So a draw makes 65536 vertices of patches at most: llvmpipe and lavapipe (Mesa 22.3) number those of
 one draw by 16 bits, and draw others in wrong places."""
 FEW_LINES = 1 / 4
-"""The share of cells that meshes have if the edges of their triangles are drawn as lines."""
+"""The share of cells that a mesh has if its edges are patches of lines."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)

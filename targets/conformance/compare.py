@@ -1,4 +1,4 @@
-"""Compares the picture of a route with the reference's bounds; ``conform`` calls it for each case.
+"""Compares the picture of a route with the reference's bounds; ``conform`` calls it for each draw.
 
 A pixel agrees if every lane of it lies between the bounds that the reference gives it. The meaning
 of the material has to lie there, too: otherwise the compiler has changed the meaning.

@@ -39,7 +39,7 @@ from .seen import (
 )
 
 _BLAMED = 100.0
-"""The factor of its bound above which a difference is blamed on an operation's error."""
+"""The multiple of its bound up to which a difference can come from an operation's error."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """A device with the bits that nearly all devices have."""
 

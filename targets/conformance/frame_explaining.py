@@ -27,7 +27,8 @@ from .seen import (
 )
 
 _LARGE_PART = 0.5
-"""The part of the bounds' distance by which an exact input has to reduce it to be blamed."""
+"""An input is to blame if, with an exact input, the distance of the bounds falls below this
+part."""
 
 
 def frame_lines(

@@ -96,12 +96,11 @@ class GroupFunctions(GroupCalls):
     def opening(
         self, namer: Namer, natives: Natives, read: str, count: str, index: str
     ) -> list[str]:
-        """The statements that tell invocations apart, of an entry point in which all go on to the
-        end.
+        """The first statements of an entry point in which all invocations run to the end.
 
-        ``read`` is the number of an invocation as the language has it, and ``count`` how many
-        elements there are. An invocation behind the last one has that one's ``index``: so
-        everything exists that it reads.
+        ``read`` is the language's number of an invocation, and ``count`` the number of elements. An
+        invocation behind the last element has that element's ``index``, so that everything that it
+        reads exists.
         """
         whole, number = namer.declare("count"), namer.declare("global_index")
         signed, unsigned = self._types.type(INT), self._types.type(UINT)

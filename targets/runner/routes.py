@@ -245,7 +245,7 @@ ALL = "all"
 
 
 class UnknownRouteError(ValueError):
-    """There is no route with this name; the text suggests a similar one."""
+    """The route does not exist; the text suggests a similar one."""
 
 
 def select(names: Iterable[str]) -> tuple[Route, ...]:

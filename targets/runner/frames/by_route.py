@@ -121,8 +121,8 @@ class _Job:
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
         self._bytes = Tally("memory", f"the buffers and textures of {host.plan.frame} take")
-        """Bytes of the textures that kernels write: their sizes are known when the kernels are run.
-        ``_shared_memory`` counts all other textures."""
+        """Bytes of the buffers and textures that kernels write: their sizes are known when the
+        kernels are run. ``_shared_memory`` counts all other textures."""
         self._memory: dict[int, int] = {}
         """For textures of the plan that share memory in turn, the number of that memory."""
         self._steps: list[FrameStep] = []
@@ -415,7 +415,7 @@ def _texture_of(plan: FramePlan, output: str) -> int:
 
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
-    """Two steps that draw to the same attachments, as one render pass; ``None`` if they stay two.
+    """Two steps that draw to the same attachments, as one render pass if that is possible.
 
     The pass begins as the first step does, and leaves what the second one leaves. Its resolve
     targets are ready from the beginning. The steps stay two if their settings differ.

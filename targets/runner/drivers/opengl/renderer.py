@@ -1,4 +1,4 @@
-"""Does frame jobs with OpenGL; the driver keeps one ``Renderer`` for all of them."""
+"""Executes frame jobs with OpenGL; the driver keeps one ``Renderer`` for all of them."""
 
 from __future__ import annotations
 
