@@ -202,7 +202,7 @@ def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
-    """Explain the error at one pixel of every material; then name materials without one."""
+    """Explain one pixel of every material; then report the materials where that failed."""
     from ..targets.conformance.explaining import explanation_lines
     from ..targets.conformance.seen import PixelError
     from ..targets.conformance.summary import by_material
