@@ -26,9 +26,9 @@ if TYPE_CHECKING:
         Texture,
         check,
         compile,
+        to_json,
     )
     from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
-    from .compiler.documents.writing import to_json
 
 __version__ = "0.1.0"
 __all__ = [
@@ -56,10 +56,6 @@ def __getattr__(name: str) -> Any:
         from .compiler.diagnostics import diagnostic
 
         return getattr(diagnostic, name)
-    if name == "to_json":
-        from .compiler.documents import writing
-
-        return writing.to_json
     if name in __all__:
         from . import api
 

@@ -20,6 +20,7 @@ from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .compiler.diagnostics import rules
 from .compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from .compiler.diagnostics.source import Span
+from .compiler.documents.writing import to_json
 from .compiler.frontend import Frontend
 from .compiler.ir.frame import Frame, FrameShader
 from .compiler.ir.program import Program
@@ -62,6 +63,7 @@ __all__ = [
     "Texture",
     "check",
     "compile",
+    "to_json",
 ]
 
 

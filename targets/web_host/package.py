@@ -1,7 +1,7 @@
 """Makes the package of a frame: all that the host for web pages needs, as one JSON document.
 
 ``burnish view`` sends packages to its page, and routes of the browser draw with them.
-``package.schema.json`` is the document's JSON Schema. What only Python knows is resolved here: what
+``documents.py`` declares it. What only Python knows is resolved here: what
 the library's declarations mean in a scene, and what draw calls get of meshes.
 """
 

@@ -29,9 +29,11 @@ FLOORS: dict[str, str] = {
     "compiler.srgb": "",
     "compiler.diagnostics": "frozen",
     "compiler.syntax": "frozen stdlib precomputed diagnostics",
-    "compiler.ir": "frozen stdlib diagnostics",
+    "compiler.constraints": "frozen",
+    "compiler.ir": "frozen stdlib diagnostics constraints",
     "compiler.layout": "ir",
     "compiler.packing": "frozen ir",
+    "compiler.documents": "frozen constraints ir packing",
     "compiler.formula": "stdlib ir",
     "compiler.promises": "frozen stdlib ir formula",
     "compiler.source_map": "diagnostics ir",
@@ -63,45 +65,47 @@ FLOORS: dict[str, str] = {
         "lowering shading"
     ),
     "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading frames",
-    "compiler.planning": "frozen diagnostics ir",
+    "compiler.planning": "frozen diagnostics ir documents",
     "compiler.expansion_templates": (
         "frozen stdlib diagnostics syntax ir library types names inheritance state checking "
         "lowering"
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
-    "compiler.reflection": "frozen stdlib diagnostics ir packing promises planning",
+    "compiler.reflection": (
+        "frozen stdlib diagnostics constraints ir packing documents promises planning"
+    ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
     "targets.toolchain": "cache budget closing",
     "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
-    "targets.emit": "frozen stdlib precomputed diagnostics ir reflection description legalise",
+    "targets.emit": "frozen stdlib precomputed diagnostics ir documents description legalise",
     **{f"targets.{name}": "stdlib ir description" for name in BACKENDS},
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
     "targets.runner": (
-        "frozen garbage stdlib arguments cache diagnostics srgb ir promises reference reflection "
-        "budget closing toolchain"
+        "frozen garbage stdlib arguments cache diagnostics srgb ir documents promises reference "
+        "reflection budget closing toolchain"
     ),
-    "targets.web_host": "ir budget runner toolchain",
+    "targets.web_host": "frozen constraints ir documents budget runner toolchain",
     "targets.conformance": (
-        "frozen stdlib diagnostics ir reference budget runner web_host toolchain"
+        "frozen stdlib diagnostics ir documents reference budget runner web_host toolchain"
     ),
-    "targets.web_view": "runner",
+    "targets.web_view": "documents runner",
     # The door.
     "compiled": (
-        "frozen garbage inputs diagnostics ir passes planning reflection description legalise emit "
-        "selection runner"
+        "frozen garbage inputs diagnostics ir documents passes planning reflection description "
+        "legalise emit selection runner"
     ),
     "api": (
-        "frozen arguments garbage diagnostics ir passes source_map names reflection frontend "
-        "description emit legalise availability selection runner compiled"
+        "frozen arguments garbage diagnostics ir documents passes source_map names reflection "
+        "frontend description emit legalise availability selection runner compiled"
     ),
     "commands": (
-        "frozen garbage cache inputs diagnostics syntax ir passes frontend formula budget closing "
-        "description emit registry availability selection runner web_host web_view conformance "
-        "toolchain compiled api"
+        "frozen garbage cache inputs diagnostics syntax ir documents passes frontend formula "
+        "budget closing description emit registry availability selection runner web_host web_view "
+        "conformance toolchain compiled api"
     ),
     "generate": "precomputed library syntax emit registry",
     "cli": "stack garbage commands",

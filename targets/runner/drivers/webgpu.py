@@ -223,7 +223,7 @@ Names = Mapping[type, Sequence[str]]
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
     """The descriptors and bindings of a pipeline, as a page hands them to the browser.
 
-    See ``web_gpu_pipeline`` in ``package.schema.json``.
+    See ``WebGPUPipeline`` in ``web_host/documents.py``.
     """
     found: dict[str, Any] = _camel({
         "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],

@@ -256,7 +256,7 @@ def _read_buffers(drawn: FrameDraw, given: Draw | Dispatch) -> Iterator[int | st
 
 
 def _geometry(pipeline: Pipeline, draw: Draw) -> dict[str, Any]:
-    """The mesh as ``geometry`` in ``package.schema.json``."""
+    """The mesh as packages have it (``GeometryRow``)."""
     streams = {
         buffer.step: to_json(interleaved(buffer, draw.vertices))
         for buffer in vertex_buffers(pipeline.inputs)
