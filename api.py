@@ -165,7 +165,7 @@ def check(
 def has_frames(
     source: str | Path, *, material: str | None = None, search_path: Sequence[str | Path] = ()
 ) -> bool:
-    """Whether ``compile`` makes frames of a file; ``material`` is the only name asked for.
+    """True if ``compile`` makes frames of a file; ``material`` is the only name asked for.
 
     Raises ``CompileError`` if the file cannot be read.
     """
@@ -177,7 +177,7 @@ def has_frames(
 
 
 class Declared(NamedTuple):
-    """The names of what a file declares and ``compile`` takes, in the order of the file."""
+    """The names of declarations that ``compile`` accepts, in the order of the file."""
 
     frames: tuple[str, ...]
     materials: tuple[str, ...]
@@ -187,7 +187,7 @@ class Declared(NamedTuple):
 
 
 def declared(source: str | Path, *, search_path: Sequence[str | Path] = ()) -> Declared:
-    """What a file declares. Raises ``CompileError`` if the file cannot be read."""
+    """The declarations of a file. Raises ``CompileError`` if the file cannot be read."""
     report = Report()
     frontend, module = _opened(source, search_path, report)
     if module is None or report.failed:
@@ -240,7 +240,7 @@ def _opened(
 
 
 def _program_of(shader: FrameShader) -> Program:
-    """What a shader of a frame is compiled to, before it is made legal anywhere."""
+    """The program of a frame's shader, before it is made legal for any profile."""
     return stage(lower_stages(shader.shader), Options()).program
 
 
@@ -275,11 +275,14 @@ def _compiled(
     emit_options: EmitOptions,
     to_textures: bool = False,
 ) -> CompiledMaterial:
-    """``to_textures``: whether the shader draws what others read, so that its first row lies first
-    in memory."""
+    """Compile one shader for the chosen profiles.
+
+    ``to_textures`` is True if the shader draws textures that others read, so that the first row of
+    the picture lies first in memory.
+    """
 
     def options(profile: Profile) -> EmitOptions:
-        # What a kernel writes has its first row at the top, also where a pass draws it.
+        # The images of a kernel have their first row at the top, also if a pass draws them.
         turned = emit_options.flip_y and shader.chain != COMPUTED
         flip_y = profile.framebuffer.rows_up if to_textures else turned
         return changed(emit_options, flip_y=flip_y)
@@ -340,7 +343,7 @@ def _lacking(
 
 
 def _place_of(shader: Shader, lack: Lack) -> Span | None:
-    """Where something is written that a profile has not got."""
+    """The place in the source that needs a feature which a profile lacks."""
     targets = shader.results_of(TARGET)
     if lack.target is not None and targets:
         return targets[lack.target].span

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .commands.results import Question
 
 PATIENCE = 1.0
-"""How many seconds threads may take to end after an interruption."""
+"""The seconds that threads may take to end after an interruption."""
 
 
 def main() -> None:
@@ -76,10 +76,11 @@ def _exit_code(arguments: list[str]) -> int:
 
 
 def _heed_termination() -> None:
-    """Have SIGTERM and SIGHUP end the process as Ctrl-C does, with all that it has started.
+    """Let SIGTERM and SIGHUP end the process like Ctrl-C, with everything that it has started.
 
-    Who ignores them, as nohup does, goes on to do so. But the first process, as in a container, has
-    to listen to SIGTERM: the kernel ignores it there otherwise, and ``--watch`` would run for ever.
+    A process that ignores them, as under nohup, goes on to do so. But the first process, as in a
+    container, has to listen to SIGTERM: the kernel ignores it there otherwise, and ``--watch``
+    would run for ever.
     """
     import signal
 
@@ -98,7 +99,7 @@ def _leave_threads(code: int) -> None:
     import threading
 
     threads = [each for each in threading.enumerate() if each is not threading.current_thread()]
-    # One that the interruption met just as it was started has no identifier, nor anything to do.
+    # A thread that was interrupted just as it started has no identifier, and nothing to do.
     others = [each for each in threads if each.ident is not None and not each.daemon]
     end = time.monotonic() + PATIENCE
     for thread in others:
@@ -108,7 +109,7 @@ def _leave_threads(code: int) -> None:
 
 
 def _compiled(arguments: list[str], question: Question | None) -> bool | None:
-    """Whether a plain ``burnish compile`` has succeeded; ``None`` where click has to see to it."""
+    """Run a plain ``burnish compile``: True if it succeeded, ``None`` if click has to run it."""
     from .commands.compile_options import plain_request
 
     request = plain_request(arguments)

@@ -1,7 +1,7 @@
-"""What compiling a file gives: its materials, with their texts, reflection and proofs.
+"""The results of compiling a file: its materials, with their texts, reflection and proofs.
 
-``api.compile`` makes these records, and users of the library and the commands read them. What many
-of them never ask for is computed when it is first asked for.
+``api.compile`` makes these records, and users of the library and the commands read them. Values
+that many users never need are computed when they are first read.
 """
 
 from __future__ import annotations
@@ -77,9 +77,9 @@ class CompiledMaterial:
     pass."""
     _staged: Staged
     _emissions: tuple[tuple[Legal, Emission], ...]
-    """Of each profile that has texts: the program in its form, and the texts."""
+    """For each profile that has texts: the program in its form, and the texts."""
     _flipped: frozenset[str]
-    """The profiles whose texts turn the picture upside down."""
+    """The profiles whose texts flip the picture vertically."""
 
     def __repr__(self) -> str:
         """The material with the names of its files, since the whole shader would fill pages."""
@@ -98,7 +98,7 @@ class CompiledMaterial:
     @cached_property
     @seldom_collected
     def reflection(self) -> Reflection:
-        """What a host needs to bind; ``to_json`` makes data for JSON of it."""
+        """The data that a host needs to bind; ``to_json`` makes data for JSON of it."""
         from .compiler.reflection import reflect
 
         rows = {
@@ -112,7 +112,7 @@ class CompiledMaterial:
             for legal, emission in self._emissions
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
-        # Which inputs a storage buffer has instead is known behind the passes.
+        # The vertex inputs that a storage buffer replaces are known after the passes.
         last = self._staged.shader
         bound = changed(
             self.shader,
@@ -127,7 +127,7 @@ class CompiledMaterial:
 
     @cached_property
     def proofs(self) -> tuple[Proof, ...]:
-        """Why operations have no guard, were removed, or keep their guard."""
+        """The proofs for operations without a guard, and the reasons for guards that stay."""
         from .compiler.passes.proofs import Proofs
 
         evidence = self._staged.evidence
@@ -173,10 +173,10 @@ class CompiledFrame:
 
     name: str
     shaders: tuple[CompiledMaterial, ...]
-    """One for each pass with each material and its lights, and one for each kernel, in the order of
-    the plan's ``shaders``."""
+    """The shaders, in the order of the plan's ``shaders``: one for each pass with each material and
+    its lights, and one for each kernel."""
     frame: Frame
-    """What was checked, which the reference draws."""
+    """The checked frame, which the reference draws."""
 
     def __repr__(self) -> str:
         """The frame with the names of its shaders."""
@@ -184,13 +184,15 @@ class CompiledFrame:
 
     @cached_property
     def plan(self) -> FramePlan:
-        """What a host does to draw the frame; ``to_json`` makes data for JSON of it."""
+        """The steps by which a host draws the frame; ``to_json`` makes data for JSON of it."""
         return self._planned(shares=True)
 
     @cached_property
     def plan_of_reference(self) -> FramePlan:
-        """What ``conform`` has the reference do: every result has a texture of its own, so that
-        nothing that is wrong with ``plan`` is wrong here as well."""
+        """The plan that the reference executes for ``conform``: every result has its own texture.
+
+        So nothing that is wrong with ``plan`` is wrong here as well.
+        """
         return self._planned(shares=False)
 
     def _planned(self, *, shares: bool) -> FramePlan:
@@ -205,7 +207,7 @@ class CompileResult:
     """All materials of a file, with the diagnostics (only warnings, since it compiled)."""
 
     materials: tuple[CompiledMaterial, ...]
-    """Of a file with frames, their shaders."""
+    """The materials; for a file with frames, their shaders."""
     diagnostics: tuple[Diagnostic, ...]
     inputs: Inputs
     """The files that were read, and the places where files were searched."""

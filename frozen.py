@@ -27,7 +27,7 @@ EMPTY: Any = MappingProxyType({})
 
 
 class _Fresh:
-    """Stands for the default of a field that each record gets anew."""
+    """A placeholder for the default of a field that each record gets anew."""
 
     def __init__(self, factory: Callable[[], object]) -> None:
         self.factory = factory
@@ -180,7 +180,7 @@ def _storing(count: int, keeps_hash: bool) -> CodeType:
 
 
 def _setter(store: Callable[[Any, object], None], default: object) -> Callable[[Any, object], None]:
-    """What stores an argument in its slot, or where that is a fresh default, a value made anew."""
+    """A function that stores an argument in its slot, and a new value for a fresh default."""
     if not isinstance(default, _Fresh):
         return store
 

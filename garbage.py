@@ -1,4 +1,4 @@
-"""How often Python looks for garbage while Burnish works.
+"""Sets how often Python looks for garbage while Burnish works.
 
 Python counts how many objects are made, and looks through them for circles of dropped ones after
 every 700. A compile makes many objects, keeps most of them until it ends, and hardly ever drops a
@@ -22,8 +22,8 @@ from typing import ParamSpec, TypeVar
 from .stack import with_room
 
 SELDOM = (100_000, 50, 100)
-"""How many new objects there are when Python looks through these, and after how many such looks it
-goes through older ones too. What has been dropped in the meantime takes some 10 MB at most."""
+"""The number of new objects after which Python looks through them, and the number of such looks
+after which it goes through older ones. The garbage of the meantime takes some 10 MB at most."""
 
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
@@ -50,8 +50,10 @@ def seldom_collected(work: Callable[Arguments, Result]) -> Callable[Arguments, R
 
 
 def settle() -> None:
-    """Leave alone all that there is now, such as modules and the library, which stays until the
-    end: looking through the rest is then a matter of milliseconds."""
+    """Exempt all present objects, such as modules and the library, which stay until the end.
+
+    Looking through the rest is then a matter of milliseconds.
+    """
     gc.collect()
     gc.freeze()
 
@@ -80,7 +82,7 @@ class _Calls:
     def end(self) -> None:
         with self._lock:
             self._running -= 1
-            # What the host has set in the meantime is what it wants.
+            # Thresholds that the host has set in the meantime stay.
             if self._running == 0 and gc.get_threshold() == _raised(self._before):
                 gc.set_threshold(*self._before)
 

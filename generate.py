@@ -1,4 +1,4 @@
-"""Computes what is the same for every compile, and writes it as modules of the package.
+"""Computes everything that is the same for every compile, and writes it as modules of the package.
 
 ``setup.py`` calls ``generate`` when a wheel is built or a checkout is installed. ``make demo`` and
 pytest run ``python -m burnish.generate``, which does so if something has changed.
@@ -32,7 +32,7 @@ def generate(folder: Path) -> None:
 
 
 def is_current() -> bool:
-    """Whether everything was generated from the files as they are now."""
+    """True if everything was generated from the files as they are now."""
     wanted = ((name, key) for name, values in _modules().items() for key in values)
     return all(precomputed(name, key) is not None for name, key in wanted)
 

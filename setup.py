@@ -25,7 +25,7 @@ sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (
 
 
 class BuildPackage(build_py):
-    """Adds what is computed, and leaves out what only a checkout needs."""
+    """Adds the computed modules, and leaves out those that only a checkout needs."""
 
     def find_package_modules(self, package, package_dir):
         modules = super().find_package_modules(package, package_dir)

@@ -1,4 +1,4 @@
-"""Room for the frames of Python's functions.
+"""Makes room on the stack for the frames of Python's functions.
 
 CPython keeps these frames in chunks of 16 kB. If a function that is called very often is just the
 one that needs another chunk, each call asks the operating system for memory, and each return gives
@@ -16,14 +16,15 @@ Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 
 _WORDS = 70_000
-"""How many values the large frame could hold. CPython makes a chunk of 1 MB for it, of which the
-other half is left for calls, some thousands deep. The system only provides what is written to."""
+"""The number of values that the large frame could hold. CPython makes a chunk of 1 MB for it; the
+other half of the chunk is left for calls, some thousands deep. The system only provides memory that
+is written to."""
 
 
 def with_room(
     work: Callable[Arguments, Result], *arguments: Arguments.args, **named: Arguments.kwargs
 ) -> Result:
-    """Call ``work`` where there is so much room that what it calls needs no other chunk."""
+    """Call ``work`` with so much room that its own calls need no other chunk."""
     found: Result = _in_large_frame(work, arguments, named)
     return found
 

@@ -1,10 +1,10 @@
-"""Finds the files of a folder, and how its README groups and describes them.
+"""Finds the files of a folder, with their groups and descriptions from its README.
 
 ``burnish gallery`` and ``burnish view`` show folders by it. A table of the README has a row for
-each file: what it shows, and a link to it. What no table lists comes last.
+each file: its description, and a link to it. Files that no table lists come last.
 
-A folder may come from anybody, and what is shown of it may be published. So nothing is read but
-files of the folder: no pipe or device, nothing hidden, and nothing that a link leads to elsewhere.
+A folder may come from anybody, and the pages may be published. So only files of the folder are
+read: no pipe or device, no hidden file, and no file elsewhere to which a link leads.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..targets.runner.files import FileError, opened
 ENDING = ".burnish"
 README = "README.md"
 OTHERS = "Others"
-"""The heading of what no table lists."""
+"""The heading of files that no table lists."""
 
 MOST_OF_README = 1 << 20
 """The most bytes of a README that is read."""
@@ -30,7 +30,7 @@ MOST_OF_README = 1 << 20
 _HEADING = re.compile(r"#{1,6} +(.+)")
 _LINK = re.compile(r"\[[^\[\]]*\]\(([^()\s]+\.burnish)\)")
 _MENTION = re.compile(rf"{_LINK.pattern}(?:: (?P<what>[^.]+))?")
-"""A link within a text, which may say behind a colon what the file shows."""
+"""A link within a text; a description of the file may follow behind a colon."""
 
 
 class Listed(NamedTuple):
@@ -38,9 +38,9 @@ class Listed(NamedTuple):
 
     path: Path
     name: str
-    """Its path within the folder, with slashes."""
+    """The file's path within the folder, with slashes."""
     what: str
-    """What it shows, in the README's words; empty if these do not mention it."""
+    """A description in the README's words; empty if the README does not mention the file."""
 
 
 class Group(NamedTuple):
@@ -48,12 +48,12 @@ class Group(NamedTuple):
 
     title: str
     intro: str
-    """What stands between the heading and the table."""
+    """The text between the heading and the table."""
     files: Sequence[Listed]
 
 
 def catalogue(folder: Path) -> list[Group]:
-    """The files of a folder and of those in it, in the order of its README."""
+    """The files of a folder and its sub-folders, in the order of its README."""
     names = sorted(_files(folder), key=lambda name: name.split("/"))
     found = {name: folder / name for name in names}
     readme = _lines(folder)
@@ -69,8 +69,11 @@ def catalogue(folder: Path) -> list[Group]:
 
 
 def is_shown(path: Path, root: Path, ending: str = "") -> bool:
-    """Whether a path leads to a file in the folder ``root``, a path without links, whose name ends
-    so and that is not hidden. Links are followed as long as they stay there."""
+    """True if a path leads to a visible file of the folder whose name has this ending.
+
+    ``root`` is the folder's path without links. Links are followed as long as they stay in the
+    folder.
+    """
     try:
         real = os.path.realpath(path)
         inside = Path(real).relative_to(root)
@@ -81,8 +84,10 @@ def is_shown(path: Path, root: Path, ending: str = "") -> bool:
 
 
 def _files(folder: Path) -> Iterator[str]:
-    """The names of all files with the ending, in this folder and those in it; links to folders are
-    left out."""
+    """The names of all files with the ending, in this folder and its sub-folders.
+
+    Links to folders are left out.
+    """
     root = folder.resolve()
     pending = [""]
     while pending:
@@ -107,7 +112,7 @@ def _is_hidden(name: str) -> bool:
 
 
 def title_of(folder: Path) -> str:
-    """What the README calls the folder, or the folder's name."""
+    """The README's title, or the folder's name."""
     for line in _lines(folder):
         if heading := _HEADING.match(line):
             return heading[1].rstrip()
@@ -140,7 +145,7 @@ def _sections(readme: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
 
 
 def _tables(readme: Sequence[str]) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """The headings with their texts, and what each file shows that stands below, by its name."""
+    """The headings with their texts, and the descriptions of the files below, by file name."""
     for title, lines in _sections(readme):
         rows = dict(filter(None, map(_row, lines)))
         begun = next((n for n, line in enumerate(lines) if line.startswith("|")), len(lines))
@@ -152,7 +157,7 @@ def _tables(readme: Sequence[str]) -> Iterator[tuple[str, str, dict[str, str]]]:
 
 
 def _row(line: str) -> tuple[str, str] | None:
-    """The file of a row of a table, and what it shows."""
+    """The file of a table's row, and its description."""
     before, *cells, after = line.split("|") if line.count("|") > 2 else ("", "")
     found = _LINK.fullmatch(cells[-1].strip()) if cells and not before and not after else None
     what = "|".join(cells[:-1]).strip()

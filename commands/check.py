@@ -1,4 +1,4 @@
-"""``burnish check``: reports what is wrong with a file, and writes nothing."""
+"""``burnish check``: reports the mistakes of a file, and writes nothing."""
 
 from __future__ import annotations
 

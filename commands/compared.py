@@ -1,4 +1,4 @@
-"""What ``burnish conform`` compares: every material of its files, with every rig and pass."""
+"""The subjects of ``burnish conform``: every material of its files, with every rig and pass."""
 
 from __future__ import annotations
 
@@ -47,9 +47,9 @@ def subjects_of(
 ) -> Subjects:
     """Every material with every rig and pass, each with the label that the table shows.
 
-    With ``native_stages``, only routes can draw what has such stages. ``further`` are profiles for
-    which there shall be texts besides those of the routes. ``read`` is told of each compile what it
-    has read. Raises ``CompileError`` with the errors of all files.
+    With ``native_stages``, only routes can draw materials with such stages. ``further`` are
+    profiles for which texts are needed besides those of the routes. ``read`` is called with the
+    inputs of each compile. Raises ``CompileError`` with the errors of all files.
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 
@@ -82,9 +82,10 @@ def _compiled(
     profiles: Sequence[str],
     native_stages: bool,
 ) -> list[CompileResult]:
-    """The materials of a file with a rig and a pass, without those that lack a slot for the pass.
+    """The materials of a file with a rig and a pass.
 
-    Such materials are told. Raises ``CompileError``, also if no material has the slot.
+    Materials that lack a slot for the pass are left out, with a remark. Raises ``CompileError``,
+    also if no material has the slot.
     """
     from .. import api
     from ..compiler.diagnostics import rules

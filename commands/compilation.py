@@ -1,4 +1,4 @@
-"""Does what a command line of ``burnish compile`` asks for: compiles, writes and reports.
+"""Executes a command line of ``burnish compile``: compiles, writes and reports.
 
 ``cli.py`` calls ``succeeds`` for plain command lines, ``compile.py`` for those that click has read.
 """
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 
 def succeeds(request: Request, question: Question | None) -> bool:
-    """Compile once and report what was found; returns whether there was any output.
+    """Compile once and report the diagnostics; True if there was any output.
 
-    ``question`` is what the output is the answer to, if it is to be kept.
+    ``question`` is the key under which the output is kept, if it is to be kept.
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 
@@ -65,7 +65,7 @@ def _compiled(request: Request) -> CompileResult:
 
 
 def _output(request: Request, result: CompileResult) -> Output:
-    """What the command line asks for: files in a folder, or shaders on standard output."""
+    """The output of a command line: files in a folder, or shaders on standard output."""
     warnings = rendered(result.diagnostics)
     if request.output == STDOUT:
         files = [file for material in result.materials for file in material.files]
@@ -105,7 +105,7 @@ def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
 
 
 def _deliver(output: Output) -> None:
-    """Write the files and print what there is to print, or raise ``CompileError``."""
+    """Write the files and print the texts, or raise ``CompileError``."""
     from .output import unwritable, write_all
 
     if output.folder != STDOUT:

@@ -1,4 +1,4 @@
-"""What ``burnish compile`` can be told, as rows, and the reading of plain command lines.
+"""The options of ``burnish compile`` as rows, and a parser of plain command lines.
 
 click shows the rows in the help, and reads any command line by them (``compile.py``). But to load
 click takes a tenth of a short compile, and most command lines need nothing of it: they name a file,
@@ -20,15 +20,15 @@ class Option:
     """One option: a value, a flag, or a switch between two flags."""
 
     field: str
-    """The field of ``Request`` that it sets."""
+    """The field of ``Request`` that the option sets."""
     names: tuple[str, ...]
     help: str
     metavar: str = ""
-    """What the help calls the value; a flag has none."""
+    """The word for the value in the help; a flag has none."""
     off: str = ""
-    """The flag that switches off what is on by default, and what ``names`` switch on."""
+    """The flag that switches the option off, which is on by default; ``names`` switch it on."""
     many: bool = False
-    """May be given several times; all values count."""
+    """True if the option may be given several times; all values count."""
     is_path: bool = False
     required: bool = False
 
@@ -98,18 +98,19 @@ OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES,
     HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
-"""All that say what to compile. ``--watch`` and ``--help`` are about something else."""
+"""The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
 
 @frozen(kw_only=True)
 class Request:
-    """What a command line asks for."""
+    """A parsed command line of ``burnish compile``."""
 
     file: Path
     output: str
     """A folder, or ``-``."""
     targets: tuple[str, ...] = ()
-    """As they were given, each perhaps several with commas; empty for the default ones."""
+    """The targets as they were given, each perhaps several with commas; empty for the default
+    ones."""
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None
@@ -131,9 +132,9 @@ _FLAGS = {
 
 
 def plain_request(arguments: Sequence[str]) -> Request | None:
-    """What a command line asks for, as click would read it; ``None`` where click has to read it.
+    """Parse a command line as click does; ``None`` if click has to parse it.
 
-    That is where it asks for help, says something unusual, or has a mistake to explain.
+    Click has to do so if the command line asks for help, has something unusual, or has a mistake.
     """
     if arguments[:1] != ["compile"] or os.name == "nt":  # On Windows, click expands wildcards.
         return None
@@ -163,5 +164,5 @@ def plain_request(arguments: Sequence[str]) -> Request | None:
 
 
 def _may_be_read(path: Path) -> bool:
-    """Whether nothing forbids to read a file or folder, which need not be there."""
+    """True if nothing forbids to read a file or folder. It need not exist."""
     return os.access(path, os.R_OK) or not os.path.lexists(path)

@@ -1,4 +1,4 @@
-"""``burnish conform``: checks whether all backends draw what a material means."""
+"""``burnish conform``: checks that all backends draw the meaning of a material."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ..targets.runner.runner import Runner
 
 SEVERAL = 4
-"""From how many materials on the reference draws in processes of its own."""
+"""The number of materials from which on the reference draws in processes of its own."""
 
 COLORS = {
     "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
@@ -179,9 +179,9 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
 
 
 def _check_pixel(request: Request, subjects: Subjects) -> None:
-    """Raise ``BadParameter`` for a pixel that no picture has, before drawing, which may take long.
+    """Raise ``BadParameter`` for a pixel that no picture has, before long drawing.
 
-    What frames draw may be larger: that is known when it is drawn.
+    Pictures of frames may be larger: their size is known when they are drawn.
     """
     from ..targets.conformance.explaining import check_pixel
     from ..targets.conformance.seen import PixelError
@@ -202,7 +202,7 @@ def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
-    """Print the way of the error at one pixel of every material; then where there is none."""
+    """Explain one pixel of every material; then report the materials where that failed."""
     from ..targets.conformance.explaining import explanation_lines
     from ..targets.conformance.seen import PixelError
     from ..targets.conformance.summary import by_material
@@ -229,7 +229,7 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
 
 
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
-    """The rows, with what the source has to do with it where they differ or prove little."""
+    """The rows, with reasons in the source if they differ or prove little."""
     from ..targets.conformance.explaining import with_reasons
     from ..targets.conformance.summary import by_material
 

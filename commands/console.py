@@ -1,8 +1,8 @@
-"""Prints what is for people: lines of output, diagnostics and remarks; every command uses this.
+"""Prints texts for people: lines of output, diagnostics and remarks; every command uses this.
 
-Names of files, texts of sources and what other programs say come from anywhere, and a terminal
+Names of files, texts of sources and messages of other programs come from anywhere, and a terminal
 obeys some characters instead of showing them. So commands print by the functions of this module,
-which write such characters out, and data by ``terminal.print_output``.
+which escape such characters, and data by ``terminal.print_output``.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Styled(NamedTuple):
-    """A piece of a line that stands out, where there are colours."""
+    """A piece of a line that is highlighted, if there are colours."""
 
     text: str
     color: str | None = None
@@ -48,12 +48,12 @@ def _shown(piece: str | Styled) -> str:
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:
-    """Print each diagnostic once to standard error, and how many there were."""
+    """Print each diagnostic once to standard error, and the number of diagnostics."""
     print_rendered(rendered(diagnostics))
 
 
 def print_rendered(text: str) -> None:
-    """Print what ``rendered`` has given to standard error."""
+    """Print the result of ``rendered`` to standard error."""
     if text:
         import click  # Most compiles have nothing to say, and do without.
 
@@ -61,7 +61,7 @@ def print_rendered(text: str) -> None:
 
 
 def rendered(diagnostics: Iterable[Diagnostic]) -> str:
-    """What ``show`` prints: empty where there is nothing to say."""
+    """The text that ``show`` prints; empty if there are no diagnostics."""
     found = tuple(
         {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}.values()
     )
@@ -74,8 +74,10 @@ def rendered(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def show_misuse(error: ClickException) -> None:
-    """Print what click says of a command line to standard error. It quotes words, which may be
-    names of files that a shell has filled in."""
+    """Print click's message about a command line to standard error.
+
+    The message quotes words, which may be names of files that a shell has filled in.
+    """
     from io import StringIO
 
     import click
@@ -86,7 +88,7 @@ def show_misuse(error: ClickException) -> None:
     error.show(said)
     shown, message = said.getvalue(), error.format_message()
     context = error.ctx if isinstance(error, click.UsageError) else None
-    # Where a command line has no words at all, the message is the help, which quotes nothing.
+    # If a command line has no words at all, the message is the help, which quotes nothing.
     if context is None or message != context.get_help():
         shown = shown.replace(message, harmless_message(message))
     click.echo(harmless_lines(shown), err=True, nl=False)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _INDENT = " " * 10
 Line = Sequence[str | Styled]
-"""The pieces of a line, of which one may have a colour."""
+"""The pieces of a line; one of them may have a colour."""
 
 
 @click.command()
@@ -58,7 +58,7 @@ def _tools(states: Mapping[str, ToolState]) -> Iterator[Line]:
 
 
 def _remedy(state: ToolState) -> Iterator[str]:
-    """Lines that say how to install a tool, and what does not work without it."""
+    """Lines that say how to install a tool, and which features need it."""
     from ..targets.runner.routes import routes_needing
     from ..targets.toolchain.checkers import checkers_needing
 

@@ -20,11 +20,12 @@ PACKAGES = {
     "uvicorn": ("the viewer's server needs uvicorn", "view"),
     "watchfiles": ("the viewer needs watchfiles", "view"),
 }
-"""What lacks without a package, by the name that is imported; and the extra that brings it."""
+"""By the imported name of a package, the message if it is missing, and the extra that installs
+it."""
 
 
 def fail(text: str) -> NoReturn:
-    """Print an error that belongs to no place in a file, and end the command."""
+    """Print an error that has no place in a file, and end the command."""
     remark("error", text)
     click.get_current_context().exit(FAILED)
 
@@ -51,7 +52,7 @@ def drawing_errors() -> tuple[type[Exception], ...]:
 
 @contextmanager
 def told() -> Iterator[None]:
-    """Report what goes wrong inside the ``with`` block, and end the command.
+    """Report errors inside the ``with`` block, and end the command.
 
     ``render`` and ``conform`` run in such a block. It catches errors in the material, in values, in
     pictures and in drivers.
@@ -88,7 +89,7 @@ def needed(error: ModuleNotFoundError) -> NoReturn:
 
 
 def lacking(error: ModuleNotFoundError) -> str:
-    """How to install a missing package; any other missing module is a bug, and raised again."""
+    """Advice to install a missing package; any other missing module is a bug, and raised again."""
     package = PACKAGES.get((error.name or "").partition(".")[0])
     if package is None:
         raise error

@@ -20,22 +20,22 @@ if TYPE_CHECKING:
 MOVING = frozenset((".gif", ".webp", ".apng"))
 """The endings of files that hold many pictures."""
 DURATION = 40
-"""For how many milliseconds such a file shows each of them."""
+"""The milliseconds for which such a file shows each of its pictures."""
 _OF_A_PIXEL = 4
 """Bytes of an image in memory."""
 
 
 class Shown(NamedTuple):
-    """What is kept of a picture until files are written, which is a part of its numbers only."""
+    """The part of a picture that is kept until files are written: its image, or its numbers."""
 
     image: Image | None
-    """What a screen shows."""
+    """The image as a screen shows it."""
     numbers: Floats | None
-    """Of shape (height, width, lanes), for formats that keep them."""
+    """The numbers, of shape (height, width, lanes), for formats that keep them."""
 
     @classmethod
     def of(cls, layers: Floats, path: Path) -> Shown:
-        """Of a texture's first level, of shape (layers, height, width, lanes)."""
+        """The kept part of a texture's first level, of shape (layers, height, width, lanes)."""
         from ..targets.runner.pictures import keeps_numbers
 
         if keeps_numbers(path):
@@ -44,20 +44,22 @@ class Shown(NamedTuple):
 
     @property
     def size(self) -> int:
-        """How many bytes it takes, with a copy of it in a file."""
+        """The number of bytes, with a copy of them in a file."""
         kept = 0 if self.image is None else self.image.width * self.image.height * _OF_A_PIXEL
         return 2 * (kept + (0 if self.numbers is None else self.numbers.nbytes))
 
 
 def check_kept(pictures: Sequence[Shown], times: int) -> None:
-    """Raise ``BudgetError`` if there is no room for as many pictures so many times, which are kept
-    until all files are written together."""
+    """Raise ``BudgetError`` if there is no room for the pictures of all frames.
+
+    They are kept until all files are written together.
+    """
     size = times * sum(picture.size for picture in pictures)
     check("memory", size, f"{times * len(pictures)} pictures need")
 
 
 def write_pictures(rows: Sequence[Sequence[Shown]], path: Path) -> list[Path]:
-    """Write what is shown of each frame, side by side; all files or none."""
+    """Write the pictures of each frame, side by side; all files or none."""
     if len(rows) == 1:
         return _write(path.parent, {path.name: _still(rows[0], path)})
     if path.suffix.lower() in MOVING:
@@ -77,7 +79,7 @@ def _in_a_row(layers: Floats) -> Floats:
 
 
 def image_of(layers: Floats) -> Image:
-    """What a screen shows of a texture's first level."""
+    """The image that a screen shows of a texture's first level."""
     from ..targets.runner.pictures import to_image
 
     return to_image(_in_a_row(layers), lanes=layers.shape[-1])
@@ -96,7 +98,7 @@ def _beside(images: Sequence[Image]) -> Image:
 
 
 def moving(images: Sequence[Image], path: Path) -> bytes:
-    """One file that shows a picture after the other, in the format that its name says."""
+    """One file that shows the pictures one after the other, in the format of its name."""
     from ..targets.runner.pictures import encoded
 
     first, *others = images

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def has_frames(request: Request) -> bool:
-    """Whether a command line is about the frames of a file, or a plan."""
+    """True if a command line asks for the frames of a file, or for a plan."""
     from .. import api
     from ..targets.runner.frames.plan_files import is_plan
 
@@ -105,7 +105,7 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
 
 
 def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]:
-    """What makes the host of each route: with the scene and all values that a request asks for."""
+    """A function that makes the host of each route, with the scene and values of a request."""
     made = partial(_host, frame, request, scenery_of(frame.plan, request.mesh, request.scene))
     _tell_unused_lamps(made())
     return made
@@ -157,7 +157,7 @@ def _by_reference(
 
 
 def scenery_of(plan: FramePlan, mesh: str, scene: Path | None) -> Scenery:
-    """What there is to draw: a model of each material with a mesh, or the objects of a file."""
+    """The scene to draw: a model of each material with a mesh, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
     tags = {row.name: row.materials for row in plan.models}

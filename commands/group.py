@@ -27,17 +27,17 @@ COMMANDS = (
     "explain",
     "schema",
 )
-"""The modules of the commands, each of which calls itself so. Only the one asked for is loaded; if
-there is none of that name, all are, because click suggests a command from those it knows."""
+"""The modules of the commands; each command has the name of its module. Only the requested one is
+loaded; for an unknown name, all are, because click suggests a command from those it knows."""
 FUNCTIONS = {"compile": "compile_"}
-"""Their functions, where Python has another use for the name."""
+"""The functions of commands whose names mean something else in Python."""
 
 
 class _QuietGroup(click.Group):
-    """Ends on Ctrl-C without a word, and with one where standard output cannot take any more."""
+    """Ends on Ctrl-C without a message, and with one if standard output cannot take any more."""
 
     def main(self, *arguments: Any, **options: Any) -> Any:
-        """Run a command line. What a terminal cannot show is written out: `\\u2192`."""
+        r"""Run a command line. Characters that a terminal cannot show are escaped: `\u2192`."""
         try:
             show_everything()
             code = self._ended(*arguments, **options)
@@ -48,7 +48,7 @@ class _QuietGroup(click.Group):
         sys.exit(code)
 
     def _ended(self, *arguments: Any, **options: Any) -> int:
-        """Run a command line; returns its exit code, once misuse has been told."""
+        """Run a command line; returns its exit code, after reporting misuse."""
         try:
             return super().main(*arguments, **{**options, "standalone_mode": False}) or 0
         except click.ClickException as error:
@@ -71,7 +71,7 @@ class _QuietGroup(click.Group):
         return self.commands.get(name)
 
     def resolve_command(self, context: click.Context, args: list[str]) -> Any:
-        """The command that is named; a material alone is likely to be compiled."""
+        """The named command; if a material comes first, the user probably wants to compile it."""
         try:
             return super().resolve_command(context, args)
         except click.UsageError as error:

@@ -1,4 +1,4 @@
-"""The kernels of a file that ``burnish render`` draws: they give materials what these read."""
+"""The kernels of a file that ``burnish render`` draws: they fill the buffers of materials."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
-    """The kernels over buffers among what a file declares: each once, whatever the rigs are."""
+    """The kernels over buffers among a file's declarations: each once, whatever the rigs are."""
     from ..targets.runner.feeding import Kernel
     from ..targets.runner.kernels import is_over_buffers
 
@@ -24,7 +24,7 @@ def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
 
 
 def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]) -> Feeding:
-    """What gives the buffers of all that is drawn their elements.
+    """The kernels that fill the buffers of everything that is drawn.
 
     The command ends if nothing is drawn. Raises ``FeedError``.
     """

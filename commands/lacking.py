@@ -1,4 +1,4 @@
-"""Tells which routes cannot draw on this machine, for the commands that draw."""
+"""Reports which routes cannot draw on this machine, for the commands that draw."""
 
 from __future__ import annotations
 

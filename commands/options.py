@@ -23,7 +23,7 @@ file_argument = click.argument("file", type=click.Path(path_type=Path))
 
 
 def option(row: Option) -> Callable[[FC], FC]:
-    """What click needs to know of an option."""
+    """The click decorator for an option's row."""
     if row.off:
         flags = f"{row.names[0]}/{row.off}"
         return click.option(flags, row.field, default=True, help=row.help, show_default=True)

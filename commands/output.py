@@ -15,10 +15,10 @@ from .results import encoded
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
-    """Why a folder, which need not exist yet, or a file in it cannot be written; else ``None``.
+    """The reason why a folder, or a file in it, cannot be written; else ``None``.
 
-    Commands ask this before work that takes long. ``None`` does not guarantee that writing
-    succeeds.
+    The folder need not exist yet. Commands ask this before long work. ``None`` does not guarantee
+    that writing succeeds.
     """
     try:
         if file:
@@ -50,7 +50,7 @@ def write_file(path: Path, content: bytes) -> None:
     """Write the file that a user has named, completely or not at all; raises ``OSError``.
 
     A link is replaced: it may have come with the folder, and lead anywhere. A device or a pipe is
-    written to, such as ``/dev/null``, ``/dev/stdout`` or what ``mkfifo`` has made.
+    written to, such as ``/dev/null``, ``/dev/stdout`` or a result of ``mkfifo``.
     """
     if _is_device(path):
         _write_to_device(path, content)
@@ -60,10 +60,10 @@ def write_file(path: Path, content: bytes) -> None:
 
 
 def _write_to_device(path: Path, content: bytes) -> None:
-    """Write to a device, or to a pipe that somebody reads; waiting for a reader might be for
-    ever.
+    """Write to a device, or to a pipe that somebody reads.
 
-    If it leads to a file after all, as ``/dev/stdout`` may, what that holds already stays.
+    Without a reader, writing might wait for ever. If the path leads to a file after all, as
+    ``/dev/stdout`` may, its contents stay.
     """
     without_waiting = getattr(os, "O_NONBLOCK", 0)
     try:
@@ -79,7 +79,7 @@ def _write_to_device(path: Path, content: bytes) -> None:
 
 
 def _is_device(path: Path) -> bool:
-    """Whether there is a device or a pipe, or a link of the system's own to any open file.
+    """True for a device, a pipe, or a link of the system's own to any open file.
 
     ``/dev/stdout`` is such a link: it is written through, and never replaced.
     """

@@ -80,7 +80,7 @@ def panels(
 
 
 def _problem(subject: Subject, route: Route, runner: Runner) -> str | None:
-    """Why a route cannot draw a material, or ``None``."""
+    """The reason why a route cannot draw a material, or ``None``."""
     return runner.problem(route) or subject.material.lacking.get(route.profile)
 
 

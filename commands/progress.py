@@ -10,7 +10,7 @@ from typing import Any, Self
 import click
 
 PATIENCE = 1.0
-"""After how many seconds the bar appears."""
+"""The seconds after which the bar appears."""
 
 _STEPS = 1000
 

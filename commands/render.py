@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 REFERENCE = "reference"
 OF_A_PIXEL = 600
-"""About how many bytes the reference needs for each pixel of a plain picture."""
+"""The approximate bytes that the reference needs for each pixel of a plain picture."""
 LARGEST_SHEET = 2**27
 """The most pixels of all pictures on a sheet together."""
 
@@ -56,7 +56,7 @@ def _size(context: click.Context, _option: click.Parameter, given: str) -> tuple
     size = int(found[1]), int(found[2] or found[1])
     if not all(1 <= side <= LARGEST for side in size):
         raise click.BadParameter(f"a side has 1 to {LARGEST} pixels")
-    # Whoever names a size has the memory for it; the budget is for what files ask for.
+    # A user who names a size has the memory for it; the budget limits what files ask for.
     needed = size[0] * size[1] * OF_A_PIXEL
     context.with_resource(raised({"memory": allowed("memory") + needed}))
     return size
@@ -231,14 +231,14 @@ def _routes(names: Sequence[str]) -> list[Route | None]:
 
 
 def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:
-    """Report which routes cannot draw which material, and why."""
+    """Report the routes that cannot draw a material, and the reasons."""
     for subject, route in product(subjects, routes):
         if problem := subject.material.lacking.get(route.profile):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
 
 
 def _largest(subjects: Sequence[Subject]) -> tuple[int, int]:
-    """The size of a place on a sheet. The images of kernels have sizes of their own."""
+    """The size of a panel's picture on a sheet. The images of kernels have sizes of their own."""
     sizes = [(each.state.width, each.state.height) for each in subjects]
     return max(width for width, _ in sizes), max(height for _, height in sizes)
 
@@ -278,7 +278,7 @@ def _save(drawn: Sequence[Panel], routes: int, path: Path, size: tuple[int, int]
 
 
 def _tell_failures(drawn: Sequence[Panel]) -> None:
-    """Report why drawing failed, and end the command if any picture is missing because of that."""
+    """Report errors of drawing, and end the command if any picture is missing because of them."""
     from .panels import BROKEN
 
     failures = [panel for panel in drawn if panel.problem == BROKEN]

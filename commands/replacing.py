@@ -30,19 +30,19 @@ from os.path import join
 from stat import S_ISDIR
 
 PATIENCE = 10.0
-"""For how many seconds to wait for another process, which needs far less to rename its files."""
+"""The seconds to wait for another process, which needs far less to rename its files."""
 TEMPORARY = ".burnish-"
-"""How random names begin."""
+"""The beginning of random names."""
 
 _ANCHORED = os.open in os.supports_dir_fd
-"""Whether names can be relative to an open folder, as everywhere but on Windows."""
+"""True if names can be relative to an open folder, as everywhere but on Windows."""
 
 
 def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
-    The folder is made if need be. A link that has one of the names is replaced, not followed.
-    The error's ``filename`` is what could not be written: the folder, or a file in it.
+    The folder is made if need be. A link that has one of the names is replaced, not followed. The
+    error's ``filename`` is the path that could not be written: the folder, or a file in it.
     """
     for name in contents:
         with _told(join(folder, name)):
@@ -67,7 +67,7 @@ def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
 def _insist_on_name(name: str) -> None:
     """Raise ``OSError`` unless this can be the name of a file in the folder itself.
 
-    Some names come from what was compiled or shown, and none of those may lead elsewhere.
+    Some names come from compiled or shown files, and none of those may lead elsewhere.
     """
     separators = "/\0" if _ANCHORED else "/\0\\:"
     if name in ("", ".", "..") or any(separator in name for separator in separators):
@@ -97,7 +97,7 @@ class _Folder:
         return os.open(self._at(name), flags, 0o666, dir_fd=self._descriptor)
 
     def status(self, name: str) -> os.stat_result | None:
-        """What is known of a file, or of a link itself; ``None`` if there is none."""
+        """The status of a file, or of a link itself; ``None`` if there is none."""
         try:
             return os.stat(self._at(name), dir_fd=self._descriptor, follow_symlinks=False)
         except FileNotFoundError:
@@ -127,7 +127,7 @@ class _Folder:
             time.sleep(0.005)
 
     def _at(self, name: str) -> str:
-        """How the system is told a name, besides the folder's descriptor where there is one."""
+        """The name for a system call, besides the folder's descriptor if there is one."""
         return join(self._path, name) if self._descriptor is None else name
 
 
@@ -154,33 +154,33 @@ class _File:
             file.write(content)
 
     def put_in_place(self) -> None:
-        """Have the name stand for the new content."""
+        """Let the name refer to the new content."""
         with suppress(FileNotFoundError):
             self._set_aside()
         self._folder.rename(self._new, self.name)
 
     def take_back(self) -> None:
-        """Have the name stand again for what it stood for, however far ``put_in_place`` came."""
+        """Let the name refer to the old content again, however far ``put_in_place`` came."""
         if self._folder.status(self._old) is not None:
             self._folder.rename(self._old, self.name)
         elif self._folder.status(self._new) is None:
             self._folder.delete(self.name)
 
     def clear(self) -> None:
-        """Delete what still has a random name."""
+        """Delete the files that still have a random name."""
         for name in (self._new, self._old):
             with suppress(OSError):
                 self._folder.delete(name)
 
     def standing(self) -> tuple[int, int] | None:
-        """Which file the name stands for, by its device and number; ``None`` if it is unknown."""
+        """The device and number of the file that has this name; ``None`` if they are unknown."""
         status = self._folder.status(self.name)
         return (status.st_dev, status.st_ino) if status is not None and status.st_ino else None
 
     def _set_aside(self) -> None:
-        """Give the old file its random name: as a second one, so that readers find it all along.
+        """Give the old file its random name: as a second one, so that readers always find it.
 
-        Where files cannot have two names, it is renamed, and missing for a moment.
+        On systems where files cannot have two names, the file is renamed, and missing for a moment.
         """
         try:
             self._folder.link(self.name, self._old)
@@ -191,7 +191,7 @@ class _File:
 
 
 def _put_in_place(folder: str, files: Sequence[_File]) -> None:
-    """Have all names stand for the new contents; if that fails, take it back."""
+    """Let all names refer to the new contents; if that fails, undo it."""
     begun: list[_File] = []
     placed: dict[tuple[int, int], str] = {}
     try:
@@ -212,7 +212,7 @@ def _put_in_place(folder: str, files: Sequence[_File]) -> None:
 
 @contextmanager
 def _told(path: str) -> Iterator[None]:
-    """Have errors name what people know by this path, not what the system was asked for."""
+    """Let errors name the path that people know, not the one of the system call."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Keeps what ``burnish compile`` has written, so that repeating it takes hardly longer than Python.
+"""Keeps the output of ``burnish compile``, so that repeating it takes hardly longer than Python.
 
 ``cli.main`` asks it before anything else is loaded. A result is found by its command line, word for
 word. It is used only if everything that the compile depended on is still the same: the current
@@ -37,11 +37,11 @@ _NEVER = frozenset({"--no-cache", "--validate", "--watch"})
 _ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
 _LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
 _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
-"""What else decides what a command line means and what a text looks like."""
+"""Packages on which the meaning of a command line and the look of a text depend."""
 
 
 class Question:
-    """A command line, where and by what it is run."""
+    """A command line, with the folder and the program that run it."""
 
     __slots__ = ("arguments", "circumstances", "key")
 
@@ -49,7 +49,7 @@ class Question:
         self.arguments = tuple(arguments)
         here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
         self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
-        """Where the answer is kept; the next one to the same command line takes its place."""
+        """The key of the answer; the next answer to the same command line replaces it."""
         self.circumstances = [*here, sys.version, installation(), str(wants_color(sys.stderr))]
 
 
@@ -65,13 +65,13 @@ class Output:
         self.texts = texts
         """Files to write into the folder, by name."""
         self.printed = printed
-        """For standard output."""
+        """The text for standard output."""
         self.warnings = warnings
-        """For the error output."""
+        """The text for standard error."""
 
 
 def ask(arguments: Sequence[str]) -> Question | None:
-    """The question that a command line is; ``None`` where no answer to it is ever kept."""
+    """The question of a command line; ``None`` if no answer to it is ever kept."""
     wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(arguments)
     if not wanted or os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
         return None
@@ -82,7 +82,7 @@ def ask(arguments: Sequence[str]) -> Question | None:
 
 
 def answer(question: Question) -> bool:
-    """Do again what was done for the question before; whether that was possible.
+    """Write the kept output for the question again; True if that was possible.
 
     Raises ``BrokenPipeError`` if the reader of the output has left: compiling would not help.
     """
@@ -114,7 +114,7 @@ def answer(question: Question) -> bool:
 
 
 def keep(question: Question, output: Output, inputs: Inputs) -> None:
-    """Keep what was done for a question."""
+    """Keep the output for a question."""
     import json
 
     sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
@@ -134,12 +134,12 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
 
 
 def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
-    """What files hold that consist of these texts."""
+    """The contents of files that consist of these texts."""
     return {name: text.encode() for name, text in texts.items()}
 
 
 def _is_asked_for(output: Output, question: Question) -> bool:
-    """Whether an answer writes nowhere but where the command line says.
+    """True if an answer writes only to places that the command line names.
 
     The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``. Names that
     lead out of the folder are refused where files are written.
@@ -148,7 +148,7 @@ def _is_asked_for(output: Output, question: Question) -> bool:
 
 
 def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
-    """Whether everything is found, and is the same, that a compile depended on."""
+    """True if everything that a compile depended on is found, and is the same."""
     if not all(map(os.path.isdir, kept["folders"])):
         return False
     if any(os.path.realpath(path) != real for path, real in kept["links"].items()):
@@ -157,9 +157,9 @@ def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
 
 
 def _holds(path: str, content: str | None) -> bool:
-    """Whether a file holds this, or with ``None``, whether there is no file. Raises ``OSError``.
+    """True if a file has this content or, with ``None``, if there is no file. Raises ``OSError``.
 
-    What is no regular file, such as a pipe, can be read only once, which is left to the compile.
+    A pipe or a device can be read only once, which is left to the compile.
     """
     from stat import S_ISREG
 
@@ -187,7 +187,7 @@ def installation() -> str:
 
 
 def _stamps(folder: str) -> Iterator[str]:
-    """Of each module, and of everything that lies beside those of a sub-package."""
+    """The stamps of each module, and of everything beside the modules of a sub-package."""
     with os.scandir(folder) as entries:
         for entry in entries:
             if entry.is_dir():
@@ -198,5 +198,5 @@ def _stamps(folder: str) -> Iterator[str]:
 
 
 def _stamp(path: str, status: os.stat_result) -> str:
-    """What is different after each change of a file; nobody can set the time of its status back."""
+    """A text that differs after each change of a file: nobody can set its time of change back."""
     return f"{path} {status.st_size} {status.st_mtime_ns} {status.st_ctime_ns} {status.st_ino}"

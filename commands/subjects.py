@@ -1,4 +1,4 @@
-"""Prepares what ``burnish render`` draws: compiles the materials and sets up their scenes."""
+"""Prepares the subjects of ``burnish render``: compiles the materials and sets up their scenes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..targets.runner.scene_state import SceneState
 
 EVERYTHING = "all"
-"""Stands for every route."""
+"""The name of all routes."""
 
 LARGEST = 4096
 """The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
@@ -39,11 +39,11 @@ class Request(NamedTuple):
     scene: Path | None
     """A file whose objects frames draw."""
     instances: int
-    """How many instances to draw if the material distinguishes them."""
+    """The number of instances to draw if the material distinguishes them."""
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
-    """In linear light."""
+    """The colour behind the mesh, in linear light."""
     target: str | None
     material: str | None
     rig: str | None
@@ -52,15 +52,15 @@ class Request(NamedTuple):
     hoist: bool
     native_stages: bool
     steps: int
-    """How often kernels that a step changes are run."""
+    """The number of times that kernels are run again, if a step changes their results."""
     again: tuple[tuple[str, str], ...]
-    """Buffers, and what they become from step to step."""
+    """Buffers, and the results that replace them from step to step."""
     frames: int
-    """How often a frame is drawn."""
+    """The number of times that a frame is drawn."""
 
     @property
     def draws_everything(self) -> bool:
-        """Whether all routes that can draw shall draw, instead of named ones."""
+        """True if all routes that can draw shall draw, instead of named ones."""
         return EVERYTHING in self.on
 
 
@@ -81,10 +81,10 @@ class Subject(NamedTuple):
 def subjects(
     request: Request, routes: Iterable[Route], tell: Callable[[float], None]
 ) -> list[Subject]:
-    """Compile all that the command line asks for, for some routes, and set every value.
+    """Compile everything that the command line asks for, for some routes, and set every value.
 
-    Kernels over buffers are run, for the materials that read what they write; ``tell`` is told
-    which part of their steps is done. Warnings and notes are printed. An error in a material, a
+    Kernels over buffers are run, for the materials that read their results; ``tell`` is called with
+    the finished part of their steps. Warnings and notes are printed. An error in a material, a
     value or a name is raised, or ends the command.
     """
     from ..targets.runner.kernels import is_drawn, is_over_buffers
@@ -149,7 +149,7 @@ def _compiled(
 def _all_of_file(
     request: Request, compiled: Sequence[CompiledMaterial]
 ) -> Iterable[CompiledMaterial]:
-    """What a file declares. If a material is named, the rest is only needed for its buffers."""
+    """The materials of the whole file. If one is named, the rest is only needed for its buffers."""
     from .. import api
 
     if request.material is None or not any(each.reflection.buffers for each in compiled):
@@ -158,7 +158,7 @@ def _all_of_file(
 
 
 def _refuse_captures(captured: Sequence[tuple[tuple[str, ...], CompiledMaterial]]) -> NoReturn:
-    """End the command, as nothing has a picture."""
+    """End the command, as there is nothing that has a picture."""
     label = ", ".join(captured[0][0])
     fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
 
@@ -170,8 +170,11 @@ def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str |
 
 
 def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
-    """A mesh in a scene; of a kernel over images, the size of these is known from its values only,
-    and counts instead."""
+    """A mesh in a scene.
+
+    For a kernel over images, the size of these replaces the requested one; it follows from the
+    kernel's values only.
+    """
     from ..targets.runner.scene import Scene
     from ..targets.runner.scene_state import set_up
 
@@ -236,7 +239,7 @@ def set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
 
 
 def tell_unmade(instances: Sequence[Instance]) -> None:
-    """Tell of textures that lights bring to frames, and that nobody has set here."""
+    """Note textures that lights bring to frames, and that nobody has set here."""
     unmade = {
         row.name: row.default
         for instance in instances

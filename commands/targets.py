@@ -54,7 +54,7 @@ def _profiles(target: Language) -> Iterator[str]:
 
 
 def _abilities(profile: Profile) -> Iterator[str]:
-    """What a host must know to choose a profile, in words."""
+    """The properties by which a host chooses a profile, in words."""
     yield "textures with their samplers" if profile.samplers.combined else "separate samplers"
     yield "bindings in the text" if profile.explicit_bindings else "bindings set by name"
     yield f"depth {profile.framebuffer.clip_depth}"
@@ -67,7 +67,7 @@ def _abilities(profile: Profile) -> Iterator[str]:
 
 
 def _capabilities(profile: Profile) -> Iterator[str]:
-    """What the profile can do by itself, what the compiler does instead, and what is not there."""
+    """The native, lowered and absent capabilities of a profile, a line each."""
     from ..targets.availability import standings
     from ..targets.description.capability import KINDS
 

@@ -1,5 +1,4 @@
-"""Decides whether a stream gets colours, and writes out characters that it cannot show, or that
-would do something to it instead of being shown.
+"""Decides if a stream gets colours, and escapes characters that it cannot show or would obey.
 
 Nothing here imports click, because it is also used before click is loaded.
 """
@@ -16,15 +15,16 @@ if TYPE_CHECKING:
 FAILED = 1
 """The exit code for errors in the input."""
 BY_SIGNAL = 128
-"""Shells expect of a program that a signal has ended this exit code and the signal's number."""
+"""The exit code, plus the signal's number, that shells expect of a program that a signal has
+ended."""
 INTERRUPTED = BY_SIGNAL + 2
 """The exit code after Ctrl-C."""
 _asked: list[int] = []
-"""The signals that have asked the process to end; none of them after Ctrl-C."""
+"""The signals that have asked the process to end; empty after Ctrl-C."""
 
 
 def wants_color(stream: IO[Any] | None) -> bool:
-    """Whether to use colours: on a terminal, unless its user has set ``NO_COLOR``.
+    """True if colours are to be used: on a terminal, unless its user has set ``NO_COLOR``.
 
     ``None`` is a stream that was closed before the program began.
     """
@@ -32,19 +32,22 @@ def wants_color(stream: IO[Any] | None) -> bool:
 
 
 def asked_to_end(number: int, _frame: object) -> NoReturn:
-    """Have a signal do what Ctrl-C does."""
+    """Treat a signal like Ctrl-C."""
     _asked.append(number)
     raise KeyboardInterrupt
 
 
 def interrupted() -> int:
-    """The exit code after a ``KeyboardInterrupt``. Some libraries raise another one in its place,
-    so it cannot tell by itself what it came from."""
+    """The exit code after a ``KeyboardInterrupt``.
+
+    Some libraries raise another exception in its place, so the exception itself cannot tell its
+    cause.
+    """
     return BY_SIGNAL + _asked[0] if _asked else INTERRUPTED
 
 
 def show_everything() -> None:
-    """Have characters that a terminal cannot show written out, as in ``\\u2192``."""
+    r"""Let characters that a terminal cannot show be escaped, as in ``\u2192``."""
     from io import TextIOWrapper
 
     for stream in (sys.stdout, sys.stderr):
@@ -53,11 +56,10 @@ def show_everything() -> None:
 
 
 def print_output(text: str) -> None:
-    """Write data to standard output, such as a shader or JSON, in UTF-8 whatever the terminal's
-    encoding is.
+    """Write data to standard output, such as a shader or JSON, in UTF-8 whatever the encoding is.
 
     A file or a pipe gets every byte. A terminal would obey control characters, which names and
-    comments may contain, so it gets them written out. What is for people only is printed by
+    comments may contain, so they are escaped for it. Texts for people only are printed by
     ``console.say``.
     """
     if sys.stdout is None:
@@ -72,7 +74,7 @@ def print_output(text: str) -> None:
 
 
 def flushed(code: int) -> int:
-    """Write out what the streams still hold, before Python would: it would show a traceback.
+    """Flush the streams before Python does, which would show a traceback.
 
     Returns the exit code, which is ``code`` if there was nothing to complain about.
     """
@@ -89,12 +91,12 @@ def flushed(code: int) -> int:
 
 
 def _drop(stream: IO[Any]) -> None:
-    """Have what is left of the output go nowhere. Python still writes out what it holds."""
+    """Discard the rest of the output. Python still flushes its buffers."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def complain(message: str) -> None:
-    """Print a message to the error output, if that can be."""
+    """Print a message to standard error, if that is possible."""
     from ..compiler.diagnostics.display import harmless_message
 
     try:

@@ -1,4 +1,4 @@
-"""``burnish compile --validate``: has the real compilers check texts, and relays their messages.
+"""``burnish compile --validate``: checks texts with the real compilers, and relays their messages.
 
 Each message is reported at the place of the material that the emitted line came from, because the
 user can change that place.

@@ -1,4 +1,4 @@
-"""Has a main thread that waits for other threads heed signals at once.
+"""Makes a main thread that waits for other threads react to signals at once.
 
 Python runs the handlers of signals in the main thread, between two of its instructions. A signal
 that comes just when that thread begins to wait for a lock is noted, but does not end the waiting:
@@ -14,8 +14,8 @@ import time
 from threading import Thread, main_thread
 
 PAUSES = (0.02, 0.2, 1.0)
-"""After how many seconds the main thread is woken: a while later once more, since it may have begun
-to wait only then."""
+"""The seconds after which the main thread is woken: several times, since it may have begun to wait
+only then."""
 
 
 def wake_on_signals() -> None:

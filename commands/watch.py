@@ -1,4 +1,4 @@
-"""Tells which files have changed: one watcher for all that a command compiles or shows.
+"""Finds the files that have changed: one watcher for everything that a command compiles or shows.
 
 ``burnish compile --watch`` compiles again after each change, and ``burnish view`` draws again.
 """
@@ -21,23 +21,23 @@ from ..compiler.frontend import Frontend
 from .console import remark
 
 _POLL = 1000
-"""After how many milliseconds files are examined even if no change was reported: file systems of
+"""The milliseconds after which files are examined even if no change was reported: file systems of
 other computers report none."""
 _STEP = 20
-"""How many milliseconds nothing may be reported until a change counts as complete: an editor
-writes a file in several steps, and nobody wants to wait."""
+"""The milliseconds without reports after which a change is complete: an editor writes a file in
+several steps, and nobody wants to wait."""
 _POLL_ALONE = 0.3
-"""After how many seconds files are examined where the system fails to report changes; then it is
+"""The seconds after which files are examined if the system fails to report changes; then it is
 asked again."""
 _TELL_AFTER = 3
-"""After how many such failures this is told."""
+"""The number of such failures after which a message is printed."""
 _REST = 20
-"""How many times as long as it takes to examine all files nothing is done afterwards, so that not
-even very many of them, or a folder that never rests, keep a processor busy."""
+"""The rest after examining all files, as a factor of the time that this took. So not even very many
+files, or a folder that never rests, keep a processor busy."""
 
 Key = TypeVar("Key", bound=Hashable)
 Stamp = tuple[int, ...] | None
-"""What tells a file from what it was before; ``None`` if there is none."""
+"""The data by which a changed file is recognised; ``None`` if there is no file."""
 
 
 def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) -> None:
@@ -59,8 +59,11 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
 
 
 def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
-    """What a compile of a file depends on: the file, what it imports, and where imports were looked
-    for in vain; also the folders in which they lie."""
+    """The paths that a compile of a file depends on.
+
+    They are the file, its imports, the places where imports were looked for in vain, and the
+    folders in which all of these lie.
+    """
     frontend = Frontend(Report(), search_path)
     frontend.open_file(file)
     inputs = frontend.inputs
@@ -70,23 +73,27 @@ def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
 class Watcher(Generic[Key]):
     """Follows the files of several things, each of which has a key.
 
-    One thread waits in ``changes``; others may call everything else meanwhile. It has the system
-    watch folders, not files, because editors replace a file by a new one. What counts is whether a
-    file is another one than when it was followed, so no change is missed, whatever is reported.
+    One thread waits in ``changes``; others may call everything else meanwhile. The system watches
+    folders, not files, because editors replace a file by a new one. A file has changed if it is
+    another one than when it was followed, so no change is missed, whatever is reported.
     """
 
     def __init__(self) -> None:
         self._lock = Lock()
         self._followed: dict[Key, dict[Path, Stamp]] = {}
         self._again = Event()
-        """Is set where the system has to watch other folders than before, or nothing more."""
+        """Set if the system has to watch other folders than before, or nothing more."""
         self._is_stopped = False
         self._failures = 0
-        """How often the system has failed to report changes since it last did."""
+        """The number of times that the system has failed to report changes since it last
+        succeeded."""
         self._is_told = False
 
     def follow(self, key: Key, file: Path, find: Callable[[], Iterable[Path]]) -> None:
-        """Follow a file, and what ``find`` finds by reading it; call it again after each change."""
+        """Follow a file, and the files that ``find`` finds by reading it.
+
+        To be called again after each change.
+        """
         before = _stamp(file)
         stamps = {path: _stamp(path) for path in find()} | {file: before}
         with self._lock:
@@ -96,7 +103,7 @@ class Watcher(Generic[Key]):
             self._again.set()
 
     def leave(self, key: Key) -> None:
-        """Follow the files of a thing no longer."""
+        """Stop following the files of a thing."""
         with self._lock:
             self._followed.pop(key, None)
 
@@ -106,8 +113,10 @@ class Watcher(Generic[Key]):
         self._again.set()
 
     def changes(self) -> Iterator[Key]:
-        """The key of each thing whose files have changed, as soon as that is noticed; until
-        ``stop`` is called."""
+        """The key of each thing whose files have changed, as soon as that is noticed.
+
+        The iterator ends when ``stop`` is called.
+        """
         while True:
             self._again.clear()
             if self._is_stopped:
@@ -141,9 +150,11 @@ class Watcher(Generic[Key]):
         yield None
 
     def _fail(self, error: Exception) -> None:
-        """Say once that changes may be noticed late, if the system reports none again and again. A
-        single failure means nothing: a folder has gone just now, or the name of a file beside those
-        that matter is no UTF-8."""
+        """Print once that changes may be noticed late, if the system fails repeatedly.
+
+        A single failure means nothing: a folder has gone just now, or the name of a file beside
+        those that matter is no UTF-8.
+        """
         self._failures += 1
         if self._failures == _TELL_AFTER and not self._is_told:
             self._is_told = True
@@ -153,7 +164,7 @@ class Watcher(Generic[Key]):
             ))  # fmt: skip
 
     def _changed(self) -> list[Key]:
-        """The keys of what has changed since this was asked before."""
+        """The keys of the things that have changed since the last call."""
         with self._lock:
             followed = {key: dict(stamps) for key, stamps in self._followed.items()}
         now = {path: _stamp(path) for path in {p for each in followed.values() for p in each}}
@@ -165,14 +176,16 @@ class Watcher(Generic[Key]):
         return changed
 
     def _note(self, key: Key, before: Mapping[Path, Stamp], now: Mapping[Path, Stamp]) -> None:
-        """Remember what files are now, unless somebody has followed the key anew meanwhile."""
+        """Remember the present files, unless somebody has followed the key anew meanwhile."""
         with self._lock:
             if self._followed.get(key) == before:
                 self._followed[key] = {path: now[path] for path in before}
 
     def _folders(self) -> dict[Path, Stamp]:
-        """The folders in which followed files lie, or would lie, with what tells them apart. The
-        system cannot watch those whose names are no UTF-8."""
+        """The folders of followed files, existing or not, with stamps that identify the folders.
+
+        The system cannot watch folders whose names are no UTF-8.
+        """
         with self._lock:
             parents = {path.parent for each in self._followed.values() for path in each}
         return {folder: _stamp(folder) for folder in parents if _is_unicode(folder)}

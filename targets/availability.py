@@ -1,4 +1,4 @@
-"""What each profile can do, and what to do where one cannot.
+"""Capabilities of each profile, and the advice that is given where a profile lacks one.
 
 ``api.py`` and ``selection.py`` ask for the way out that is shown below an error, and ``burnish
 targets`` for the cells of the table of capabilities.
@@ -20,7 +20,7 @@ def standings(profile: Profile) -> Mapping[str, Standing]:
 
 
 def way_out(feature: str, profile: Profile, needed_for: Capability | None = None) -> str:
-    """What a user can do where a profile lacks a feature that a program uses; may be empty.
+    """Advice for a user whose program uses a feature that a profile lacks; may be empty.
 
     ``needed_for`` is the capability that the program needs, if the feature alone does not say.
     """
@@ -34,7 +34,7 @@ def way_out(feature: str, profile: Profile, needed_for: Capability | None = None
 
 
 def with_as_many(limit_name: str, count: int) -> str:
-    """Which profiles have as much of something as a program needs; empty if none has."""
+    """The advice to compile for profiles whose limit allows ``count``; empty if there are none."""
 
     def has_enough(profile: Profile) -> bool:
         limit = getattr(profile.limits, limit_name)

@@ -10,7 +10,7 @@ class Closing:
     """A context manager that calls ``close`` at the end of its ``with`` block."""
 
     def close(self) -> None:
-        """End everything that it owns."""
+        """End all workers and devices that the object owns."""
         raise NotImplementedError
 
     def __enter__(self) -> Self:

@@ -26,14 +26,16 @@ def _names_in(places: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def defaults() -> tuple[str, ...]:
-    """The names of those that a material is compiled for when no language is named."""
+    """The languages for which a material is compiled if no language is named."""
     return tuple(name for name in names() if not load(name).unproven)
 
 
 @cache
 def load(name: str) -> Language:
-    """The language called ``name``; ``KeyError`` if there is none, and ``LanguageError`` if what
-    describes it has faults."""
+    """The language called ``name``.
+
+    Raises ``KeyError`` if there is none, and ``LanguageError`` if its description has faults.
+    """
     if name not in names():
         raise KeyError(name)
     language: Language = import_module(f"{package}.{name}.language").LANGUAGE

@@ -1,7 +1,8 @@
 """Finds the languages and profiles that a user asks for, by names such as ``glsl:es300``.
 
-``api.compile`` calls ``select_targets`` before it compiles anything. The registry knows which
-languages there are; here is what a user may call them, and what is said of names that mean nothing.
+``api.compile`` calls ``select_targets`` before it compiles anything. The registry knows the
+languages that exist; this module has the names by which a user may call them, and the messages
+about unknown names.
 """
 
 from __future__ import annotations
@@ -19,10 +20,10 @@ from .description.profile import Profile
 from .description.shading_language import Language
 
 DEFAULT = "default"
-"""Means the first profile of every target that is not marked as unproven."""
+"""The name of the first profile of every target that is not marked as unproven."""
 
 ALL = "all"
-"""Means every profile of every target, besides those that have to be named."""
+"""The name of every profile of every target, besides those that have to be named."""
 
 
 def select_targets(

@@ -1,5 +1,7 @@
-"""The command line of ``burnish gallery``: finds files, has processes make their entries, and
-writes the pages."""
+"""The command line of ``burnish gallery``: makes the entries of files, and writes the pages.
+
+Several processes make the entries.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
     from .entry import Entry
 
 TIME_LIMIT = 600.0
-"""After how many seconds a file is given up."""
+"""The seconds after which a file is given up."""
 SHOWN = "lavapipe:glsl"
 LARGEST = 1024
 """The most pixels of a picture's side."""
@@ -133,7 +135,7 @@ def _make(request: Request) -> None:
 def _entries(
     files: Sequence[Listed], routes: Sequence[Route], shown: Sequence[Route], request: Request
 ) -> Iterator[tuple[Listed, Entry, bool]]:
-    """Each file with its entry, and whether this was made anew; as soon as it is there."""
+    """Each file with its entry, as soon as it is there; and True if the entry was made anew."""
     from ...targets.toolchain.limits import WORKERS
     from ...targets.toolchain.surroundings import python_worker
     from ...targets.toolchain.workers import Pool, Worker
@@ -171,7 +173,7 @@ def _entries(
 
 
 def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
-    """The entry of a file, made by one of the processes; or one that says that it has died."""
+    """The entry of a file, made by a process; or an entry that says that the process has died."""
     from ...compiler.budget import current
     from .entry import failed
     from .making import source_of
@@ -189,7 +191,7 @@ def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
 
 
 def _tell(listed: Listed, entry: Entry, number: int, total: int, *, is_new: bool) -> None:
-    """Say that a file is done, and what is wrong with it."""
+    """Print that a file is done, and its errors."""
     from .pages import in_short
 
     state = in_short(entry) if is_new or entry["errors"] else "unchanged"

@@ -27,16 +27,17 @@ from ..render import render
 
 _MARK = "//!"
 _INDENT = " " * 5
-"""What a command begins with, behind the mark."""
+"""The indent of a command, after the mark."""
 _BEGINNING = "burnish render "
 LONGEST = 4000
 """The most letters of a command that is followed."""
 _SRGB = "srgb:"
 MOST_WORK = 2**26
-"""How many pixels a file may ask for in all steps of all its frames: 64 pictures of 1024 × 1024."""
+"""The most pixels that a file may ask for in all steps of all its frames: 64 pictures of 1024 ×
+1024."""
 _LEAST_SIZE = 256
-"""The pixels of a side that a smaller picture counts with, as steps of kernels take no less time
-for it."""
+"""The least pixels of a side for this count, as steps of kernels take no less time for smaller
+pictures."""
 
 
 class Paragraph(NamedTuple):
@@ -47,21 +48,21 @@ class Paragraph(NamedTuple):
 
 
 class Asked(NamedTuple):
-    """What a file asks for."""
+    """The command that a file's comment asks for."""
 
     words: Sequence[str]
-    """The words behind ``burnish render``; none if it asks for nothing that is followed."""
+    """The words behind ``burnish render``; none if there is no command that is followed."""
     options: Mapping[str, Any]
     """Values of options, by the names that ``render`` has for them."""
     note: str
-    """What is not followed; else empty."""
+    """The reason why a command is not followed; empty if it is."""
 
 
 NOTHING = Asked((), {}, "")
 
 
 class _NotFollowedError(Exception):
-    """Ends reading a command; the text is the end of a sentence about the comment."""
+    """Stops reading a command; the text is the end of a sentence about the comment."""
 
 
 def paragraphs(source: str) -> list[Paragraph]:
@@ -91,8 +92,10 @@ def paragraphs(source: str) -> list[Paragraph]:
 
 
 def asked(source: str, name: str, root: Path, size: int) -> Asked:
-    """What a file called ``name`` in the gallery's folder ``root`` asks for, where pictures have
-    ``size`` pixels on a side."""
+    """The command in the comment of a file called ``name`` in the gallery's folder ``root``.
+
+    Pictures have ``size`` pixels on a side.
+    """
     try:
         words = next(_commands(source, name), None)
         if not words:
@@ -106,8 +109,10 @@ def asked(source: str, name: str, root: Path, size: int) -> Asked:
 
 
 def files_of(value: str, root: Path) -> Iterator[Path]:
-    """All files that are there and that the value of a parameter, a texture or a buffer may name:
-    ``Instance.set_text`` takes it as one path, or as several with commas between them."""
+    """All existing files that the value of a parameter, a texture or a buffer may name.
+
+    ``Instance.set_text`` takes the value as one path, or as several with commas between them.
+    """
     plain = value.strip().removeprefix(_SRGB)
     parts = dict.fromkeys((value, plain, *map(str.strip, plain.split(","))))
     for path in (root / part for part in parts if part):
@@ -161,7 +166,7 @@ def _options(words: Sequence[str], root: Path) -> dict[str, Any]:
 
 
 def _check_work(options: Mapping[str, Any], size: int) -> None:
-    """Insist that nobody waits long for what a file asks for."""
+    """Refuse options that would take too long."""
     frames, steps = options.get("frames", 1), options.get("steps", 1)
     most = max(MOST_WORK // max(size, _LEAST_SIZE) ** 2, 1)
     if frames * steps > most:
@@ -184,7 +189,10 @@ def _at_most(most: int) -> Callable[[str, Path], str]:
 
 
 def _plain_name(value: str, _root: Path) -> str:
-    """What is written is named by the gallery. But people may copy the command from the page."""
+    """The reason to refuse a name that is not a plain file name; empty if it is one.
+
+    The gallery names its own files; but people may copy the command from the page.
+    """
     is_plain = PurePath(value).name == value and value[:1] not in ("", ".", "-")
     return "" if is_plain else "a picture is written beside the file"
 
@@ -215,8 +223,8 @@ FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
     "--rig": _anything,
     "--pass": _anything,
 }
-"""The options that a file may ask for. Each function says why a value is not followed, or nothing;
-what a value means, and whether it makes sense, is asked of the option itself."""
+"""The options that a file may ask for. Each function returns why a value is not followed, or
+nothing; the option itself checks the value."""
 
 _RENDERS = {
     name: option for option in render.params if isinstance(option, click.Option)

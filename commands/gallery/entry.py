@@ -1,4 +1,4 @@
-"""What the gallery knows of one file: plain data, which is sent from process to process and kept.
+"""The gallery's data about one file: plain data that processes send and the cache keeps.
 
 ``making.py`` makes an ``Entry``, ``kept.py`` keeps it, and ``pages.py`` shows it.
 """
@@ -29,36 +29,36 @@ class Program(TypedDict):
     label: str
     stages: list[Stage]
     lacking: list[str]
-    """Why there is no text for a language."""
+    """The reasons why languages have no text."""
 
 
 class Graph(TypedDict):
-    """A picture of what is computed where, or of the steps of a frame."""
+    """A picture of a material's computations, or of the steps of a frame."""
 
     label: str
     svg: str
     problem: str
-    """Why there is none."""
+    """The reason why there is no picture."""
 
 
 class Figure(TypedDict):
     """A picture by the reference or a route."""
 
     label: str
-    """What it shows."""
+    """The content of the picture, in words."""
     route: str
     note: str
-    """The device that has drawn it, or why there is no picture."""
+    """The device that has drawn the picture, or the reason why there is none."""
     picture: str
-    """The name of the picture; empty if there is none. Of several frames it shows the last one."""
+    """The name of the picture, of the last one of several frames; empty if there is none."""
     moving: str
-    """The name of a picture that moves, of what evolves from frame to frame; else empty."""
+    """The name of an animated picture of something that changes from frame to frame; else empty."""
     status: str
     """``drawn``, ``not run`` or ``failed``."""
 
 
 class Verdict(TypedDict):
-    """How a route has drawn something, as ``burnish conform`` says it."""
+    """The verdict on a route, as ``burnish conform`` reports it."""
 
     label: str
     route: str
@@ -71,15 +71,15 @@ class Verdict(TypedDict):
     problem: str
     device: str
     lines: list[str]
-    """What is wrong, or weak."""
+    """The lines about what differs, or proves little."""
 
 
 class Entry(TypedDict):
-    """All that the gallery shows of one file."""
+    """Everything that the gallery shows of one file."""
 
     source: str
     kinds: list[str]
-    """Whether there are materials, kernels or frames in it."""
+    """The kinds of things that the file declares: materials, kernels, frames."""
     names: list[str]
     command: str
     """The command that draws the pictures."""
@@ -88,17 +88,18 @@ class Entry(TypedDict):
     figures: list[Figure]
     verdicts: list[Verdict]
     notes: list[str]
-    """What commands have said: warnings, and what was made up for the pictures."""
+    """Messages of the commands: warnings, and values that were made up for the pictures."""
     errors: list[str]
-    """What has gone wrong, each as a command tells it."""
+    """Errors, each as a command prints it."""
     pictures: dict[str, str]
     """Files in PNG and WebP, as Base64, by their names."""
     inputs: dict[str, str]
-    """The digests of all files that were read, by their paths; empty where none was there."""
+    """The digests of all files that were read, by their paths; empty for a file that did not
+    exist."""
 
 
 def failed(source: str, reason: str) -> Entry:
-    """The entry of a file of which nothing can be shown but its text."""
+    """The entry of a file of which only the text can be shown."""
     return {
         "source": source, "kinds": [], "names": [], "command": "", "programs": [], "graphs": [],
         "figures": [], "verdicts": [], "notes": [], "errors": [reason], "pictures": {},

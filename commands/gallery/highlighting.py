@@ -25,7 +25,7 @@ _SHADER = re.compile(
 
 
 def burnish_text(text: str) -> Markup:
-    """A text in Burnish; colours stand beside the numbers that mean them."""
+    """A text in Burnish; colours are shown beside the numbers that mean them."""
     return _lines(chain.from_iterable(_swatched(kind, piece) for kind, piece in pieces(text)))
 
 

@@ -1,7 +1,8 @@
-"""Keeps the entries of files between runs, so that only what has changed is made anew.
+"""Keeps the entries of files between runs, so that only changed files are made anew.
 
-An entry depends on its file and on all that this imports, on Burnish, the tools of its routes, and
-the options. Entries of files with errors are not kept: whoever mends them wants to see the result.
+An entry depends on its file and on all of the file's imports, on Burnish, the tools of its routes,
+and the options. Entries of files with errors are not kept: whoever corrects them wants to see the
+result.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ class Kept:
         self._common = digest(installation(), str(size), *names, *tools)
 
     def read(self, file: Path) -> Entry | None:
-        """The entry of a file, if nothing has changed that it depends on."""
+        """The entry of a file, if nothing that it depends on has changed."""
         content = self._store.read(self._name(file))
         if content is None:
             return None
@@ -39,7 +40,7 @@ class Kept:
         return entry if _unchanged(entry["inputs"]) else None
 
     def write(self, file: Path, entry: Entry) -> None:
-        """Keep an entry, unless something was wrong."""
+        """Keep an entry, unless it has errors."""
         if not entry["errors"]:
             self._store.write(self._name(file), json.dumps(entry).encode())
 

@@ -51,11 +51,11 @@ if TYPE_CHECKING:
 
 REFERENCE = "reference"
 EVOLVED = 24
-"""So many frames are drawn of what evolves from frame to frame."""
+"""The number of frames that are drawn if something changes from frame to frame."""
 LARGEST_SOURCE = 1 << 18
 """The most bytes of a file that is shown."""
 _NAME = "file"
-"""What stands for a file in command lines, where its own name could be taken for an option."""
+"""A placeholder for a file in command lines, where its own name could be taken for an option."""
 
 
 class Maker(Closing):
@@ -75,7 +75,7 @@ class Maker(Closing):
         self._toolchain.close()
 
     def entry(self, file: Path) -> Entry:
-        """Everything about one file of the current folder. What goes wrong is part of it."""
+        """Everything about one file of the current folder. Errors are part of it."""
         source, problem = source_of(file, Path.cwd())
         entry = failed(source, problem)
         if problem:
@@ -133,7 +133,7 @@ class _Making:
 
     @contextmanager
     def _told(self, command: click.Command, words: Sequence[str]) -> Iterator[dict[str, Any]]:
-        """A command's options, in whose context what goes wrong becomes part of the entry."""
+        """The options of a command; errors inside the ``with`` block become part of the entry."""
         said = StringIO()
         try:
             with (
@@ -151,7 +151,7 @@ class _Making:
             self._entry["notes"] += filter(None, [said.getvalue().strip()])
 
     def _name(self, found: compared.Subjects) -> None:
-        """Tell what there is."""
+        """Note the kinds and names of the subjects."""
         for _label, subject in found:
             if isinstance(subject, CompiledFrame):
                 kind = "frame"
@@ -180,7 +180,7 @@ class _Making:
         routes: list[Route | None] = [None, *self._shown]
         words = ["--size", str(self._size), "-o", "picture.png", _NAME]
         with self._told(render, words) as chosen:
-            # With everything, what a route lacks is no error.
+            # With all routes, a route that lacks something is no error.
             whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
             request = subjects.Request(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)
@@ -191,8 +191,11 @@ class _Making:
                 self._draw_materials(request, routes)
 
     def _options(self, compiled: compared.Subjects) -> Mapping[str, Any]:
-        """What is drawn otherwise than by default, as the comment of the file asks for it; or
-        several frames, if some frame goes on from the last one. The page shows the command."""
+        """Options for drawing that differ from the defaults; the page shows the command.
+
+        The file's comment asks for them. Without a comment, several frames are drawn if a frame
+        goes on from the last one.
+        """
         found = asked(self._entry["source"], self._file.name, Path.cwd(), self._size)
         if found.note:
             self._entry["notes"].append(found.note)
@@ -240,7 +243,7 @@ class _Making:
                     self._figure(f"{frame.name}.{output}", name, self._device(route), images, "")
 
     def _device(self, route: Route | None) -> str:
-        """What has drawn."""
+        """The device that has drawn: its name and version."""
         if route is None:
             return "float64"
         device = self._runner.device(route)
@@ -248,7 +251,7 @@ class _Making:
 
     @contextmanager
     def _failure_of(self, label: str, route: str) -> Iterator[None]:
-        """A route that fails has a figure that says so; the other routes draw all the same."""
+        """Add a figure for a route that fails inside the block; the other routes draw anyway."""
         from ...targets.runner.codes import CodeError
         from ...targets.runner.drivers.device import DriverError
         from ...targets.runner.frames.checking import PlanError
@@ -261,7 +264,7 @@ class _Making:
     def _figure(
         self, label: str, route: str, note: str, images: Sequence[Image], problem: str
     ) -> None:
-        """Add what a route has drawn: an image for each frame, if it could draw."""
+        """Add the pictures of a route: an image for each frame, if the route could draw."""
         name = f"{len(self._entry['figures'])}-{route.replace(':', '-')}"
         figure: Figure = {
             "label": label, "route": route, "note": note, "picture": "", "moving": "",
@@ -333,7 +336,7 @@ def _graph(label: str, subject: CompiledFrame | CompiledMaterial) -> Graph:
 
 
 def _alone(file: Path) -> Inputs:
-    """What a file depends on that others import: of its own imports, theirs knows."""
+    """The dependencies of a file that others import, without those of the imported files."""
     inputs = Inputs()
     inputs.read(file, file.read_bytes())
     return inputs
@@ -346,8 +349,10 @@ def _digests(read: Sequence[Inputs]) -> dict[str, str]:
 
 
 def _insist_on_shown(error: CompileError) -> None:
-    """Raise ``ClickException`` where errors are in an imported file that the gallery does not show:
-    it may be hidden, or no source at all, and they quote its lines."""
+    """Raise ``ClickException`` for errors in an imported file that the gallery does not show.
+
+    Such a file may be hidden, or no source at all, and the errors quote its lines.
+    """
     spans = [
         span for found in error.diagnostics
         for span in (found.span, *(label.span for label in found.labels)) if span is not None
@@ -362,7 +367,7 @@ def _insist_on_shown(error: CompileError) -> None:
 
 
 def source_of(file: Path, root: Path) -> tuple[str, str]:
-    """The text of a file of a folder, and why it is not shown; one of them is empty."""
+    """The text of a file of a folder, and the reason why it is not shown; one of them is empty."""
     if not is_shown(file, root, ENDING):
         return "", "it is not a file of the folder any more"
     try:
@@ -376,13 +381,13 @@ def source_of(file: Path, root: Path) -> tuple[str, str]:
 
 
 def _digests_of_files(values: Sequence[tuple[str, str]]) -> dict[str, str]:
-    """The digests of the files that values are read of: pictures, and elements of buffers."""
+    """The digests of the files from which values are read: pictures, and elements of buffers."""
     paths = (path for _name, text in values for path in files_of(text, Path.cwd()))
     return {str(path.resolve()): digest_of(content_of(path)) for path in paths}
 
 
 def content_of(path: Path) -> bytes | None:
-    """What a file holds; ``None`` if it is none, or cannot be read."""
+    """The contents of a file; ``None`` if there is no file, or it cannot be read."""
     try:
         return read_file(path, path.name)
     except (FileError, BudgetError):
@@ -390,5 +395,5 @@ def content_of(path: Path) -> bytes | None:
 
 
 def digest_of(content: bytes | None) -> str:
-    """The digest of a file; empty for one that is not there."""
+    """The digest of a file; empty for a file that does not exist."""
     return "" if content is None else blake2b(content, digest_size=20).hexdigest()

@@ -31,7 +31,7 @@ FOLDER = Path(__file__).parent
 LONGEST_NAME = 100
 """The most bytes of the name of a page, without its ending."""
 MOST_WORDS = 2000
-"""The most letters of a file's comment by which it is found."""
+"""The most letters of a file's comment that the search looks at."""
 _DEVICES = (
     "con",
     "prn",
@@ -39,10 +39,10 @@ _DEVICES = (
     "nul",
     *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
 )
-"""What Windows takes for a device, whatever ends the name."""
+"""The names that Windows takes for devices, whatever their ending."""
 _WORDS = {"agrees": "agree", "differs": "differ", "proves little": "prove little",
           "overflows": "overflow"}  # fmt: skip
-"""What is said of several."""
+"""The plural of each verdict's word."""
 _KINDS = {"material": "materials", "kernel": "kernels", "frame": "frames", "module": "modules"}
 
 
@@ -55,7 +55,7 @@ class _Page(NamedTuple):
 
     @property
     def title(self) -> str:
-        """What it shows, or what it is called."""
+        """The file's description, or its name."""
         what = self.listed.what
         return what[:1].upper() + what[1:] if what else self.listed.name
 
@@ -118,17 +118,17 @@ def pages(
 
 
 def in_short(entry: Entry) -> str:
-    """What came of a file, in a few words."""
+    """The verdicts on a file, in a few words."""
     if entry["errors"] and not entry["verdicts"]:
         return "error"
     return _counted(entry["verdicts"]) or "nothing to draw"
 
 
 def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]:
-    """Each file with a name of its own for its page, which all lie in one folder.
+    """Each file with a name of its own for its page; all pages lie in one folder.
 
-    Such a name is one on every system and server: it has no letters but those of words, is short,
-    and differs from others by more than small and capital letters.
+    Such a name is valid on every system and server: it has only letters of words, is short, and
+    differs from others by more than small and capital letters.
     """
     taken = {"index", *_DEVICES}
     numbers: Counter[str] = Counter()
@@ -150,7 +150,7 @@ def _plain(name: str) -> str:
 
 
 def _address(file: str) -> str:
-    """What a page calls a file beside it; the point says that what follows is no scheme."""
+    """The relative address of a file beside a page; the dot says that no scheme begins it."""
     return f"./{quote(file)}"
 
 
@@ -175,8 +175,10 @@ def _picture(page: _Page) -> str:
 
 
 def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
-    """What is shown of a file among others. One that draws nothing itself has a picture of the
-    first one that imports it."""
+    """The card of a file on the page of all files.
+
+    A file that draws nothing itself has a picture of the first file that imports it.
+    """
     entry = page.entry
     user = next(iter(users.get(page.listed.name, ())), None)
     comment = " ".join(each.text for each in paragraphs(entry["source"]))[:MOST_WORDS]
@@ -189,7 +191,7 @@ def _card(page: _Page, users: Mapping[str, Sequence[_Page]]) -> dict[str, Any]:
 
 
 def _state(entry: Entry) -> str:
-    """Whether something is wrong, weak or fine, or nothing was compared."""
+    """The state of a file: ``wrong``, ``weak`` or ``fine``, or ``none`` if nothing was compared."""
     statuses = {verdict["status"] for verdict in entry["verdicts"]}
     if entry["errors"]:
         return "wrong"
@@ -199,7 +201,7 @@ def _state(entry: Entry) -> str:
 
 
 def _counted(verdicts: Sequence[Verdict]) -> str:
-    """How many verdicts there are of each kind: ``12 agree, 1 not run``."""
+    """The number of verdicts of each kind: ``12 agree, 1 not run``."""
     counts = Counter(verdict["status"] for verdict in verdicts)
     return ", ".join(
         f"{counts[status]} {status if counts[status] == 1 else _WORDS.get(status, status)}"
@@ -215,7 +217,7 @@ def _counted_kinds(shown: Sequence[_Page]) -> list[dict[str, Any]]:
 
 
 def _routes(routes: Sequence[Route], shown: Sequence[_Page]) -> list[dict[str, Any]]:
-    """Each route with what came of it, what has drawn, and why it was not run."""
+    """Each route with its verdicts, its device, and the reason why it was not run."""
     verdicts = [verdict for page in shown for verdict in page.entry["verdicts"]]
     found = []
     for route in routes:

@@ -16,7 +16,7 @@ from .making import Maker
 
 
 def main() -> None:
-    """Answer questions until the input ends. What libraries print goes to standard error."""
+    """Answer questions until the input ends. Output of libraries goes to standard error."""
     folder, routes, shown, size = sys.argv[1:]
     os.chdir(folder)  # Messages name files as the gallery does.
     with (

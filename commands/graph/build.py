@@ -29,9 +29,9 @@ ADDED = "each"
 def picture(
     shader: Shader, staged: Staged, *, everything: bool, parts: Mapping[Span, float] | None = None
 ) -> Picture:
-    """The named values, or with ``everything`` all values, at the place where they are computed.
+    """The named values, or with ``everything`` all values, in the place that computes them.
 
-    ``parts`` are the parts that expressions of the source have in the error of a pixel.
+    ``parts`` are the parts of the source's expressions in the error of a pixel.
     """
     return _Building(shader, staged, everything, parts).picture()
 
@@ -57,13 +57,12 @@ class _Building:
             for stage in staged.program.stages
             for value, name in _crossings(stage, self._notes)
         }
-        """The name of each value that crosses between stages, by the value's id before it
-        crosses."""
+        """The name of each varying, by the id of its value in the earlier stage."""
         self._results = {
             stage.name: {o.value.id for o in stage.results if o.kind != VARYING}
             for stage in staged.program.stages
         }
-        """By stage, the ids of its results, without those that cross."""
+        """By stage, the ids of its results, without varyings."""
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
 
     def picture(self) -> Picture:
@@ -190,7 +189,7 @@ class _Building:
     # --- boxes -----------------------------------------------------------------------------------
 
     def _crossing(self, value: Node) -> str:
-        """The name of a value that crosses to the next stage."""
+        """The name of a value that goes to the next stage."""
         return self._formulas.name(value) or self._crossings.get(value.id, "crossing")
 
     def _shown_name(self, node: Node) -> str | None:
@@ -237,7 +236,7 @@ class _Building:
         return Box(key, kind, name, str(node.type), place=self._place(node), part=self._part(()))
 
     def _part(self, spans: Iterable[Span | None]) -> float | None:
-        """The part that these expressions have together in the error of a pixel."""
+        """The sum of the parts of these expressions in the error of a pixel."""
         if self._parts is None:
             return None
         return sum(self._parts.get(span, 0.0) for span in spans if span is not None)
@@ -298,14 +297,14 @@ class _Part:
     own: frozenset[Formal]
     """The variables that the loop binds: its index and its states."""
     around: frozenset[Formal]
-    """These variables, and those of the loops around it."""
+    """The variables of this loop and of the loops around it."""
 
     def is_outer(self, node: Node) -> bool:
-        """Whether a value is computed before the loop."""
+        """True if a value is computed before the loop."""
         return bool(self.own) and self.own.isdisjoint(self.inside[node.id])
 
     def is_deeper(self, node: Node) -> bool:
-        """Whether a value belongs to a loop inside."""
+        """True if a value belongs to an inner loop."""
         return not self.inside[node.id] <= self.around
 
     def reached(self, roots: Iterable[Node]) -> list[Node]:
@@ -327,7 +326,7 @@ def _variables(node: Node) -> frozenset[Formal]:
 
 
 def _turn(loop: Node) -> dict[int, str]:
-    """The results of an iteration, by the ids of the values: what it adds, or the next states."""
+    """The results of an iteration, by the ids of the values: an added value, or the next states."""
     if loop.op == "fold":
         return {loop.operands[2].id: ADDED}
     going, *following = loop.operands[1 + ITERATE.data(loop).states :]
@@ -347,7 +346,7 @@ def _values(derived: Derived) -> Iterator[tuple[str, Node]]:
 
 
 def _crossings(stage: Stage, notes: Notes) -> Iterator[tuple[int, str]]:
-    """The values that cross, each with the name of the value that it is a part of."""
+    """The varyings, each with the name of the value that it is a part of."""
     users: dict[int, str] = {}
     for node in reversed(visible(stage.roots, into_bodies=True)):
         within = notes.names.get(node.id) or users.get(node.id)

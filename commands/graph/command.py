@@ -33,7 +33,7 @@ class Request(NamedTuple):
     output: str
     """A file, or ``-``."""
     form: str | None
-    """One of ``FORMATS``; by default the ending of the file's name, or else text."""
+    """One of ``FORMATS``; by default the ending of the file's name, or else ``text``."""
     why: bool
     error: tuple[int, int] | None
     case: str
@@ -117,7 +117,7 @@ def graph(**chosen: Any) -> None:
 
 
 def _insist_on_another_file(request: Request) -> None:
-    """Raise ``BadParameter`` if the output would take the place of the file to show."""
+    """Raise ``BadParameter`` if the output would overwrite the file to show."""
     with suppress(OSError):
         if request.output != STDOUT and request.file.samefile(request.output):
             raise click.BadParameter("it is FILE itself", param_hint="--output")
@@ -138,7 +138,7 @@ def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float]
 
 
 def _subjects(request: Request) -> Sequence[CompiledMaterial | CompiledFrame]:
-    """What there is to show: the frames of the file, one shader of them, or its materials."""
+    """The subjects to show: the frames of the file, one shader of them, or its materials."""
     from ... import api
 
     result = api.compile(

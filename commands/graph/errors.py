@@ -1,4 +1,4 @@
-"""Asks which expressions make a pixel inexact, for the colours of ``burnish graph --error``."""
+"""Finds the expressions that make a pixel inexact, for the colours of ``burnish graph --error``."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from ...api import CompiledMaterial
 
 ROUTE = "lavapipe:glsl"
-"""By the rules of this route: those of Vulkan, which most others have, too."""
+"""The route whose rules are used: those of Vulkan, which most others have, too."""
 
 
 def parts(material: CompiledMaterial, pixel: tuple[int, int], case: str) -> Mapping[Span, float]:
-    """The part that each expression has in the error of a pixel of one of ``conform``'s scenes.
+    """The part of each expression in the error of a pixel of one of ``conform``'s scenes.
 
     Raises ``PixelError`` if there is nothing at the pixel.
     """

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 SWEEPS = 8
-"""How often the order of columns is improved, and then the heights."""
+"""The number of times that the order of columns is improved, and then the heights."""
 COLUMN_GAP = 44.0
 ROW_GAP = 14.0
 PASSAGE = 6.0
@@ -46,7 +46,7 @@ class Layout:
 
     items: dict[str, Item]
     paths: dict[tuple[str, str], list[Item]]
-    """By both ends of an arrow, the items on its way, including both ends."""
+    """The items on the way of an arrow, both ends included, by these ends."""
     width: float
     height: float
 
@@ -72,7 +72,10 @@ def laid_out(sizes: Mapping[str, tuple[float, float]], edges: Iterable[tuple[str
 
 
 def _assign_columns(items: Mapping[str, Item], arrows: Sequence[tuple[str, str]]) -> None:
-    """Put users to the right of what they use; what uses nothing is just left of its first user."""
+    """Put users to the right of their operands.
+
+    Items without operands are just left of their first user.
+    """
     users: dict[str, list[str]] = {key: [] for key in items}
     uses: dict[str, list[str]] = {key: [] for key in items}
     for source, target in arrows:

@@ -44,15 +44,15 @@ class Box:
     name: str
     type: str
     formula: str = ""
-    """How it is computed; empty if it comes from outside."""
+    """The formula that computes it; empty if the value comes from outside."""
     note: str = ""
-    """Where and how often it is computed."""
+    """The place and the frequency of the computation."""
     place: str = ""
-    """Where it is written in the source: file, line and column."""
+    """The place in the source: file, line and column."""
     guarded: bool = False
-    """Whether its formula contains a guard."""
+    """True if the box's formula contains a guard."""
     part: float | None = None
-    """The part that its formula has in the error of a pixel; ``None`` if there is no such pixel."""
+    """The formula's part in the error of a pixel; ``None`` if there is no such pixel."""
 
 
 @dataclass(slots=True)
@@ -61,7 +61,7 @@ class Cluster:
 
     title: str
     is_stage: bool = False
-    """Whether it is a stage or the host, and not a function or loop."""
+    """True for a stage or the host; false for a function or loop."""
     boxes: list[Box] = field(default_factory=list)
     edges: list[tuple[str, str]] = field(default_factory=list)
     """Arrows from a box to one that uses it, by their keys, each once."""

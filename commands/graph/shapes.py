@@ -1,4 +1,4 @@
-"""Shapes of which SVG pictures consist; ``svg.py`` and ``frame/svg.py`` draw with them."""
+"""The shapes of SVG pictures; ``svg.py`` and ``frame/svg.py`` draw with them."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Colors(NamedTuple):
     fill: str
     line: str
     is_dark: bool = False
-    """Whether letters on it have to be white."""
+    """True if letters on this colour have to be white."""
 
 
 def escaped(words: str) -> str:
-    """A text as XML has it, which knows no control characters."""
+    """A text escaped for XML, which has no control characters."""
     return escape(harmless_lines(words))
 
 
@@ -43,7 +43,7 @@ def begun(title: str, width: float, height: float) -> Iterator[str]:
 
 
 def width_of(words: str, size: float) -> float:
-    """How wide a text is."""
+    """The width of a text."""
     return len(words) * size * ADVANCE
 
 
@@ -53,7 +53,7 @@ def cut(words: str, longest: int = LONGEST) -> str:
 
 
 def arrow(points: Sequence[tuple[Item, float, float]]) -> str:
-    """A smooth line through the places that an arrow passes, each with its left and its height."""
+    """A smooth line through the places that an arrow passes, each with its left edge and height."""
     first, x, y = points[0]
     x += first.width
     path = [f"M{x:.1f} {y:.1f}"]
@@ -78,7 +78,7 @@ def stroke(path: Sequence[str], x: float, y: float, color: str, width: float = 1
 
 
 def text(x: float, y: float, words: str, size: float, color: str, *, bold: bool = False) -> str:
-    """A line of text; ``y`` is where its letters stand."""
+    """A line of text; ``y`` is the baseline."""
     weight = ' font-weight="600"' if bold else ""
     return (
         f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:g}" fill="{color}"{weight} '

@@ -43,7 +43,7 @@ COLORS: dict[Kind, Colors] = {
 }
 GUARD = "#d1570b"
 _FAULTLESS, _FAULTY = (0xFF, 0xFF, 0xFF), (0xE8, 0x4A, 0x35)
-"""The fills of what has no part in the error of a pixel, and of what makes all of it."""
+"""The fills of boxes without any part in a pixel's error, and of boxes that make all of it."""
 
 
 def colors_of(box: Box) -> Colors:
@@ -54,7 +54,7 @@ def colors_of(box: Box) -> Colors:
 
 
 def _shade(part: float) -> str:
-    """Small parts are to be seen, too, so it is the root that counts."""
+    """The fill for a part of the error: by its root, so that small parts can be seen, too."""
     share = min(part, 1.0) ** 0.5
     pairs = zip(_FAULTLESS, _FAULTY, strict=True)
     return "#" + "".join(f"{round(a + share * (b - a)):02x}" for a, b in pairs)
@@ -117,7 +117,7 @@ class _Panel:
 
     @property
     def is_stage(self) -> bool:
-        """Whether it is the host or a stage, and not a function or loop."""
+        """True for the host or a stage; false for a function or loop."""
         return self.cluster.is_stage
 
     def place(self, key: str) -> tuple[float, float, Item] | None:

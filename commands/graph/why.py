@@ -1,4 +1,4 @@
-"""Writes proofs as text: why each guard was left out, or what is missing where one stays."""
+"""Writes proofs as text: why each guard was left out, or what a kept guard lacks."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _step(step: ProofStep, around: Span | None) -> str:
 
 
 def _elsewhere(span: Span, around: Span | None) -> bool:
-    """Whether a step's place has to be printed, because it is not within the place of the whole."""
+    """True if a step's place has to be printed, because it is not within the place of the whole."""
     if around is None or span.source is not around.source:
         return True
     return not around.start <= span.start <= around.end

@@ -1,4 +1,4 @@
-"""The command line of ``burnish view``: options, and what is said on the terminal."""
+"""The command line of ``burnish view``: options, and messages on the terminal."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""How long a connection to the server of ``burnish view`` may do nothing, and how many there are.
+"""Limits of connections to the server of ``burnish view``: their number, and their idle time.
 
 Anybody on this computer can open connections, and send half a request, or read half an answer.
-uvicorn waits for the rest for ever; this closes such connections.
+uvicorn waits for the rest for ever; this module closes such connections.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 MOST_HEADERS = 32 * 1024
 """Bytes of the first line and all headers of a request."""
 _TO_ASK = 10.0
-"""Seconds until all headers of a request have to be there."""
+"""Seconds until all headers of a request have to have arrived."""
 _TO_READ = 30.0
 """Seconds until somebody has to read the next part of an answer."""
 _MOST = 2000
-"""How many connections are open at most, where the system allows as many files."""
+"""The most open connections, if the system allows as many files."""
 
 
 class Connection(H11Protocol):
@@ -39,13 +39,13 @@ class Connection(H11Protocol):
         self._asking = self.loop.call_later(_TO_ASK, transport.abort)
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait for nothing any more."""
+        """Stop all waiting."""
         self._stop_asking()
         self._stop_reading()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Go on with a request, or begin a further one, for whose end the wait begins now."""
+        """Go on with a request, or begin a further one, whose time limit begins now."""
         if self._asking is None and self._is_between():
             self._asking = self.loop.call_later(_TO_ASK, self.transport.abort)
         super().data_received(data)
@@ -53,24 +53,27 @@ class Connection(H11Protocol):
             self._stop_asking()
 
     def on_response_complete(self) -> None:
-        """Wait for a further request; also while the body of one that was refused still comes,
-        which uvicorn drops, since browsers read no answer before all is sent."""
+        """Wait for a further request.
+
+        The body of a refused request may still arrive; uvicorn drops it, since browsers read no
+        answer before all is sent.
+        """
         super().on_response_complete()
         if self.conn.their_state is h11.SEND_BODY:
             self._asking = self.loop.call_later(_TO_ASK, self.transport.abort)
 
     def pause_writing(self) -> None:
-        """Somebody reads more slowly than the server writes."""
+        """Called when somebody reads more slowly than the server writes."""
         super().pause_writing()
         self._reading = self.loop.call_later(_TO_READ, self.transport.abort)
 
     def resume_writing(self) -> None:
-        """Somebody has read a part."""
+        """Called when somebody has read a part."""
         self._stop_reading()
         super().resume_writing()
 
     def _is_between(self) -> bool:
-        """Whether there is no request that is to be answered."""
+        """True if there is no request that waits for an answer."""
         return self.cycle is None or self.cycle.response_complete
 
     def _stop_asking(self) -> None:

@@ -1,4 +1,4 @@
-"""Makes what a page of ``burnish view`` gets: a package to draw, with its controls, or errors.
+"""Makes the documents of pages of ``burnish view``: a package to draw, with controls, or errors.
 
 The server asks for a document when a page is opened, when it chooses something else, and after
 every change to the file.
@@ -39,13 +39,13 @@ if TYPE_CHECKING:
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
 _PICTURE = "picture."
-"""Begins the names by which a page asks for pictures; the rest is the texture's."""
+"""The beginning of the names by which a page asks for pictures; the rest is the texture's name."""
 _SIZE = (512, 512)
-"""Of the picture, until the page says how large it is."""
+"""The size of the picture, until the page states its size."""
 _MOST_NAMES = 1000
-"""Of each kind of declaration, a page can choose from so many."""
+"""The most names of each kind of declaration from which a page can choose."""
 _MOST_CHOICES = 1000
-"""Of so many choices it is known what they leave open."""
+"""The most choices whose full form is remembered."""
 _VERSIONS = count()
 
 Made = Shelf[tuple[str, Choice], bytes]
@@ -55,7 +55,8 @@ Made = Shelf[tuple[str, Choice], bytes]
 class Documents:
     """The documents of a file as it is now.
 
-    Threads may ask for the version, and for what is kept; everything else one does at a time.
+    Threads may ask for the version and for kept documents; everything else is for one thread at a
+    time.
     """
 
     def __init__(self, request: Request, name: str, pictures: Pictures, made: Made) -> None:
@@ -66,15 +67,16 @@ class Documents:
         self._made = made
         self._number = next(_VERSIONS)
         self._whole: dict[Choice, Choice] = {}
-        """What choices mean that were asked for, with everything that they leave open."""
+        """The full choice for each choice that was asked for, with everything that was left
+        open."""
         self._listed: dict[str, Any] = {"subjects": [], "rigs": [], "passes": []}
-        """What the file declares; of a file that cannot be read, what it did before."""
+        """The declarations of the file; if it cannot be read, those from before."""
         self._told = ""
-        """The version whose errors the terminal has been told."""
+        """The version whose errors have been printed on the terminal."""
 
     @staticmethod
     def shelf(keeping: Keeping) -> Made:
-        """Where the documents of several files are kept."""
+        """The shelf for the documents of several files."""
         return Shelf(keeping, len)
 
     @property
@@ -84,8 +86,7 @@ class Documents:
 
     @property
     def version(self) -> str:
-        """Tells apart what the file was before and after each change; and from any other file or
-        server."""
+        """Identifies the present contents of the file, among all files and servers."""
         return f"{os.getpid()}.{self._number}"
 
     @property
@@ -97,7 +98,7 @@ class Documents:
         return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}
 
     def forget(self) -> None:
-        """The file has changed: make everything again."""
+        """Make everything again, as the file has changed."""
         self._number = next(_VERSIONS)
         self._whole = {}
         self._made.forget(lambda key: key[0] == self._name)
@@ -144,18 +145,18 @@ class Documents:
         return {**self._head(), **made}
 
     def _tell(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        """Print what is wrong, once for each version of the file."""
+        """Print the diagnostics, once for each version of the file."""
         if self._told != self.version:
             show(diagnostics)
 
     def _refused(self, text: str) -> str:
-        """What the page says of something that cannot be drawn; the terminal says it, too."""
+        """The page's text about something that cannot be drawn; the terminal gets it, too."""
         if self._told != self.version:
             remark("error", text)
         return f"{Style(True).severity('error', 'error')}: {text}"
 
     def _head(self) -> dict[str, Any]:
-        """What every document has."""
+        """The fields that every document has."""
         return {
             "file": self._name,
             **self._listed,
@@ -202,8 +203,10 @@ class Documents:
         return declared
 
     def _chosen(self, choice: Choice, declared: api.Declared) -> Choice:
-        """The choice with everything filled in that it leaves open. What a page asks for and the
-        file has no longer is left open, too."""
+        """The full choice: everything that a choice leaves open is filled in.
+
+        A name that the file no longer has counts as left open.
+        """
         request = self._request
         names = (*declared.frames, *declared.materials, *declared.kernels)
         subject = _first(choice.subject if choice.subject in names else None, request.material)
@@ -222,7 +225,7 @@ class Documents:
         )
 
     def _compiled(self, chosen: Choice, declared: api.Declared) -> FrameSubject:
-        """What is shown, as a frame."""
+        """The chosen subject as a frame."""
         from ...targets.runner.frames.single import single_frame
         from ...targets.runner.instances.literals import color_lanes
 
@@ -240,8 +243,10 @@ class Documents:
     def _host(
         self, frame: FrameSubject, chosen: Choice
     ) -> tuple[FrameHost, dict[str, dict[str, Any]]]:
-        """The frame with a scene, with the values of the command line, and with the pictures that
-        were given, which are also told by name."""
+        """The frame with a scene, and with the values of the command line and the page's pictures.
+
+        The pictures are also returned by name.
+        """
         from ...targets.runner.frames.host import FrameHost
         from ...targets.runner.frames.single import SingleFrame, captures, give_captured
 
@@ -267,8 +272,10 @@ class Documents:
     def _give(
         self, host: FrameHost, pictures: Sequence[tuple[str, str]]
     ) -> Iterator[tuple[str, dict[str, Any]]]:
-        """Give textures the pictures of the page, as far as both are there. Yields what the page
-        tells of each."""
+        """Give textures the pictures of the page, if both exist.
+
+        Yields the page's words for each.
+        """
         for name, asked in pictures:
             wanted = _wanted(host, name)
             texture = wanted and self._pictures.texture(asked, wanted)
@@ -279,7 +286,7 @@ class Documents:
                 yield name, {"file": kept.name, "is_float": kept.is_float, "is_srgb": is_srgb}
 
     def _kernels(self, host: FrameHost, chosen: Choice) -> list[Kernel]:
-        """The other kernels of the file, if what is shown reads buffers, which they may write."""
+        """The other kernels of the file, if the subject reads buffers, which they may write."""
         rows = (row for each in host.instances for row in each.reflection.buffers)
         if not any(row.stages for row in rows):
             return []
@@ -288,7 +295,7 @@ class Documents:
         return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
     def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
-        """A mesh for a material; for a frame one of each of its materials; or a file's objects."""
+        """A mesh for a material; a mesh for each of a frame's materials; or a file's objects."""
         from ...targets.runner.frames.single import SingleFrame, single_scenery
 
         if isinstance(frame, SingleFrame) and self._request.scene is None:
@@ -297,7 +304,10 @@ class Documents:
 
 
 def choice_of(query: Mapping[str, str]) -> Choice:
-    """What a page asks for, by the names in its address. What nobody can mean is left out."""
+    """The choice that a page asks for, by the names in its address.
+
+    Values that have no meaning are left out.
+    """
     profile = query.get("profile", PROFILES[0])
     pictures = {
         key.removeprefix(_PICTURE): asked
@@ -312,8 +322,10 @@ def choice_of(query: Mapping[str, str]) -> Choice:
 
 
 def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> None:
-    """Set a value of what is shown, and of the kernels that have one of this name. Raises
-    ``ParameterError`` if nobody has, and ``PictureError``."""
+    """Set a value of the subject, and of the kernels that have one of this name.
+
+    Raises ``ParameterError`` if nothing has the name, and ``PictureError``.
+    """
     from ...targets.runner.instances.values import UnknownParameterError
 
     found, unknown = False, None
@@ -330,14 +342,14 @@ def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> No
 
 
 def _takes_mesh(frame: FrameSubject) -> bool:
-    """Whether a mesh of the page's choice is drawn, or captured."""
+    """True if a mesh of the page's choice is drawn, or captured."""
     from ...targets.runner.frames.single import SingleFrame, captures
 
     return bool(frame.plan.models) or (isinstance(frame, SingleFrame) and captures(frame))
 
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:
-    """What the texture of this name has to be, if there is one."""
+    """The kind of the texture of this name, if there is one."""
     for values in (host.values, *host.instances):
         for row in values.declared.textures:
             if row.name == name:

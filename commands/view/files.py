@@ -5,8 +5,8 @@ from __future__ import annotations
 from importlib.resources import files
 
 _PACKAGES = ("web_view", "web_host")
-"""The folders below ``targets``. Their ``modules`` are served in place of the sources that these
-were made of, so that one imports the other as it does in the tree."""
+"""The folders below ``targets``. Their ``modules`` replace the sources from which they were made,
+so that one module imports the other as it does in the tree."""
 _MODULES = "modules"
 _KINDS = {
     ".css": "text/css",
@@ -15,7 +15,7 @@ _KINDS = {
     ".svg": "image/svg+xml",
 }
 PAGE = "/web_view/index.html"
-"""What ``/`` shows."""
+"""The file that ``/`` shows."""
 
 
 def page_files() -> dict[str, tuple[bytes, str]]:

@@ -18,14 +18,14 @@ from ...compiler.diagnostics.diagnostic import CompileError
 from ..catalogue import ENDING, Group, catalogue, is_shown
 
 _PATIENCE = 2.0
-"""How many seconds files are read for one list. What is left then is listed without telling what it
-declares, which a later list tells."""
+"""The seconds for reading files for one list. The remaining files are listed without their
+declarations, which a later list has."""
 _MOST_SUBJECTS = 32
-"""So many names are told of one file."""
+"""The most names that are listed of one file."""
 
 
 class Folder:
-    """What is shown. Threads may share it."""
+    """The files that are shown. Threads may share a ``Folder``."""
 
     def __init__(self, root: Path, search_path: Sequence[Path]) -> None:
         """``root`` is a file or a folder."""
@@ -33,10 +33,10 @@ class Folder:
         self._search_path = search_path
         self._lock = Lock()
         self._declared: dict[Path, tuple[int, list[str] | None]] = {}
-        """When each file was changed last, and what it declares that can be drawn."""
+        """The time of each file's last change, and its declarations that can be drawn."""
         self._groups: Sequence[Group] = ()
         self._paths: dict[str, Path] = {}
-        """Where files are, by the names that pages have for them."""
+        """The paths of files, by the names that pages have for them."""
         self._is_folder = root.is_dir()
         self._find()
 
@@ -48,10 +48,10 @@ class Folder:
             return next((name for name, path in self._paths.items() if self._subjects(path)), None)
 
     def path(self, name: str) -> Path | None:
-        """Where a file is, by its name; ``None`` if there is none."""
+        """The path of a file, by its name; ``None`` if there is none."""
         with self._lock:
             path = self._paths.get(name)
-        # By now it may be a link.
+        # By now the file may be a link.
         is_own = not self._is_folder or (path and is_shown(path, self._root.resolve(), ENDING))
         return path if is_own else None
 
@@ -84,15 +84,17 @@ class Folder:
         self._declared = {path: row for path, row in self._declared.items() if path in found}
 
     def _read_all(self, end: float) -> None:
-        """Read files that have changed, until it is too late."""
+        """Read files that have changed, until the time is over."""
         for path in self._paths.values():
             self._subjects(path)
             if time.monotonic() > end:
                 return
 
     def _subjects(self, path: Path) -> list[str] | None:
-        """The frames, materials and kernels of a file; ``None`` if it declares none. Of a file that
-        cannot be read, nobody knows any."""
+        """The frames, materials and kernels of a file; ``None`` if it declares none.
+
+        There are none of a file that cannot be read, either.
+        """
         try:
             stamp = path.stat().st_mtime_ns
         except OSError:
@@ -112,5 +114,5 @@ class Folder:
 
 
 def _shown(name: str) -> str:
-    """A name as pages have it: bytes that are no UTF-8 are written as their numbers."""
+    """A name for pages: bytes that are no UTF-8 are written as their numbers."""
     return os.fsencode(name).decode("utf-8", "backslashreplace")

@@ -1,8 +1,8 @@
 """Keeps other web pages away from the server of ``burnish view``.
 
 A page from anywhere can have its browser send requests to this computer. With a name of its own
-that leads here (DNS rebinding) it could even read the answers, which hold a person's source. So
-the server answers only where it is called by its own name, and only its own page.
+that leads here (DNS rebinding) it could even read the answers, which hold a person's source. So the
+server answers only requests to its own name, and only its own page.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 _NAMES = ("127.0.0.1", "localhost")
 _OWN = ("same-origin", "none")
-"""Where requests come from that browsers make for the page itself, or for who types its address."""
+"""The origins of requests that browsers make for the page itself, or for a typed address."""
 
 _HEADERS = {
     "cache-control": "no-store",
@@ -27,11 +27,12 @@ _HEADERS = {
     "referrer-policy": "no-referrer",
     "x-content-type-options": "nosniff",
 }
-"""The page loads nothing from elsewhere, makes no elements of texts, and nobody else embeds it."""
+"""Headers by which the page loads nothing from elsewhere, makes no elements of texts, and is not
+embedded by other pages."""
 
 
 class Guarded:
-    """An application that refuses requests of others."""
+    """An application that refuses requests of other pages."""
 
     def __init__(self, application: ASGIApp, port: int) -> None:
         self._application = application
@@ -42,7 +43,7 @@ class Guarded:
             self._origins |= {f"http://{name}" for name in _NAMES}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request, with headers that keep what is sent within the page."""
+        """Answer a request, with headers that keep the answer within the page."""
         if scope["type"] != "http":
             await self._application(scope, receive, send)
             return
@@ -57,7 +58,7 @@ class Guarded:
         await answer(scope, receive, send_guarded)
 
     def _problem(self, headers: Headers, path: str) -> str:
-        """Why a request is refused; empty if it is not."""
+        """The reason why a request is refused; empty if it is not."""
         if headers.get("host", "").lower() not in self._hosts:
             return "this server is called 127.0.0.1 or localhost, with its port"
         origin = headers.get("origin")

@@ -1,4 +1,4 @@
-"""What the server of ``burnish view`` keeps in memory, and how much that may be.
+"""The data that the server of ``burnish view`` keeps in memory, and its limit.
 
 The files of pictures that pages were given are kept, since nobody else has them; and textures and
 documents that were made, since they are asked for again. All of it together has one limit.
@@ -14,8 +14,7 @@ from typing import Any, Generic, TypeVar
 from ...compiler.budget import allowed
 
 _SHARE = 4
-"""What is kept takes this part of the limit called ``memory`` at most; the rest is for what is
-being made."""
+"""The share of the limit called ``memory`` that kept data may take; the rest is for new data."""
 
 Key = TypeVar("Key", bound=Hashable)
 Value = TypeVar("Value")
@@ -30,40 +29,42 @@ class Keeping:
 
     @property
     def most(self) -> int:
-        """How many bytes may be kept."""
+        """The most bytes that may be kept."""
         return allowed("memory") // _SHARE
 
     @property
     def size(self) -> int:
-        """How many bytes are kept."""
+        """The bytes that are kept."""
         return sum(shelf.size for shelf in self._shelves)
 
     def add(self, shelf: Shelf[Any, Any]) -> None:
-        """Count what lies on another shelf, which is cleared after all that were added before."""
+        """Count the values of another shelf, which is cleared after all that were added before."""
         self._shelves.append(shelf)
 
     def make_room(self) -> None:
-        """Drop what is too much: what was asked for longest ago, of the first shelf that has any.
-        The caller has the lock."""
+        """Drop values until the limit is met, the least recently used first.
+
+        They are dropped from the first shelf that has any. The caller has the lock.
+        """
         for shelf in self._shelves:
             while self.size > self.most and shelf.drop_oldest():
                 pass
 
 
 class Shelf(Generic[Key, Value]):
-    """Things of one kind that are kept, by their keys. Threads may share it."""
+    """Values of one kind that are kept, by their keys. Threads may share it."""
 
     def __init__(self, keeping: Keeping, size_of: Callable[[Value], int]) -> None:
-        """``size_of`` says how many bytes a thing takes; its key takes some, too."""
+        """``size_of`` returns the bytes of a value; its key takes some, too."""
         self._keeping = keeping
         self._size_of = size_of
         self._kept: OrderedDict[Key, tuple[Value, int]] = OrderedDict()
         self.size = 0
-        """The bytes of all that lies here."""
+        """The bytes of all values on the shelf."""
         keeping.add(self)
 
     def get(self, key: Key) -> Value | None:
-        """What is kept under a key, which is then the last that goes."""
+        """The value that is kept under a key. It becomes the last one that is dropped."""
         with self._keeping.lock:
             if key not in self._kept:
                 return None
@@ -71,8 +72,10 @@ class Shelf(Generic[Key, Value]):
             return self._kept[key][0]
 
     def put(self, key: Key, value: Value) -> bool:
-        """Keep something, and drop whatever is too much then. Returns whether it is kept: what
-        takes more than everything may is not."""
+        """Keep a value, and drop others if there is no room; True if the value is kept.
+
+        A value that is larger than the limit is not kept.
+        """
         size = self._size_of(value) + len(repr(key))
         with self._keeping.lock:
             self._drop(key)
@@ -84,14 +87,16 @@ class Shelf(Generic[Key, Value]):
             return key in self._kept
 
     def forget(self, is_old: Callable[[Key], bool]) -> None:
-        """Drop what is kept under such keys."""
+        """Drop the values of such keys."""
         with self._keeping.lock:
             for key in [key for key in self._kept if is_old(key)]:
                 self._drop(key)
 
     def drop_oldest(self) -> bool:
-        """Drop what was asked for longest ago; returns whether there was anything. The caller has
-        the lock."""
+        """Drop the least recently used value; True if there was any.
+
+        The caller has the lock.
+        """
         oldest = next(iter(self._kept), None)
         if oldest is not None:
             self._drop(oldest)

@@ -1,7 +1,7 @@
 """The pictures that people give a page of ``burnish view``: files that its browser sends.
 
-The server keeps the files in memory for as long as there is room, and knows each by a digest of
-what is in it. ``documents.py`` makes textures of them.
+The server keeps the files in memory for as long as there is room, and knows each by a digest of its
+contents. ``documents.py`` makes textures of them.
 """
 
 from __future__ import annotations
@@ -18,10 +18,11 @@ if TYPE_CHECKING:
     from ...targets.runner.textures.texture import Texture
 
 MOST_TEXELS = 96 * 2**20
-"""Bytes of a texture with all its levels. A page gets it as text, which is a third longer."""
+"""The most bytes of a texture with all its levels. A page gets it as text, which is a third
+longer."""
 _BYTES_OF_TEXEL = 4
-"""Of colours with 8 bits a lane, and of one number; smaller levels of colours take a third of that
-besides."""
+"""Bytes of a texel: colours with 8 bits a lane, or one number. Smaller levels of colours take a
+third of that besides."""
 _SRGB = "srgb:"
 
 
@@ -34,14 +35,14 @@ class Kept(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """What a texture of a shader has to be."""
+    """The kind of texture that a shader needs."""
 
     dimension: Dimension
     sample: Kind
 
 
 def wanted_of(dimension: str, sample: str) -> Wanted | None:
-    """What a page says that a texture has to be, if there can be such a texture."""
+    """The kind of texture that a page names; ``None`` if there is no such kind."""
     from ...targets.runner.drivers.texels import Dimension
     from ...targets.runner.textures.kinds import Kind
 
@@ -57,11 +58,11 @@ class Pictures:
 
     def __init__(self, keeping: Keeping) -> None:
         self._textures = Shelf[tuple[str, Wanted], "Texture"](keeping, _size_of)
-        """As they were made of files, since each change of the source asks for them."""
+        """The textures of the files, since each change of the source asks for them."""
         self._files = Shelf[str, Kept](keeping, lambda kept: len(kept.data))
 
     def keep(self, name: str, data: bytes, wanted: Wanted) -> str:
-        """Keep a file that was given for some texture; returns the word by which pages ask for it.
+        """Keep a file for some texture; returns the word by which pages ask for it.
 
         Raises ``PictureError`` for a file that makes no such texture, and ``BudgetError``.
         """
@@ -76,11 +77,11 @@ class Pictures:
         return word
 
     def get(self, asked: str) -> Kept | None:
-        """The file that a page asks for, if it is still here."""
+        """The file that a page asks for, if it is still kept."""
         return self._files.get(asked.removeprefix(_SRGB))
 
     def is_srgb(self, asked: str, wanted: Wanted) -> bool:
-        """Whether the colours that a page asks for are sRGB. Floats never are."""
+        """True if the colours that a page asks for are sRGB. Floats never are."""
         kept = self.get(asked)
         is_color = wanted.sample == "float" and kept is not None and not kept.is_float
         return is_color and asked.startswith(_SRGB)
@@ -100,8 +101,10 @@ class Pictures:
 
 
 def _announced(kept: Kept, wanted: Wanted) -> int:
-    """The bytes of the texture that a file makes at least, as far as its first bytes tell: what is
-    too large need not be decoded. Files of floats are counted when they are read."""
+    """The least bytes of the texture that a file makes, as far as its header tells.
+
+    A file that is too large need not be decoded. Files of floats are counted when they are read.
+    """
     from ...targets.runner.textures.files import announced_size
 
     if kept.is_float:
@@ -112,7 +115,7 @@ def _announced(kept: Kept, wanted: Wanted) -> int:
 
 
 def _check_size(name: str, size: int) -> None:
-    """Raise ``PictureError`` for a texture that a page does not take."""
+    """Raise ``PictureError`` for a texture that a page does not accept."""
     from ...targets.runner.textures.kinds import PictureError
 
     if size > MOST_TEXELS:

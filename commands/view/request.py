@@ -1,4 +1,4 @@
-"""What is asked of ``burnish view``: by its command line, and by each page."""
+"""The requests to ``burnish view``: those of its command line, and of each page."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ class Request(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path
-    """Or a folder."""
+    """A file or a folder."""
     mesh: str
     scene: Path | None
     instances: int
@@ -23,8 +23,11 @@ class Request(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """What one page shows of the file. Where it says nothing, the command line decides, or else
-    the file's first one."""
+    """A page's choice of what it shows.
+
+    The command line decides about everything that the page leaves open, or else the file's first
+    entry.
+    """
 
     file: str | None = None
     """The name of one of a folder's files."""
@@ -33,6 +36,6 @@ class Choice(NamedTuple):
     pass_: str | None = None
     mesh: str | None = None
     profile: str = "wgsl:webgpu"
-    """The texts that its browser can draw."""
+    """The profile of the texts that the browser can draw."""
     pictures: tuple[tuple[str, str], ...] = ()
     """For textures, by name, the pictures that somebody has given, by the words of ``Pictures``."""

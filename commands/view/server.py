@@ -1,7 +1,7 @@
-"""The server of ``burnish view``: the page, what it draws, and word of every change.
+"""The server of ``burnish view``: sends the page, its documents, and news of every change.
 
-It listens on this computer only. All that it sends are the page and documents, by names that it
-knows: no request becomes the path of a file.
+It listens on this computer only. It sends only the page and documents, by names that it knows: no
+request becomes the path of a file.
 """
 
 from __future__ import annotations
@@ -39,39 +39,39 @@ from .watching import Watched
 HOST = "127.0.0.1"
 """The loopback interface: no other computer reaches it."""
 _PATIENCE = 0.8
-"""How many seconds requests may still take when the server ends; then the process ends, whatever
+"""The seconds that requests may still take when the server ends; then the process ends, whatever
 its threads do."""
 _Queue = asyncio.Queue[tuple[str, str] | None]
 _SIGNALLED = 128
-"""What shells add to the number of the signal that has ended a program."""
+"""The number that shells add to the signal that has ended a program."""
 _PIECE = 1 << 18
 """Bytes of a document that are sent at once."""
 _PULSE = 15.0
-"""After how many seconds a page is told something, so that nobody takes it for dead."""
+"""The seconds after which a page gets an event, so that nobody takes the connection for dead."""
 
 
 class Server:
     """Shows a file, or those of a folder, until it is interrupted."""
 
     def __init__(self, request: Request, port: int = 0) -> None:
-        """Bind the port, or any that is free. Raises ``OSError`` if it cannot be had."""
+        """Bind the port, or any that is free. Raises ``OSError`` if the port is in use."""
         self._loop: asyncio.AbstractEventLoop | None = None
         self._watched = Watched(request, self._changed)
         self._uploads = Uploads()
         self._socket = socket.create_server((HOST, port))
         self._port: int = self._socket.getsockname()[1]
         self._pages: set[_Queue] = set()
-        """For each open page what it is still to be told: files with their versions, and at last
-        nothing more."""
+        """For each open page, the events that it still has to get: files with their versions, and
+        at last ``None``."""
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is nothing to show."""
+        """True if there is nothing to show."""
         return self._watched.folder.first() is None
 
     @property
     def address(self) -> str:
-        """What a browser opens."""
+        """The address that a browser opens."""
         return f"http://{HOST}:{self._port}/"
 
     def run(self) -> None:
@@ -87,10 +87,10 @@ class Server:
         """Give back the port of a server that does not run."""
         self._socket.close()
 
-    # --- what is served --------------------------------------------------------------------------
+    # --- answers ---------------------------------------------------------------------------------
 
     def application(self) -> Guarded:
-        """What answers requests."""
+        """The application that answers requests."""
         routes = [
             Route("/document", self._document),
             Route("/files", self._files),
@@ -114,7 +114,7 @@ class Server:
         return JSONResponse(await run_in_threadpool(self._watched.folder.listing))
 
     async def _picture(self, request: HttpRequest) -> Response:
-        """Keep the picture that is sent, for a texture as the query says."""
+        """Keep the picture that a page sends; the query names its texture."""
         asked = request.query_params
         wanted = wanted_of(asked.get("dimension", ""), asked.get("sample", ""))
         if wanted is None:
@@ -128,8 +128,11 @@ class Server:
         return PlainTextResponse(text, status, background=self._tidying)
 
     def _keep(self, name: str, data: bytes, wanted: Wanted) -> tuple[int, str]:
-        """Keep a picture; returns the answer. No error leaves this thread, since the traceback of
-        one that is handed on is part of a circle, with all that its functions have made."""
+        """Keep a picture; returns the answer.
+
+        No error leaves this thread: the traceback of an error that is handed on is part of a
+        reference cycle, with everything that its functions have made.
+        """
         with self._watched.workshop.working():
             try:
                 return 200, self._watched.pictures.keep(name, data, wanted)
@@ -142,7 +145,7 @@ class Server:
 
     @property
     def _tidying(self) -> BackgroundTask:
-        """What is done once an answer has been sent."""
+        """The task that runs once an answer has been sent."""
         return BackgroundTask(self._watched.workshop.tidy)
 
     async def _changes(self, _request: HttpRequest) -> Response:
@@ -190,7 +193,7 @@ class Server:
 
 
 async def _next_event(queue: _Queue) -> str:
-    """What a page is told next; empty if that is nothing more."""
+    """The next event for a page; empty if there are no more."""
     try:
         told = await asyncio.wait_for(queue.get(), _PULSE)
     except TimeoutError:
@@ -202,22 +205,26 @@ async def _next_event(queue: _Queue) -> str:
 
 
 async def _parts(content: bytes) -> AsyncIterator[bytes]:
-    """A document in pieces, each of which waits until those before it are nearly all read: a
-    connection to somebody who reads slowly needs no copy of the document."""
+    """A document in pieces; each waits until the earlier ones are nearly all read.
+
+    So a connection to somebody who reads slowly needs no copy of the document.
+    """
     for start in range(0, len(content), _PIECE):
         yield content[start : start + _PIECE]
 
 
 class _Ending(uvicorn.Server):
-    """Lets the pages go before it waits for open requests, which theirs would be for ever; and does
-    not wait for long."""
+    """Lets the pages go before it waits for open requests, since theirs stay open for ever.
+
+    It does not wait for long.
+    """
 
     def __init__(self, config: uvicorn.Config, end_pages: Callable[[], None]) -> None:
         super().__init__(config)
         self._end_pages = end_pages
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        # What is cancelled from here on is no error.
+        # Requests that are cancelled from here on are no errors.
         logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL)
         patience = Timer(_PATIENCE, self._end_at_once)
         patience.daemon = True
@@ -226,8 +233,10 @@ class _Ending(uvicorn.Server):
         await super().shutdown(sockets)
 
     def _end_at_once(self) -> None:
-        """End the process while a thread still works, whose work nobody will see: a compile, or a
-        kernel. Nothing is written to files here."""
+        """End the process while a thread still works, if nobody will see the result.
+
+        Such work is a compile, or a kernel. Nothing is written to files here.
+        """
         received = self._captured_signals[-1] if self._captured_signals else signal.SIGINT
         os._exit(flushed(_SIGNALLED + received))
 

@@ -1,4 +1,4 @@
-"""Reads the files that pages of ``burnish view`` send: no more, and no longer, than is allowed."""
+"""Reads the files that pages of ``burnish view`` send, within limits of size and time."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from io import BytesIO
 from starlette.requests import ClientDisconnect, Request
 
 MOST_BYTES = 64 * 2**20
-"""Of a file."""
+"""The most bytes of a file."""
 _DIGITS = 12
-"""Of a length; a longer one is too large, whatever its digits are."""
+"""The most digits of a length; a longer one is too large, whatever its digits are."""
 _MOST_ARRIVING = 2 * MOST_BYTES
 """Bytes of all files that are being sent at the same time."""
 _TO_SEND = 60.0
-"""How many seconds a file may take to be sent."""
+"""The seconds that sending a file may take."""
 
 
 class UploadError(Exception):
-    """A file that is not taken; the text says why."""
+    """A file is not accepted; the text says why."""
 
     def __init__(self, status: int, text: str) -> None:
         super().__init__(text)
@@ -27,7 +27,7 @@ class UploadError(Exception):
 
 
 class Uploads:
-    """All that is being sent at the same time, to one event loop."""
+    """The files that are being sent at the same time, to one event loop."""
 
     def __init__(self) -> None:
         self._arriving = 0

@@ -17,15 +17,15 @@ from .request import Choice, Request
 from .workshop import Workshop
 
 _MOST_OPENED = 256
-"""Of so many files the server remembers that somebody looks at them; of others it makes documents
-when it is asked, and tells nobody of their changes."""
+"""The most files whose readers the server remembers. It makes documents of other files when it is
+asked, but reports no changes of them."""
 
 Told = Callable[[str, str], None]
-"""Is told of a change: the name of a file, and its new version."""
+"""Called for a change: with the name of a file, and its new version."""
 
 
 class Watched:
-    """The files of a server that somebody looks at. Threads may share it."""
+    """The files of a server that pages show. Threads may share it."""
 
     def __init__(self, request: Request, told: Told) -> None:
         """``told`` is called from another thread."""
@@ -37,7 +37,7 @@ class Watched:
         self._made = Documents.shelf(keeping)
         self.pictures = Pictures(keeping)
         self.is_seen = False
-        """Whether any page is open, which asks for a document itself after each change."""
+        """True if any page is open: a page asks for a document itself after each change."""
         self._watcher = Watcher[str]()
         self._lock = Lock()
         self._opened: OrderedDict[str, Documents] = OrderedDict()
@@ -49,18 +49,22 @@ class Watched:
             return {name: each.version for name, each in self._opened.items()}
 
     def begin(self) -> None:
-        """Have the first document ready before a browser asks, and tell the terminal what is wrong
-        with it; and watch all files that are opened."""
+        """Make the first document before a browser asks, and print its errors.
+
+        Then watch all opened files.
+        """
         _start(self._first)
         _start(self._follow_all)
 
     def end(self) -> None:
-        """Watch nothing any more."""
+        """Stop watching."""
         self._watcher.stop()
 
     def document(self, choice: Choice) -> bytes | None:
-        """The document of a choice; of the first file, if it names none that there is. ``None`` if
-        there is nothing to show."""
+        """The document of a choice; of the first file, if it names no existing one.
+
+        ``None`` if there is nothing to show.
+        """
         name = choice.file
         path = self.folder.path(name) if name else None
         if path is None:
@@ -76,7 +80,10 @@ class Watched:
             return self._documents(name, path).get(choice)
 
     def _documents(self, name: str, path: Path) -> Documents:
-        """Those of a file, which is followed from now on; the caller works in the workshop."""
+        """The documents of a file, which is watched from now on.
+
+        The caller works in the workshop.
+        """
         with self._lock:
             found = self._opened.get(name)
             if found is not None:
@@ -103,8 +110,7 @@ class Watched:
                 self._change(name, changed)
 
     def _change(self, name: str, changed: Documents) -> None:
-        """Tell of a change, and make what nobody asks for, so that the terminal tells what is
-        wrong."""
+        """Report a change, and make documents that nobody asks for, so that errors are printed."""
         with self.workshop.working():
             changed.forget()
             self._follow(name, changed)
@@ -124,5 +130,5 @@ class Watched:
 
 
 def _start(act: Callable[[], object]) -> None:
-    """Do something in a thread that ends with the process, whatever it does then."""
+    """Run a function in a thread that ends with the process, whatever it does then."""
     Thread(target=act, daemon=True).start()

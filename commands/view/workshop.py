@@ -1,8 +1,8 @@
-"""Where the server of ``burnish view`` makes documents and textures: one at a time.
+"""Makes documents and textures for the server of ``burnish view``, one at a time.
 
-Each may take all the memory that the limits allow, so no two are made together. And what it leaves
-behind is freed at once, in place of when Python next looks for garbage: a picture is a single
-object for Python, however many megabytes it has.
+Each may take all the memory that the limits allow, so no two are made together. Garbage is freed at
+once, and not when Python next looks for it: a picture is a single object for Python, however many
+megabytes it has.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from ...garbage import sweep
 
 
 class Workshop:
-    """Threads share one, and wait in it for each other."""
+    """The right to work. Threads share one workshop, and wait in it for each other."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -23,14 +23,14 @@ class Workshop:
 
     @contextmanager
     def working(self) -> Iterator[None]:
-        """Have the workshop for oneself inside the ``with`` block."""
+        """Have the workshop alone inside the ``with`` block."""
         with self._lock:
             self._sweep()
             self._is_swept = False
             yield
 
     def tidy(self) -> None:
-        """Free what the last work has left. It takes a while, so nobody should wait for it."""
+        """Free the garbage of the last work. It takes a while, so nobody should wait for it."""
         with self._lock:
             self._sweep()
 

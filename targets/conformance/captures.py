@@ -1,7 +1,7 @@
-"""Judges what passes capture: each value of each vertex has to lie within the reference's bounds.
+"""Judges captured vertices: each value of each vertex has to lie within the reference's bounds.
 
-What a draw captures is compared as a picture of one row is: each vertex is a pixel, and each value
-of it is a target. Which vertices are captured may hang on rounding; then those before the first and
+The vertices of a draw are compared as a picture of one row: each vertex is a pixel, and each value
+of it is a target. Rounding may decide which vertices are captured; then those before the first and
 behind the last such vertex are compared, and their number has to be possible.
 """
 
@@ -39,7 +39,7 @@ Bools = NDArray[np.bool_]
 
 
 LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
-"""The stages of which the reference can list what they capture."""
+"""The stages whose captured vertices the reference can list."""
 
 
 class CapturePlan:
@@ -95,16 +95,16 @@ class CapturePlan:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Compared:
-    """The vertices that are compared, and what was captured of them."""
+    """The vertices that are compared, with the captured values of them."""
 
     kept: Bools
-    """Which of those that are listed: the ones whose places in the buffer are known."""
+    """The listed vertices that are compared: those whose offsets in the buffer are known."""
     got: list[Floats]
-    """Of each member a picture of one row; NaN where a wrong number of vertices was captured."""
+    """For each member, a picture of one row; NaN if a wrong number of vertices was captured."""
 
     @classmethod
     def of(cls, listed: Listed, got: Vertices) -> _Compared:
-        """What can be compared of a list with what was captured."""
+        """The part of a list that can be compared with the captured vertices."""
         tipping = np.flatnonzero(listed.possible & ~listed.certain)
         place = np.arange(len(listed.certain))
         first, last = (tipping[0], tipping[-1]) if len(tipping) else (len(place), len(place))
@@ -156,7 +156,7 @@ def _row(lanes: tuple[object, ...], end: str, kept: Bools) -> Floats:
 
 
 def _padded(values: NDArray[np.generic]) -> Floats:
-    """Lanes of vertices as a picture of one row with four lanes; of none, one of zeros."""
+    """Lanes of vertices as a picture of one row with four lanes; zeros if there are none."""
     whole = np.zeros((1, max(len(values), 1), 4))
     whole[0, : len(values), : values.shape[1]] = values
     return whole

@@ -40,16 +40,16 @@ IMAGE_CASES = ("first", "second")
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
 BLEND_CONSTANT: Color = (0.75, 0.5, 0.25, 0.375)
-"""By what is blended where targets are blended by a constant."""
+"""The constant by which targets are blended, if they use one."""
 
 FEW_TRIANGLES = 1
-"""Into so many a patch may be divided before meshes get fewer patches."""
+"""The number of triangles of one patch above which meshes get fewer patches."""
 FINEST_USUAL = 6.0
-"""Into so many steps the edges of all patches may be divided before meshes get fewer of them. So a
-draw makes 65536 vertices of patches at most: llvmpipe and lavapipe (Mesa 22.3) number those of one
-draw by 16 bits, and draw others in wrong places."""
+"""The number of steps into which edges of patches may be divided before meshes get fewer patches.
+So a draw makes 65536 vertices of patches at most: llvmpipe and lavapipe (Mesa 22.3) number those of
+one draw by 16 bits, and draw others in wrong places."""
 FEW_LINES = 1 / 4
-"""The share of cells that meshes have of whose edges lines are drawn."""
+"""The share of cells that a mesh has if its edges are patches of lines."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -65,7 +65,7 @@ class Series:
     """Cases that one pipeline draws, one after the other."""
 
     exact: bool
-    """Whether the targets are float32 without blending and with one sample for each pixel, which
+    """True if the targets are float32 without blending and with one sample for each pixel, which
     shows exactly what shaders write. Otherwise they have the formats, the blending and the samples
     that the pass declares."""
     cases: tuple[Case, ...]
@@ -117,7 +117,7 @@ def _kernel(reflection: Reflection, seed: int, size: Size) -> Instance:
 
 
 def _cells(usual: int, form: Instance, size: Size) -> int:
-    """How many cells a mesh has in one direction, which has ``usual`` ones in the usual size.
+    """The number of a mesh's cells in one direction; ``usual`` is that of the usual size.
 
     There are fewer if each patch is drawn with many vertices, or if lines are drawn: where many of
     them cross in one pixel, rounding decides which is seen.
@@ -133,7 +133,7 @@ def _cells(usual: int, form: Instance, size: Size) -> int:
 
 
 def _divided_share(form: Instance) -> float:
-    """The share of cells that a mesh may have whose patches the values of ``form`` all divide."""
+    """The share of cells that a mesh may have, for the levels of ``form``'s patches."""
     patches = form.reflection.draw.tessellation
     if patches is None or patches.levels is None:
         return 1.0
@@ -157,7 +157,7 @@ def _stretched(
     size: Size,
     form: Reflection,
 ) -> Case:
-    """Scaled differently along each axis, with all lights, close to the mesh and inside it."""
+    """A mesh that is scaled differently along each axis, with all lights, near it and inside it."""
     scene = Scene(
         looking(eye=(-0.7, 1.1, 2.6)),
         object_to_world=_turned_and_stretched(),

@@ -1,7 +1,7 @@
 """Compares the picture of a route with the reference's bounds; ``conform`` calls it for each draw.
 
-A pixel agrees if every lane of it lies between the ends that the reference gives it. What the
-material means has to lie there, too: otherwise the compiler has changed the meaning.
+A pixel agrees if every lane of it lies between the bounds that the reference gives it. The meaning
+of the material has to lie there, too: otherwise the compiler has changed the meaning.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Number = TypeVar("Number", np.float64, np.bool_)
 LARGEST = float(np.finfo(np.float32).max)
 
 SAYS_NOTHING = 1 / 8
-"""A bound says nothing of a value if it leaves open more than this part of the picture's range."""
+"""The part of a picture's range above which the bounds of a value say nothing about it."""
 USUAL = (0.02, 0.98)
 """The quantiles between which the picture's range is measured, so that a few pixels, such as a
 highlight, cannot make it larger."""
@@ -33,18 +33,20 @@ picture it is 1."""
 PROVEN_SHARE = 0.9
 """The part of the object's pixels, of all cases together, that has to be proven."""
 FEW = 40
-"""So many pixels may be unproven in any case: the outline of a small object has as many."""
+"""The number of pixels that may be unproven in any case: the outline of a small object has as
+many."""
 SEEN_SHARE = 0.01
 """The part of its picture that must be proven pixels of the object, in at least one case."""
 
 IN_DOUBLE = 2.0**-40
-"""By how much rounding to float64 may change a value, relative to the larger ones of a lane."""
+"""The amount by which rounding to float64 may change a value, relative to the larger ones of a
+lane."""
 CANCELLED = 2.0**-8
-"""A value that is smaller than this may be what numbers of about 1 leave when they cancel, so that
-their rounding counts instead of its own."""
+"""The size below which a value may be the rest of numbers of about 1 that cancel, so that their
+rounding counts instead of its own."""
 
 Level = Literal["measured", "guaranteed"]
-"""Which bounds hold: those of what was measured of the driver, or of what specifications
+"""The bounds that are used: those that were measured of the driver, or those that specifications
 guarantee."""
 
 
@@ -59,7 +61,7 @@ class Sample:
     expected: tuple[float, ...]
     low: tuple[float, ...]
     high: tuple[float, ...]
-    """Between which numbers a conforming device's value is."""
+    """The largest number that a conforming device's value may be; ``low`` is the smallest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +77,7 @@ class Comparison:
     proven: int
     """Covered pixels whose bounds say something, and that do not overflow."""
     undecided: int
-    """Pixels that are not compared: it depends on rounding what is drawn there."""
+    """Pixels that are not compared: rounding decides what is drawn there."""
     wide: int
     """Other covered pixels, whose bounds say nothing: they are wider than ``SAYS_NOTHING``."""
     overflowing: int
@@ -83,7 +85,7 @@ class Comparison:
     wrong: int
     """Pixels that are out of bounds, or that only one of the pictures covers."""
     changed: int
-    """Pixels where what the material means is out of bounds: the compiler is to blame."""
+    """Pixels where the meaning of the material is out of bounds: the compiler is to blame."""
     max_difference: float
     """The largest difference of any lane of a decided pixel; that of NaN is infinite."""
     excess: float
@@ -97,18 +99,18 @@ class Comparison:
     overflow: Sample | None
     """The first pixel that overflows."""
     change: Sample | None
-    """The pixel whose meaning was changed most; ``got`` is what the material means."""
+    """The pixel whose meaning was changed most; ``got`` is the material's meaning."""
     beyond: Sample | None = None
-    """A pixel that is within what is guaranteed, but not within what was measured of the driver."""
+    """A pixel that is within the guaranteed bounds, but not within those measured of the driver."""
 
     @property
     def blames_compiler(self) -> bool:
-        """Whether the program that was emitted means something else than the material."""
+        """True if the program that was emitted means something else than the material."""
         return self.changed > 0
 
     @property
     def agrees(self) -> bool:
-        """Whether the pictures agree, as far as this comparison can tell."""
+        """True if the pictures agree, as far as this comparison can tell."""
         return not (self.wrong or self.changed or self.overflowing)
 
 
@@ -122,11 +124,11 @@ def compare(
 ) -> Comparison:
     """Compare the targets of pictures, each of shape (height, width, 4).
 
-    ``expected`` has the bounds of the emitted program, and ``meant`` is what the material means.
-    ``possible`` has the bounds of the material itself, if these are known: what a device may make
-    of it without any compiler is no change of the meaning.
-    Uncovered pixels have the clear colour, and ``got`` must have exactly the same there. ``steps``
-    are the distances between neighbouring numbers of each target's format.
+    ``expected`` has the bounds of the emitted program, and ``meant`` the meaning of the material.
+    ``possible`` has the bounds of the material itself, if these are known: a value that a device
+    may compute without any compiler is no change of the meaning. Uncovered pixels have the clear
+    colour, and ``got`` must have exactly the same there. ``steps`` are the distances between
+    neighbouring numbers of each target's format.
     """
     values, low, high = ends_of(expected)
     drawn, source = np.stack(got), np.stack(meant)
@@ -180,7 +182,7 @@ def ends_of(expected: Expected) -> tuple[Floats, Floats, Floats]:
 
 
 def proves_little(comparisons: Sequence[Comparison]) -> bool:
-    """Whether agreement of a material's pictures proves little: too few pixels can be compared."""
+    """True if agreement of a material's pictures proves little: too few pixels can be compared."""
     seen = any(one.proven > SEEN_SHARE * one.pixels for one in comparisons)
     covered = sum(one.covered for one in comparisons)
     unproven = sum(max(one.covered - one.proven, one.undecided) for one in comparisons)
@@ -195,7 +197,7 @@ def _distance(got: Floats, values: Floats) -> Floats:
 
 
 def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
-    """How far each lane is on the way from its value to the bound on that side, which is 1.
+    """The position of each lane on the way from its value (0) to the bound on that side (1).
 
     Where the bounds are infinite, nothing is known, and everything agrees, NaN included.
     """
@@ -213,7 +215,7 @@ def shares(got: Floats, values: Floats, low: Floats, high: Floats) -> Floats:
 
 
 def _larger_of(values: Floats, seen: Bools) -> Floats:
-    """The magnitude of each number, or if that is larger, what is usual in its lane."""
+    """The magnitude of each number, or the usual one of its lane, if that is larger."""
     if not seen.any():
         return np.abs(values)
     usual = [np.quantile(np.abs(value[seen]), USUAL[1], axis=0) for value in values]
@@ -222,7 +224,7 @@ def _larger_of(values: Floats, seen: Bools) -> Floats:
 
 
 def says_nothing(values: Floats, low: Floats, high: Floats, seen: Bools) -> Bools:
-    """Where some lane's bounds are wider than a part of the range of values of its target."""
+    """The pixels in which some lane's bounds are wider than a part of its target's range."""
     found = np.zeros(seen.shape, dtype=np.bool_)
     for value, least, most in zip(values, low, high, strict=True):
         if seen.any():
@@ -247,7 +249,7 @@ def _bite(low: Floats, high: Floats, steps: Floats, seen: Bools) -> float:
 def _sample(
     where: Bools, amount: Floats, got: Floats, pictures: tuple[Floats, Floats, Floats]
 ) -> Sample | None:
-    """Of the pixels ``where``, the one with the largest amount, in the target that has it."""
+    """The pixel with the largest amount among ``where``, in the target that has it."""
     if not where.any():
         return None
     per_pixel = np.where(where, largest_of_lanes(amount), -1.0)

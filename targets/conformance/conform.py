@@ -1,4 +1,4 @@
-"""Runs a conformance test: draws materials by every route, and compares with the reference.
+"""Runs conformance tests: draws materials by every route, and compares with the reference.
 
 ``burnish conform`` and the tests call it.
 """
@@ -75,7 +75,7 @@ def planned(
     draw: Draw = expected,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Planned]:
-    """What is to be drawn of each labelled material, kernel or frame.
+    """The draws that are planned for each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
@@ -100,8 +100,8 @@ def rows_of(
 ) -> list[Row]:
     """A row for each plan and each route, in this order.
 
-    Plans keep what the reference has drawn, for further routes. Rows that are ``brief`` end with
-    the first picture that differs.
+    Plans keep the reference's pictures for further routes. Rows that are ``brief`` end with the
+    first picture that differs.
     """
     rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
@@ -191,7 +191,7 @@ def _results(
 
 
 def _lacking(plan: AnyPlan, route: Route) -> str | None:
-    """Why there is nothing to draw for a route, or nothing to compare with."""
+    """The reason why a route has nothing to draw, or nothing to be compared with; or ``None``."""
     profile = route.profile
     if isinstance(plan, FramePlan):
         return lacking(plan.subject, route)

@@ -1,8 +1,8 @@
-"""What each driver does that its API does not report, and how accurate it was found to be.
+"""Properties of each driver that its API does not report, and its measured accuracy.
 
-``plan.py`` makes the rules of the reference's pictures of these rows, and docs/conformance.md shows
-them. A picture is first held against the bounds of what was *measured* of the driver. Only where it
-leaves them, it is held against what specifications guarantee.
+``plan.py`` makes the rules of the reference's pictures from these rows, and docs/conformance.md
+shows them. A picture is first compared with the bounds that were *measured* of the driver. Only if
+it leaves them, it is compared with those that specifications guarantee.
 """
 
 from __future__ import annotations
@@ -16,26 +16,28 @@ from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 @dataclass(frozen=True, slots=True)
 class Hardware:
-    """How precise the fixed functions of a device are, in binary places."""
+    """The precision of a device's fixed functions, in binary places."""
 
     varying_bits: int
-    """Of the planes from which values are interpolated, relative to the largest number with which
-    these are computed."""
+    """Places of the planes from which values are interpolated, relative to the largest number with
+    which these are computed."""
     frag_coord_bits: int
-    """The same of a fragment's depth, and of its 1 / w."""
+    """Places of a fragment's depth, and of its 1 / w."""
     subtexel_bits: int
-    """Of the weights of filters."""
+    """Places of the weights of filters."""
     mip_bits: int
-    """Of the level of detail."""
+    """Places of the level of detail."""
     mixing_bits: int | None = None
-    """Of the weights of two levels whose texels are not filtered; ``None``: they are floats."""
+    """Places of the weights of two levels whose texels are not filtered; ``None``: they are
+    floats."""
     derivatives: Derivatives = "any"
     euclidean_steps: bool = False
-    """Whether levels follow from a quad's first row and column, by Euclidean lengths."""
+    """True if mip levels follow from a quad's first row and column, by Euclidean lengths."""
     corner_bits: int | None = None
-    """Of the mean of the three texels around a cube's corner; ``None``: it may be one of them."""
+    """Places of the mean of the three texels around a cube's corner; ``None``: it may be one of
+    them."""
     lines: Lines = "any"
-    """Which pixels a line covers."""
+    """The rule for the pixels that a line covers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,27 +45,29 @@ class Driver:
     """A driver's properties."""
 
     assumed: Hardware
-    """What is guaranteed, where the API does not report it. No API promises anything of
+    """The guaranteed properties, where the API does not report them. No API promises anything about
     interpolated values."""
     measured: Hardware | None = None
-    """What was found, less some places, as other pictures may have larger errors. ``measured.py``
-    has what was found of its functions."""
+    """The measured properties, with some binary places less, as other pictures may have larger
+    errors. ``measured.py`` has the measured errors of functions."""
     interpolates_snapped: bool = False
-    """Whether attributes are interpolated between snapped vertices, as coverage always is."""
+    """True if attributes are interpolated between snapped vertices, as coverage always is."""
     clips_sides: bool = False
-    """Whether it clips triangles at the sides of the picture, and snaps the new corners."""
+    """True if the driver clips triangles at the sides of the picture, and snaps the new corners."""
     owns_bottom: bool = False
-    """Whether pixels that are exactly on a level edge belong to the face above it, not below."""
+    """True if pixels that are exactly on a level edge belong to the face above it, not below."""
     edge_slack: float = 0.0
-    """How close to an edge, in pixels, it may put a pixel on the wrong side."""
+    """The distance from an edge, in pixels, at which the driver may put a pixel on the wrong
+    side."""
     snaps_line_ends: bool = False
-    """Whether it snaps the ends of lines, and half their width by itself."""
+    """True if the driver snaps the ends of lines, and half their width separately."""
     level_power: int | None = None
-    """It reads the logarithm of this power of a footprint roughly, from a float's bits."""
+    """The power of a footprint whose logarithm the driver reads roughly, from a float's bits."""
     projects_cubes: bool = True
-    """Whether a cube's level follows from the coordinates in the face, as Vulkan specifies."""
+    """True if a cube's mip level follows from the coordinates in the face, as Vulkan specifies."""
     mirrors_sample_depths: bool = False
-    """Whether it takes the depth of each of several samples from the wrong side of the pixel."""
+    """True if the driver takes the depth of each of several samples from the wrong side of the
+    pixel."""
 
 
 _LLVM = Driver(
@@ -78,7 +82,7 @@ _LLVM = Driver(
     level_power=2,
 )  # fmt: skip
 _SWIFTSHADER = Driver(
-    # It blends levels in 16 bits, with several roundings.
+    # SwiftShader blends levels in 16 bits, with several roundings.
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
@@ -98,11 +102,11 @@ def _with_lines(driver: Driver, lines: Lines) -> Driver:
     return replace(driver, measured=measured)
 
 
-# Its rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
+# WebGL's rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
 _WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
-# Nothing was measured of devices of other people's machines. Where the API reports nothing, this is
-# less than what such devices are known for. It was tried on Mesa's software only.
+# Nobody has measured the devices of other people's machines. Where the API reports nothing, this is
+# less than such devices are known to have. It was tried on Mesa's software only.
 _ANY_DEVICE = Driver(
     Hardware(
         varying_bits=INTERPOLATED_BITS,

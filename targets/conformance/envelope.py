@@ -1,8 +1,8 @@
-"""How accurate the functions of a driver were found to be: its envelope.
+"""The measured accuracy of a driver's functions: its envelope.
 
 Specifications promise much less than most drivers keep, so a driver could become a thousand times
 less accurate and still conform. ``measured.py`` has the largest errors that were found on each
-driver, and ``MARGIN`` times as much is what a picture is first compared with.
+driver, and a picture is first compared with bounds of ``MARGIN`` times as much.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from ...frozen import changed
 from ...stdlib.builtins.accuracy import Bound, Error, Rounded, Within
 
 MARGIN = 4.0
-"""How many times the measured error is allowed: samples need not have found the largest one."""
+"""The factor of measured errors that is allowed: samples need not have found the largest one."""
 ROUGH = 2.0**-16
-"""A larger absolute error is that of a curve by which a driver approximates the function."""
+"""The absolute error above which a driver approximates the function by a curve."""
 MARGIN_OF_ROUGH = 1.25
-"""Such an error is smooth, unlike those of rounding, so many samples come close to the largest."""
+"""The factor for such an error: it is smooth, so many samples come close to the largest one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Envelope:
     device: str
     """The device with its version, as its API names them."""
     errors: Mapping[str, Error]
-    """By builtin."""
+    """The largest errors, by builtin."""
 
     def allowed(self) -> dict[str, Bound]:
         """The bounds with which a picture is compared, by builtin."""
@@ -38,7 +38,7 @@ class Envelope:
 def _allowed(error: Error) -> Bound:
     """The bound for an error that was measured.
 
-    Who never was off by more than half a step rounds correctly, of which there is no multiple.
+    An error of at most half a step is correct rounding, which no factor makes larger.
     """
     if error == Error(ulp=0.5):
         return Rounded()

@@ -16,9 +16,10 @@ from ...compiler.reference.attribution.explanation import (
 from ...stdlib.builtins.facts import ULP
 
 MOST = 8
-"""How many expressions are listed under each heading."""
+"""The number of expressions that are listed under each heading."""
 MOST_WITHOUT_EFFECT = 2
-"""How many jumps without an effect of their own are told, if there is no better cause."""
+"""The number of jumps without an effect of their own that are listed, if there is no better
+cause."""
 _LANES = "rgba"
 _INACCURATE = 1024.0
 """An operation whose own error is this many roundings of its value is called inaccurate."""
@@ -32,9 +33,9 @@ _OWN: Mapping[Kind, str] = {
     "constant": "is rounded by",
     "input": "may be off by",
 }
-"""How an expression is said to be inexact by itself."""
+"""The words for an expression's own error, by its kind."""
 _NEARLY_ALL = 0.8
-"""The part of the error from which on one operation is to blame."""
+"""The part of the error above which one operation is to blame."""
 
 
 def lanes_text(values: Iterable[float]) -> str:
@@ -43,9 +44,9 @@ def lanes_text(values: Iterable[float]) -> str:
 
 
 def causes(explanation: Explanation) -> Iterator[str]:
-    """Why the pixel is inexact, each cause with its place, the worst one first.
+    """The causes of a pixel's error, each with its place, the worst one first.
 
-    Nothing, if it is the sum of many small errors.
+    There are none if the error is the sum of many small ones.
     """
     found = [*_causes_of_errors(explanation)]
     yield from found or (
@@ -55,7 +56,7 @@ def causes(explanation: Explanation) -> Iterator[str]:
 
 
 def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
-    """Those that change the pixel by themselves."""
+    """The causes that change the pixel by themselves."""
     for large in explanation.overflows[:1]:
         yield _with_place(_overflow(large), large.span)
     for loss in explanation.losses[:1]:
@@ -70,7 +71,7 @@ def _causes_of_errors(explanation: Explanation) -> Iterator[str]:
 
 
 def small(explanation: Explanation, width: float) -> str:
-    """What is said of a pixel whose bounds are wide although nothing in it loses precision."""
+    """The sentence about a pixel whose bounds are wide although nothing in it loses precision."""
     return (
         f"no expression magnifies rounding much: at ({explanation.x}, {explanation.y}) it amounts "
         f"to {short(explanation.error)}, to first order, but the bounds are {short(width)} wide, "
@@ -79,7 +80,7 @@ def small(explanation: Explanation, width: float) -> str:
 
 
 def blamed(explanation: Explanation) -> Iterator[str]:
-    """The one operation that explains nearly all of what a pixel may be off, if there is one."""
+    """The operation that explains nearly all of a pixel's error, if there is one."""
     for worst in explanation.contributions[:1]:
         part = worst.contribution / explanation.error
         if part >= _NEARLY_ALL:
@@ -189,7 +190,7 @@ def _times(factor: float) -> str:
 
 
 def short(number: float) -> str:
-    """A number that says how large something is."""
+    """A number in few digits, for its size."""
     return f"{number:.1e}" if number and abs(number) < 1e-3 else f"{number:.3g}"
 
 

@@ -1,7 +1,7 @@
-"""Explains pixels of a conformance run: what each route drew, and the way of the error.
+"""Explains pixels of a conformance run: the values of each route, and where the error comes from.
 
 ``burnish conform`` calls it when a run is over: with ``--explain`` for the pixel that somebody asks
-about, and for rows that differ or prove little, to say what in the source has to do with it.
+about, and for rows that differ or prove little, to name the cause in the source.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ from .seen import (
 )
 
 _BLAMED = 100.0
-"""How many times its bound a difference may be for an operation's error to be told as its cause."""
+"""The multiple of its bound up to which a difference can come from an operation's error."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
-"""Has the bits that nearly all devices have."""
+"""A device with the bits that nearly all devices have."""
 
 
 def check_pixel(pixel: Pixel) -> None:
-    """Raise ``PixelError`` for what no picture has, before anything is drawn."""
+    """Raise ``PixelError`` for a pixel that no picture has, before anything is drawn."""
     x, y = pixel
     width, height = SIZE
     if not (0 <= x < width and 0 <= y < height):
@@ -69,9 +69,9 @@ def explanation_lines(
     pixel: Pixel,
     case: str | None,
 ) -> Iterator[str]:
-    """What there is to say of one pixel of a material, whose rows these are.
+    """The lines that explain one pixel of a material, from the material's rows.
 
-    Without a case, the one that is the least certain there is taken. Raises ``PixelError``.
+    Without a case, the one in which the pixel is the least certain is taken. Raises ``PixelError``.
     """
     if not is_shader(subject):
         assert is_frame(subject)
@@ -91,10 +91,10 @@ def explanation_lines(
 
 
 def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int) -> list[Row]:
-    """The rows of one material, with what the source has to do with their verdicts.
+    """The rows of one material, with the reasons in the source for their verdicts.
 
-    What proves little does so for the same reason on all routes; it is worked out once. There are
-    reasons of pixels only, so none where no picture is drawn.
+    Rows that prove little do so for the same reason on all routes; it is worked out once. Reasons
+    concern pixels, so there are none if no picture is drawn.
     """
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
     if not is_shader(subject):
@@ -119,7 +119,7 @@ def _is_weak(row: Row) -> bool:
 
 
 def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> Explanation:
-    """The explanation of a pixel by what a route guarantees, without having drawn anything.
+    """The explanation of a pixel by a route's guaranteed bounds, without drawing anything.
 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """
@@ -136,8 +136,10 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
 
 
 def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
-    """Where precision is lost, in the case that proves the least: at a usual pixel of it, or if
-    nothing is lost there, at others."""
+    """The places where precision is lost, in the case that proves the least.
+
+    A usual pixel of the case is explained, or others if nothing is lost there.
+    """
     cases = _seen(subject, [row], seed)
     least = max(cases, key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
@@ -152,7 +154,7 @@ def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
 
 
 def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
-    """The operation that explains most of what the worst pixel of a case may be off."""
+    """The operation that explains most of the error of a case's worst pixel."""
     for seen in _seen(subject, [row], seed):
         comparison = seen.result.comparison
         # Rounding is to blame for a difference of its own order only.
@@ -192,7 +194,7 @@ def _explained(subject: Subject, seen: _SeenCase, pixel: Pixel) -> Explanation:
 
 
 def _uncovered(seen: _SeenCase, pixel: Pixel) -> str:
-    """Why a pixel cannot be explained, and where something can be."""
+    """The reason why a pixel cannot be explained, and a pixel that can be."""
     x, y = pixel
     covered = seen.result.expected.covered
     text = f"nothing is drawn at {x},{y} of `{seen.name}`"

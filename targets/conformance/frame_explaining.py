@@ -1,7 +1,7 @@
-"""Explains a pixel of a frame: which step has made it, and what carries the error to it.
+"""Explains a pixel of a frame: the step that made it, and the inputs that carry the error to it.
 
-``explaining.py`` calls it for ``burnish conform --explain``. All that the step's own shader does is
-explained as it is for materials.
+``explaining.py`` calls it for ``burnish conform --explain``. Errors of the step's own shader are
+explained as they are for materials.
 """
 
 from __future__ import annotations
@@ -27,13 +27,14 @@ from .seen import (
 )
 
 _LARGE_PART = 0.5
-"""An input is to blame if the bounds would be apart by less than this part of what they are."""
+"""An input is to blame if, with an exact input, the distance of the bounds falls below this
+part."""
 
 
 def frame_lines(
     subject: FrameSubject, rows: Sequence[Row], pixel: Pixel, case: str | None
 ) -> Iterator[str]:
-    """What there is to say of one pixel of a frame, whose rows these are. Raises ``PixelError``."""
+    """The lines that explain one pixel of a frame, from the frame's rows. Raises ``PixelError``."""
     plan = FramePlan(subject.name, subject, SIZE)
     seen = chosen(list(_seen(plan, rows)), pixel, case, "output")
     row, level = seen.leading, seen.result.comparison.level
@@ -50,7 +51,7 @@ def frame_lines(
 
 
 def reasons_of_frame(subject: FrameSubject, row: Row) -> Iterator[str]:
-    """Where precision is lost, at a usual pixel of the case that proves the least."""
+    """The places where precision is lost, at a usual pixel of the case that proves the least."""
     plan = FramePlan(subject.name, subject, SIZE)
     least = max(_seen(plan, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
@@ -69,7 +70,7 @@ def reasons_of_frame(subject: FrameSubject, row: Row) -> Iterator[str]:
 
 
 def made_lines(made: Made) -> Iterator[str]:
-    """How a pixel came about, as lines of text."""
+    """The origin of a pixel, as lines of text."""
     yield f"the step `{made.step}` has made it, and its bounds are {short(made.apart)} apart"
     if made.carried:
         yield from ("", "how far apart they would be without the error of:")

@@ -1,9 +1,9 @@
-"""Judges what frames draw: every output has to lie within the reference's bounds.
+"""Judges pictures of frames: every output has to lie within the reference's bounds.
 
 The reference draws the whole frame with a device's rounding, step by step, so an error of a first
-step counts in all that is drawn of it. It does not believe the plan that drivers execute: it draws
-what was checked, with a texture for every result. Several outputs, and frames one after the other,
-are cases.
+step counts in all later steps that read it. It does not trust the plan that drivers execute: it
+draws the checked frame, with a texture for every result. Several outputs, and frames one after the
+other, are cases.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ from .rows import CaseResult
 Floats = NDArray[np.float64]
 
 MESH = "torus"
-"""What the models of a frame are."""
+"""The mesh of all models of a frame."""
 SEVERAL = 2
-"""How many frames are drawn where one reads what the last one left."""
+"""The number of frames that are drawn if one reads what the last one left."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,21 +61,23 @@ class _Meant:
 
 
 def _turned_over(bounds: Bounds) -> Bounds:
-    """The same of a device whose rows count from below. Texts of frames draw the first row of a
-    picture to its first row, which is the top one; so what is above for the device is below in the
-    picture."""
+    """The bounds of a device whose rows count from below.
+
+    Texts of frames draw the first row of a picture to its first row, which is the top one; so the
+    device's upper side is the lower one in the picture.
+    """
     rules = replace(bounds.rules, bottom_up=False, owns_bottom=not bounds.rules.owns_bottom)
     return replace(bounds, rules=rules)
 
 
 @dataclass(frozen=True, slots=True)
 class _Pictures:
-    """What the reference has drawn."""
+    """The pictures that the reference has drawn."""
 
     frames: list[dict[str, Drawn]]
-    """Of each frame the outputs, by name."""
+    """For each frame, the outputs by name."""
     counted: Counted
-    """The rare rules on which they hang."""
+    """The rare rules on which the pictures depend."""
 
 
 class FramePlan:
@@ -113,8 +115,10 @@ class FramePlan:
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
     ) -> Made | None:
-        """How a pixel of a case came about, by the bounds of this level; ``None`` if no step has
-        made it. Layers of an output stand one below the other."""
+        """The origin of a pixel of a case, by the bounds of this level.
+
+        ``None`` if no step has made the pixel. Layers of an output stand one below the other.
+        """
         number, name = self.cases()[case]
         bounds = next(one for one in self._questions(route, device) if one.level == level)
         programs = self._programs_for(route.profile)
@@ -171,8 +175,10 @@ class FramePlan:
     def _drawn(
         self, profile: str | None, rules: RasterRules, errors: Errors | None
     ) -> list[dict[str, Drawn]]:
-        """What the reference draws of a profile's texts, or of the source: within bounds, or what
-        is meant."""
+        """The reference's pictures of a profile's texts, or of the source.
+
+        They have bounds if there are ``errors``, and otherwise the values that are meant.
+        """
         programs = self._programs_for(profile)
 
         def made() -> _Pictures:

@@ -1,5 +1,4 @@
-"""What all pages have in common that Burnish writes: how they are made of templates, and what a
-browser may do in them.
+"""Parts of all HTML pages of Burnish: templates, and restrictions for the browser.
 
 ``report.py`` makes the page of a conformance run, and ``burnish gallery`` those of a folder. Both
 show texts that may come from anybody, and are opened from disk or from any server.
@@ -17,14 +16,17 @@ from markupsafe import Markup
 from ...compiler.diagnostics.display import harmless_lines
 
 _OWN_PICTURES = "'self' file: data:"
-"""Where pictures may come from that lie beside a page: of a page on disk, some browsers do not take
-files in its own folder for ``'self'``."""
+"""The sources of pictures beside a page: of a page on disk, some browsers do not take files in its
+own folder for ``'self'``."""
 _EMBEDDED_PICTURES = "data:"
 
 
 def environment(folder: Path) -> Environment:
-    """The templates of a folder. All texts that they show are escaped, and have characters written
-    out that nobody sees, or that turn texts round."""
+    """The templates of a folder.
+
+    All texts that they show are escaped, and so are characters that nobody sees, or that reverse
+    texts.
+    """
     return Environment(
         loader=FileSystemLoader(folder),
         autoescape=True,
@@ -36,8 +38,10 @@ def environment(folder: Path) -> Environment:
 
 
 def _visible(value: object) -> object:
-    """What a template shows in place of a value. Markup comes from Burnish, which has seen to it
-    already."""
+    """The text that a template shows for a value.
+
+    Markup comes from Burnish, which has made it harmless already.
+    """
     if isinstance(value, str) and not isinstance(value, Markup):
         return harmless_lines(value)
     return value

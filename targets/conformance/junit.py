@@ -1,7 +1,7 @@
 """Writes a conformance run as JUnit's XML, which continuous integration shows as tests.
 
 ``burnish conform --report`` puts it beside the page. A test case is one material drawn by one
-route. What differs, fails or overflows is a failure; what was not run is skipped.
+route. Rows that differ, fail or overflow are failures; rows that were not run are skipped.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _NO_XML = re.compile("[^\\t\\n\\r\\x20-\\ud7ff\\ue000-\\ufffd\\U00010000-\\U0010
 
 
 def as_junit(rows: Sequence[Row], *, strict: bool) -> str:
-    """The whole run; with ``strict``, what proves little is a failure, too."""
+    """The whole run; with ``strict``, rows that prove little are failures, too."""
     root = Element("testsuites", {"name": "burnish conform", **_counts(rows, strict=strict)})
     for material, own in by_material(rows).items():
         counts = _counts(own, strict=strict)

@@ -1,7 +1,7 @@
-"""Judges what kernels write: every lane has to lie within the reference's bounds.
+"""Judges the results of kernels: every lane has to lie within the reference's bounds.
 
-A run of a kernel is compared as a picture of one row is: each element is a pixel, and what is
-written to each part of it is a target.
+A run of a kernel is compared as a picture of one row: each element is a pixel, and each written
+part of it is a target.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ Floats = NDArray[np.float64]
 MANY = (64, 70, 200)
 ANY = (0, 1, *MANY)
 CASES = {"first": ANY, "second": MANY, "third": ANY}
-"""How many elements storage buffers may get: a whole work group, and parts of one; none or one, but
-not in all cases."""
+"""The numbers of elements that storage buffers may get: a whole work group, and parts of one; none
+or one, but not in all cases."""
 
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """One dispatch, and the values that it is made of."""
+    """One dispatch, and the values with which it was made."""
 
     name: str
     instance: Instance
@@ -58,12 +58,12 @@ class Run:
 
     @property
     def count(self) -> int:
-        """How many elements are computed."""
+        """The number of elements that are computed."""
         return self.dispatch.extent[0]
 
     @property
     def height(self) -> int:
-        """There is one row."""
+        """One: an element is a pixel of a single row."""
         return 1
 
 
@@ -98,7 +98,7 @@ class KernelPlan:
         data = elements_of(run.instance, written)
         for bounds in bounds_of(run, route, device):
             low_high = self._computed(program, run, bounds.rules, bounds.errors)
-            # The text has no promises any more, nor what was written as `unguarded`.
+            # The text no longer has the promises, nor the marks of `unguarded` operations.
             meant = self._computed(self._source, run, precise(bounds.rules), None)
             got = _got(low_high, data, run.width)
             expected = _expected(low_high, run.width)
@@ -120,7 +120,7 @@ class KernelPlan:
     def _computed(
         self, program: Program, run: Run, rules: RasterRules, errors: Errors | None
     ) -> Sequence[Lane]:
-        """What the reference computes: once for all routes whose texts are the same graph."""
+        """The reference's values, computed once for all routes whose texts are the same graph."""
         # No kernel compares neighbouring pixels, so it does not matter which rows make a quad.
         rules = replace(rules, bottom_up=False)
         key = program.text, run.name, rules, errors
@@ -149,7 +149,7 @@ def _parts(lanes: Sequence[Lane]) -> list[list[Lane]]:
 
 
 def _target(lanes: Sequence[NDArray[np.generic]], width: int) -> Floats:
-    """Lanes of all elements as a picture of one row; what is missing is zero."""
+    """Lanes of all elements as a picture of one row; missing elements are zero."""
     whole = np.zeros((1, width, 4))
     for number, lane in enumerate(lanes):
         whole[0, : len(lane), number] = lane
@@ -167,7 +167,7 @@ def _expected(lanes: Sequence[Lane], width: int) -> Expected:
 
 
 def _undecided(lanes: Sequence[Lane], width: int) -> NDArray[np.bool_]:
-    """Where nothing is defined of anything that is written."""
+    """The elements for which no written value is defined."""
     found = np.zeros((1, width), np.bool_)
     for lane in lanes:
         found[0, : len(lane.undecided)] |= lane.undecided
@@ -175,7 +175,7 @@ def _undecided(lanes: Sequence[Lane], width: int) -> NDArray[np.bool_]:
 
 
 def _got(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> list[Floats]:
-    """What was written to each part."""
+    """The values that a driver has written to each part of an element."""
     found = []
     for part in _parts(lanes):
         store = part[0].store

@@ -11,7 +11,7 @@ Fits = Callable[[T], bool]
 
 
 class Known(Generic[T]):
-    """Values by key; plans keep in it what the reference computes for all routes."""
+    """Values by key; plans keep here what the reference computes for all routes."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -24,14 +24,13 @@ class Known(Generic[T]):
         return once.value(make)
 
     def shared(self, shared: Hashable, own: Hashable, make: Callable[[], T], fits: Fits[T]) -> T:
-        """The value that is known by a key that several have in common, if it fits whoever asks;
-        else the one by the asker's own key."""
+        """The value of a shared key if it fits the caller; else that of the caller's own key."""
         found = self.value(("shared", shared), make)
         return found if fits(found) else self.value(("own", own), make)
 
 
 class _Once(Generic[T]):
-    """A value that the first thread makes which asks for it; others wait until it is there."""
+    """A value that the first thread to ask for it makes; others wait until it is there."""
 
     def __init__(self) -> None:
         self._lock = Lock()

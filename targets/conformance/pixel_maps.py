@@ -1,4 +1,4 @@
-"""Turns what is known of each pixel into the report's pictures: bounds, differences, decisions."""
+"""Turns the verdict on each pixel into the report's pictures: bounds, differences, decisions."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def difference_map(result: CaseResult, target: int) -> tuple[Floats, float]:
 
 
 def decision_map(result: CaseResult) -> Floats:
-    """What can be said of each pixel: one colour for each answer."""
+    """A picture of the verdict on each pixel: one colour for each answer."""
     expected = result.expected
     values, low, high = ends_of(expected)
     decided = expected.covered & ~expected.undecided
@@ -72,7 +72,7 @@ def decision_map(result: CaseResult) -> Floats:
 
 
 def histogram(results: tuple[CaseResult, ...]) -> list[int]:
-    """How many lanes of covered pixels are how far from their value, in bounds."""
+    """The number of lanes of covered pixels, by their distance from their value in bounds."""
     counts = np.zeros(len(EDGES) + 1, dtype=np.int64)
     for result in results:
         expected = result.expected

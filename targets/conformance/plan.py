@@ -39,15 +39,15 @@ from .rows import CaseResult
 Floats = NDArray[np.float64]
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
-"""The errors of functions that were not measured follow from those that were, on any platform. So
-all routes to a driver share one picture."""
+"""The platform for errors of functions. Errors that were not measured follow from those that were,
+on any platform. So all routes to a driver share one picture."""
 FLOATS = "rgba32f"
 """The format that holds every float that is compared, in series that show what shaders write."""
 
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """What the reference allows a device: how it rasterises, and how far functions may be off."""
+    """The tolerance for a device: its rasterisation rules, and the errors of its functions."""
 
     level: Level
     rules: RasterRules
@@ -67,11 +67,11 @@ class Plan:
         draw: Draw = drawn_here,
         meant: Subject | None = None,
     ) -> None:
-        """``draw`` draws with the reference, and ``store`` keeps what it has drawn. ``size`` is
-        that of all pictures. ``meant`` is the form of the material that the reference draws, if
-        that is another: one without stages that only some profiles have.
+        """``draw`` draws with the reference, and ``store`` keeps its pictures.
 
-        Raises what ``Instance`` and ``set_up`` raise, although a case should lack no value.
+        ``size`` is that of all pictures. ``meant`` is the form of the material that the reference
+        draws, if that is another: one without stages that only some profiles have. Raises the
+        errors of ``Instance`` and ``set_up``, although a case should lack no value.
         """
         self.label = label
         self.subject = subject
@@ -121,7 +121,7 @@ class Plan:
         questions: Sequence[Bounds],
         series: Series,
     ) -> Iterator[tuple[Comparison, Expected]]:
-        """The comparisons with the first bounds, and with the next ones where these are left."""
+        """The comparisons with the first bounds, and with the next ones if these are left."""
         program, source = (
             self._program(profile, exact=series.exact) for profile in (route.profile, None)
         )
@@ -152,7 +152,7 @@ class Plan:
     def _wanted(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        # Rare rules are all that the rules for some drivers differ in.
+        # The rules for some drivers differ in rare rules only.
         asked = program.text, id(state), errors
         return self._expected.shared(
             (*asked, rules.common),
@@ -170,7 +170,7 @@ def _compared(
     bounds: Bounds,
     possible: Expected | None = None,
 ) -> Comparison:
-    """What ``compare`` finds for the formats to which the source draws."""
+    """The result of ``compare`` for the formats to which the source draws."""
     targets = [result.state.format for result in source.shader.results if result.state]
     pairs = list(zip(targets, meant.targets, strict=True))
     return compare(
@@ -184,7 +184,7 @@ def _compared(
 
 
 def summed_up(found: Sequence[Comparison]) -> Comparison:
-    """The last comparison, with how tight the first one was."""
+    """The last comparison, with the tightness of the first one."""
     first, last = found[0], found[-1]
     if first is last:
         return first
@@ -197,7 +197,7 @@ def summed_up(found: Sequence[Comparison]) -> Comparison:
 
 
 class Sized2d(Protocol):
-    """What has the size of a picture."""
+    """Anything with a width and a height in pixels."""
 
     @property
     def width(self) -> int:
@@ -229,7 +229,7 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
 
 
 def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
-    """What a device reports, and what is assumed of the rest."""
+    """The properties that a device reports, and the assumed ones for the rest."""
     return replace(
         assumed,
         subtexel_bits=device.subtexel_bits or assumed.subtexel_bits,
@@ -268,8 +268,10 @@ def rules_of(
 
 
 def precise(rules: RasterRules) -> RasterRules:
-    """The rules of a device that covers the same pixels, but rounds nothing, and of which nothing
-    is known where an operation without a guard leaves its domain."""
+    """The rules of a device that covers the same pixels, but rounds nothing.
+
+    Of this device, nothing is known about an operation without a guard that leaves its domain.
+    """
     return replace(
         rules,
         subtexel_bits=None,

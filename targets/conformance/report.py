@@ -27,7 +27,7 @@ from .summary import (
 FOLDER = Path(__file__).parent
 TEMPLATE, STYLE = "report.html.j2", "report.css"
 _BINS = ("0", *(f"≤ {edge:g}" for edge in EDGES[1:]), "> 1")
-"""What stands below the bars of a histogram."""
+"""The labels below the bars of a histogram."""
 
 
 def as_json(rows: Sequence[Row], *, strict: bool = False) -> dict[str, Any]:

@@ -46,14 +46,14 @@ class Row:
     route: Route
     status: Status
     problem: str = ""
-    """Why it failed, or was not run."""
+    """The reason why it failed, or was not run."""
     device: Device | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
     """The versions of the route's tools."""
     results: tuple[CaseResult, ...] = ()
     reasons: tuple[str, ...] = ()
-    """Where in the source precision is lost, if that is why it proves little; or which operation is
-    to blame for most of what a pixel that differs may be off."""
+    """The places in the source where precision is lost, if that is why the row proves little; or
+    the operation that causes most of the error of a pixel that differs."""
 
     @property
     def max_difference(self) -> float:
@@ -62,7 +62,7 @@ class Row:
 
     @property
     def bite(self) -> float:
-        """The largest of the cases' medians of how many steps their bounds leave open."""
+        """The largest of the cases' median distances of the bounds, in steps."""
         return max((result.comparison.bite for result in self.results), default=0.0)
 
     @property
@@ -72,5 +72,5 @@ class Row:
 
     @property
     def proven(self) -> int:
-        """Those of them whose bounds say something."""
+        """The number of covered pixels whose bounds are narrow enough to prove something."""
         return sum(result.comparison.proven for result in self.results)

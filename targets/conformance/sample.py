@@ -1,4 +1,4 @@
-"""Makes random values for parameters, textures and vertex inputs, within what is declared.
+"""Makes random values for parameters, textures and vertex inputs, within their declarations.
 
 ``cases.py`` uses it. The value for a name depends only on the seed and on the name, so that a new
 parameter does not change the values of the others.
@@ -28,7 +28,7 @@ WIDEST = 1024.0
 """The whole of a declared range up to this width is used if there is no default."""
 
 BUFFER_SIZES = (0, 1, 3, 8, 13)
-"""How many elements storage buffers get."""
+"""The numbers of elements that storage buffers get."""
 
 _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
@@ -38,8 +38,8 @@ def sample_values(instance: HostValues, seed: int, *, missing: bool = False) -> 
     """Set every parameter that a scene does not set to an allowed value, and use all lights.
 
     With ``missing``, set only those that have no value. A parameter that the program does not read
-    needs none, but the material may read it, and what was left out of the program relied on its
-    range.
+    needs none; but the material may read it, and parts that were removed from the program relied on
+    its range.
     """
     lights = instance.declared.lights
     counts = {light.count for light in lights if light.count}

@@ -1,4 +1,4 @@
-"""What routes have made of one case, and the choice of the case in which a pixel is explained.
+"""The results of all routes for one case, and the choice of the case that explains a pixel.
 
 ``explaining.py`` and ``frame_explaining.py`` are about pixels of these.
 """
@@ -20,30 +20,30 @@ from .rows import CaseResult, Row
 T = TypeVar("T")
 S = TypeVar("S", bound="Seen")
 Pixel = tuple[int, int]
-"""Its column and its row, from the upper left corner of the picture."""
+"""A pixel's column and row, from the upper left corner of the picture."""
 
 _TRIED = (0.5, 0.75, 0.25, 0.9)
-"""Which pixels are explained until one shows where precision is lost, in the order of how wide
-their bounds are, from 0 to 1."""
+"""The pixels that are explained until one shows where precision is lost: ranks, from 0 to 1, in the
+order of how wide their bounds are."""
 
 
 class PixelError(Exception):
-    """There is no such pixel, or nothing to explain in it; the text tells people why."""
+    """The pixel does not exist, or has nothing to explain; the text tells people why."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Seen:
-    """One case, with what the routes that drew it have made of it."""
+    """One case, with the results of the routes that drew it."""
 
     name: str
     results: Mapping[str, CaseResult]
-    """By the route's name."""
+    """The results, by the route's name."""
     leading: Row
     """The row whose device and rules the explanation is for."""
 
     @property
     def result(self) -> CaseResult:
-        """What the leading row has drawn."""
+        """The result of the leading row."""
         return self.results[self.leading.route.name]
 
     @property
@@ -54,19 +54,21 @@ class Seen:
 
 
 def results_of(case: str, rows: Iterable[Row]) -> dict[str, CaseResult]:
-    """What the rows that drew a case have made of it, by the route's name."""
+    """The results of a case in the rows that drew it, by the route's name."""
     found = ((row.route.name, result) for row in rows for result in row.results)
     return {route: result for route, result in found if result.case == case}
 
 
 def leading_of(results: Mapping[str, CaseResult], rows: Iterable[Row]) -> Row:
-    """The first of the rows that has drawn a case."""
+    """The first of the rows that drew a case."""
     return next(row for row in rows if row.route.name in results)
 
 
 def chosen(seen: Sequence[S], pixel: Pixel, name: str | None, what: str) -> S:
-    """The case with this name; or the one in which the pixel's bounds are widest. ``what`` says
-    what has no such pixel, if none has. Raises ``PixelError``."""
+    """The case with this name; or the one in which the pixel's bounds are widest.
+
+    ``what`` names the kind of picture in the error if no case has the pixel. Raises ``PixelError``.
+    """
     if not seen:
         raise PixelError("no route has drawn it, so there is no device whose rounding to explain")
     x, y = pixel
@@ -87,7 +89,7 @@ def named(cases: Mapping[str, T], name: str) -> T:
 
 
 def values_lines(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
-    """The value and its bounds, and what each route has drawn."""
+    """The value and its bounds, and the value that each route has drawn."""
     x, y = pixel
     rows = []
     for route, result in seen.results.items():
@@ -111,7 +113,7 @@ def values_lines(seen: Seen, pixel: Pixel, target: int) -> Iterator[str]:
 
 
 def width_of(expected: Expected) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    """(height, width): how far a pixel's bounds are apart, in its widest lane."""
+    """(height, width): the distance of a pixel's bounds, in its widest lane."""
     pairs = zip(expected.low, expected.high, strict=True)
     apart = [np.where(np.isfinite(high - low), high - low, np.inf) for low, high in pairs]
     widest: np.ndarray[tuple[int, int], np.dtype[np.float64]] = np.max(apart, axis=(0, 3))
@@ -126,7 +128,7 @@ def unproven(result: CaseResult) -> Bools:
 
 
 def usual_pixels(result: CaseResult) -> list[Pixel]:
-    """Of the pixels whose bounds say nothing, some of usual widths, the median first."""
+    """Some pixels of usual widths among those whose bounds say nothing, the median first."""
     rows, columns = np.nonzero(unproven(result))
     if not len(rows):
         return []

@@ -25,7 +25,7 @@ def cells(row: Row) -> tuple[str, ...]:
 
 
 def share(row: Row) -> str:
-    """How much of its bound the worst pixel needs; more than 100% is a violation."""
+    """The part of its bound that the worst pixel needs; more than 100% is a violation."""
     worst = max(result.comparison.excess for result in row.results)
     return (
         f"{worst:.0%}" if worst < 1000 else f"{worst:.0e}" if math.isfinite(worst) else "infinite"
@@ -33,7 +33,7 @@ def share(row: Row) -> str:
 
 
 def bite(row: Row) -> str:
-    """How tight the bounds were: the median of their width, in steps of the target's format."""
+    """The tightness of the bounds: the median of their width, in steps of the target's format."""
     if not math.isfinite(row.bite):
         return "infinite"
     if row.bite >= 1e5:
@@ -42,12 +42,12 @@ def bite(row: Row) -> str:
 
 
 def unproven(row: Row) -> str:
-    """How many of the object's pixels have bounds that say nothing, or are not compared."""
+    """The number of the object's pixels whose bounds say nothing, or that are not compared."""
     return f"{row.covered - row.proven} of {row.covered}"
 
 
 def is_failure(row: Row, *, strict: bool) -> bool:
-    """Whether the row is one that must not be; with ``strict``, what proves little is one."""
+    """True if the row fails; with ``strict``, a row that proves little fails, too."""
     return row.status in FAILURES or (strict and row.status == "proves little")
 
 
@@ -99,10 +99,9 @@ def lacking(rows: Iterable[Row]) -> Mapping[str, Sequence[str]]:
 
 
 def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]]]:
-    """What there is to say of the rows of one material: the rows of which it is said, and the
-    lines.
+    """The messages about one material's rows: the rows that each is about, and its lines.
 
-    What proves little does so on all routes, for the same reason, and is said once: of the route
+    Rows that prove little do so on all routes, for the same reason; that is said once, of the route
     that proves the least.
     """
     weak = [row for row in rows if row.status == "proves little"]
@@ -114,7 +113,7 @@ def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]
 
 
 def details(row: Row) -> Iterator[str]:
-    """Lines that say what is wrong with a row, or weak; none if it agrees."""
+    """Lines about a row that fails or proves little; none if it agrees."""
     yield from row.problem.splitlines()
     if row.results and not row.covered:
         yield "no scene shows anything of it, which proves nothing"
@@ -125,7 +124,7 @@ def details(row: Row) -> Iterator[str]:
 
 
 def _about(result: CaseResult, *, weak: bool) -> Iterator[str]:
-    """What is wrong with one case, or ``weak``."""
+    """The sentences about one case that fails, or that proves little if it is ``weak``."""
     comparison = result.comparison
     covered = comparison.covered
     if (change := comparison.change) is not None:
@@ -163,7 +162,7 @@ def _place(sample: Sample, result: CaseResult) -> str:
 
 
 def _range(sample: Sample) -> str:
-    """Between which values a pixel has to be."""
+    """The range in which a pixel's value has to be."""
     if sample.low == sample.high:
         return f"exactly {lanes_text(sample.low)}"
     return f"from {lanes_text(sample.low)} to {lanes_text(sample.high)}"

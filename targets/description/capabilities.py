@@ -1,4 +1,4 @@
-"""The table of capabilities: what of the language a profile can carry out, and by which means.
+"""The table of capabilities: features of programs, the profiles that have them, and by which means.
 
 A *capability* is something that programs may use and that not every profile has, such as a geometry
 stage. Each is a row of ``CAPABILITIES``; which profiles have it follows from their own rows. So a
@@ -84,7 +84,7 @@ VOLUMES = a_texture("textures of three dimensions", Texture("3d"))
 
 
 def feature_of_texture(type_: Texture, profile: Profile) -> str:
-    """What is missing where a profile has not got a type of textures."""
+    """The name of the missing feature, for a message, where a profile lacks a type of textures."""
     needs = {
         DEPTH_TEXTURES: type_.sample == "depth",
         INTEGER_TEXTURES: type_.sample in ("int", "uint"),
@@ -404,7 +404,7 @@ def lacking(feature: str) -> Capability | None:
 
 
 def feature_of_builtin(name: str) -> str:
-    """What is missing where a profile lacks a builtin and there is no replacement for it."""
+    """The name of the missing feature where a profile has neither a builtin nor a replacement."""
     needs = (need for row in CAPABILITIES for way in row.ways for need in way.needs)
     return next((need.feature for need in needs if name in need.builtins), f"`{name}`")
 

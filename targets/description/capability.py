@@ -1,4 +1,4 @@
-"""The records of the table of capabilities, and how one of its cells is found.
+"""The records of the table of capabilities, and the function that computes one of its cells.
 
 ``capabilities.py`` has the rows and says who reads them. A row does not say which profiles have the
 capability: that follows from what a ``Profile`` says of itself, by the *needs* of the row.
@@ -16,17 +16,17 @@ from .profile import Profile
 
 @frozen(eq=False)
 class Need:
-    """Something that a profile has or has not got."""
+    """A requirement that a profile meets or does not meet."""
 
     feature: str
-    """Behind "… has no"."""
+    """The name of the feature, which follows "… has no" in messages."""
     is_met: Callable[[Profile], bool]
     builtins: frozenset[str] = frozenset()
-    """The builtins that cannot be had without it."""
+    """The builtins that need the feature."""
 
 
 def feature_of_stage(row: StageRow) -> str:
-    """What is missing where a profile lacks a stage."""
+    """The name of the missing feature, for a message, where a profile lacks a stage."""
     return f"{row.name} stage"
 
 
@@ -48,11 +48,11 @@ def words_for(feature: str, *names: str) -> Need:
 
 @frozen
 class Way:
-    """By which means a capability is carried out where all that is needed is there."""
+    """One way to implement a capability, and the needs that a profile has to meet for it."""
 
     needs: tuple[Need, ...]
     how: str = ""
-    """What the compiler does if these are not the profile's own means: a sentence without its
+    """The compiler's replacement, if these are not the profile's own means: a sentence without its
     capital letter and its full stop."""
 
 
@@ -61,16 +61,16 @@ class Capability:
     """One row of the table."""
 
     name: str
-    """In tables, and as a key of JSON."""
+    """The name in tables, and the key in JSON."""
     doc: str
-    """What it is, and how a program says that it wants it."""
+    """Describes the capability, and how a program asks for it."""
     ways: tuple[Way, ...]
-    """The first is by the profile's own means. Where these are not there, or are not asked for, the
-    compiler takes the first of the others whose needs are met."""
+    """The ways in order; the first one uses the profile's own means. If these are missing, or not
+    asked for, the compiler takes the first of the other ways whose needs are met."""
     instead: str = ""
-    """What a user can write where there is no way: an imperative, behind "help:"."""
+    """Advice for a user where no way works: an imperative that follows "help:"."""
     on_request: bool = False
-    """Whether a profile's own means are used only with ``--native-stages``."""
+    """True if a profile's own means are used only with ``--native-stages``."""
 
 
 Kind = Literal["native", "lowered", "absent"]
@@ -79,13 +79,13 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 
 @frozen
 class Standing:
-    """One cell of the table: what a profile can do of a capability."""
+    """One cell of the table: how a profile implements a capability, if it does."""
 
     kind: Kind
     how: str = ""
-    """What the compiler does instead, if it is lowered."""
+    """The compiler's replacement, if the capability is lowered."""
     missing: tuple[str, ...] = ()
-    """What the profile has not got, unless it is native."""
+    """The features that the profile lacks; empty if the capability is native."""
 
 
 def standing(capability: Capability, profile: Profile) -> Standing:
@@ -98,12 +98,12 @@ def standing(capability: Capability, profile: Profile) -> Standing:
 
 
 def lowering(capability: Capability, profile: Profile) -> Way | None:
-    """What the compiler does in a profile if it does not use the profile's own means."""
+    """The way that a profile uses instead of its own means; ``None`` if there is none."""
     return next((way for way in capability.ways[1:] if not _missing(way, profile)), None)
 
 
 def is_only_on_request(capability: Capability, profile: Profile) -> bool:
-    """Whether a profile has a capability, but refuses it without ``--native-stages``."""
+    """True if a profile has a capability, but refuses it without ``--native-stages``."""
     is_native = not _missing(capability.ways[0], profile)
     return is_native and capability.on_request and lowering(capability, profile) is None
 

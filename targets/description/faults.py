@@ -1,9 +1,9 @@
-"""Finds what the description of a language leaves out, before anything is printed by it.
+"""Finds gaps in the description of a language, before anything is printed by it.
 
-``registry.load`` asks when a language is loaded, so that who writes one is told at once what is
-missing, and where to write it. Otherwise some material that needs it would end in an error far from
-the row. Here are only questions that take no time; the tests in ``tests/targets`` ask the others,
-such as whether a compiler knows the word for each builtin.
+``registry.load`` asks when a language is loaded, so that its author learns at once what is missing,
+and where to write it. Otherwise some material that needs it would end in an error far from the row.
+This module has only checks that take no time; the tests in ``tests/targets`` have the others, such
+as whether a compiler knows the word for each builtin.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def check(language: Language) -> None:
 
 
 def faults(language: Language) -> Iterator[str]:
-    """What is wrong with a language: sentences that say what to write, and in which row."""
+    """The faults of a language: sentences that say what to write, and in which row."""
     for profile in language.profiles:
         name, written = f"{language.name}:{profile.name}", language.under(profile)
         for asked in (_builtins, _inputs, _types, _textures, _stages, _uniforms):
@@ -49,7 +49,7 @@ def faults(language: Language) -> Iterator[str]:
 
 
 def _builtins(language: Language, profile: Profile) -> Iterator[str]:
-    """Rows about builtins that there are not, and builtins that nothing can be written for."""
+    """Rows that name unknown builtins, and builtins that no row and no definition can write."""
     tables: Mapping[str, Iterable[str]] = {
         "Language.natives": language.natives,
         "Language.splats": language.splats,
@@ -80,7 +80,7 @@ def _builtins(language: Language, profile: Profile) -> Iterator[str]:
 
 
 def _inputs(language: Language, profile: Profile) -> Iterator[str]:
-    """Values of the pipeline that a stage of the profile may read."""
+    """Values of the pipeline that a stage may read, and that no row spells or refuses."""
     for name, row in inputs_of(profile.stages).items():
         if name in language.inputs or name in profile.inputs:
             continue
@@ -110,7 +110,7 @@ def _types(language: Language, profile: Profile) -> Iterator[str]:
 
 
 def _textures(language: Language, profile: Profile) -> Iterator[str]:
-    """Types of textures, and of their samplers."""
+    """Types of textures, and of their samplers, that have no word."""
     names, combined = language.textures, profile.samplers.combined
     for type_ in sorted(profile.textures, key=str):
         left_out = f"or leave `{type_}` out of `Profile.textures`"
@@ -139,7 +139,7 @@ def _textures(language: Language, profile: Profile) -> Iterator[str]:
 
 
 def _forms(forms: Forms) -> Iterator[str]:
-    """Forms with fields that nothing fills in, and forms that leave out what has to stand there."""
+    """Forms with unknown fields, and forms that lack a field that they need."""
     for name in FIELDS:
         row: str | Mapping[str, str] = getattr(forms, name)
         for text in (row,) if isinstance(row, str) else row.values():
@@ -170,7 +170,7 @@ def _form(name: str, text: str, forms: Forms) -> Iterator[str]:
 
 
 def _stages(language: Language, profile: Profile) -> Iterator[str]:
-    """What the stages of a profile write besides values."""
+    """Missing forms and words of the stages: for emitting, dividing, sharing and storing texels."""
     forms, stages = language.forms, profile.stages
     if GEOMETRY in stages:
         for field in ("emit_vertex", "end_strip", "deliver_position", "position"):
@@ -205,7 +205,7 @@ def _words(
 
 
 def _uniforms(_language: Language, profile: Profile) -> Iterator[str]:
-    """Limits of loose uniforms, which nothing else says."""
+    """Missing limits of loose uniforms, which have no defaults."""
     for name in ("vertex_uniforms", "fragment_uniforms") if profile.loose_uniforms else ():
         if getattr(profile.limits, name) is None:
             yield (

@@ -103,5 +103,5 @@ NEEDED: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
         }.items()
     }
 )
-"""Of each form that is written at all, the fields without which it loses something: one of those
-between which a ``|`` stands."""
+"""The fields that a form loses something without, if it is written at all: of each set, one field
+has to be there."""

@@ -40,46 +40,47 @@ ACCUMULATED: Mapping[str, str] = MappingProxyType(
 class Forms:
     """Expressions and statements that are not calls of builtins. The defaults are C-like.
 
-    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. Which fields each
-    form can have is listed in ``form_fields.py``; what is not listed there is a plain
-    text, in which no brace is doubled.
+    ``{typed}`` is a declaration as ``TypeNames.declaration`` writes it. ``form_fields.py`` lists
+    the fields that each form can have; a form that it does not list is a plain text, in which no
+    brace is doubled.
     """
 
     # Statements.
     let: str = "{typed} = {value};"
-    """A value that gets a name: also has ``{name}``."""
+    """A statement that gives a value a name: also has ``{name}``."""
     constant_array: str = "const {typed} = {value};"
     variable: str = "{typed};"
     variable_set: str = "{typed} = {value};"
     assign: str = "{name} = {value};"
     accumulate: Mapping[str, str] = ACCUMULATED
-    """By native, an assignment that combines the variable with a value. Where a native is not
-    among these, both are written out."""
+    """By native, an assignment that combines the variable with a value. For other natives, the
+    operation and the assignment are written out."""
     if_: str = "if ({condition}) {{"
     else_: str = "} else {"
     else_if: str = "}} else if ({condition}) {{"
     end: str = "}"
     """Closes what ``if_``, ``else_``, ``loop`` and ``loop_while`` open."""
     loop: str = "for ({index_typed} = {zero}; {index} < {count}; {index}++) {{"
-    """A loop of ``{count}`` turns. Where a loop has to say a number, it says ``{bound}``, which no
-    count exceeds, and ``enough`` leaves it."""
+    """A loop of ``{count}`` iterations. If the language wants a constant number, the loop has
+    ``{bound}``, the largest possible count, and ``enough`` leaves the loop."""
     enough: str = ""
-    """The first line in a loop that says its ``{bound}``: leaves it behind ``{count}`` turns."""
+    """The first line in a loop of ``{bound}`` iterations: leaves the loop after ``{count}`` of
+    them."""
     loop_while: str = "for ({index_typed} = {zero}; {index} < {count} && {going:and}; {index}++) {{"
-    """A loop that also ends when ``going`` is false; empty where ``leave`` has to end it."""
+    """A loop that also ends when ``going`` is false; empty if ``leave`` has to end it."""
     leave: str = "if (!{going:p}) {{ break; }}"
-    """Leaves a loop in its middle when ``going`` is false."""
+    """Leaves a loop in the middle of its body when ``going`` is false."""
     return_: str = "return {value};"
     discard: str = "discard;"
-    """Gives the pixel up."""
+    """Discards the fragment."""
     deliver: str = "{name} = {value};"
-    """Where vertices are emitted, what one of them has as an output."""
+    """Assigns the value of an emitted vertex to an output."""
     deliver_position: str = ""
-    """Where it lands in clip space."""
+    """Assigns the clip-space position of an emitted vertex."""
     position: str = ""
-    """What then stands for that."""
+    """The variable that ``deliver_position`` assigns."""
     deliver_layer: str = ""
-    """To which layer of the render targets it belongs."""
+    """Assigns the layer of the render targets to which an emitted vertex belongs."""
     store_texel: str = ""
     """Writes a texel of the image ``{name}`` at the ``{place}``, an ``ivec2``."""
     emit_vertex: str = ""
@@ -91,21 +92,21 @@ class Forms:
     block_argument: str = "{type} {name}"
     """A uniform block as a parameter, where ``Language.resource_arguments`` makes it one."""
     buffer_argument: str = "{type} {name}"
-    """A storage buffer likewise, with the ``{type}`` of its elements."""
+    """A storage buffer as a parameter, with the ``{type}`` of its elements."""
     written_argument: str = "{type} {name}"
-    """The same for one that a kernel writes."""
+    """A storage buffer that a kernel writes, as a parameter."""
     atomic: str = "{type}"
-    """An element that a kernel scatters to, whose plain type is ``{type}``."""
+    """The type of an element that a kernel scatters to, whose plain type is ``{type}``."""
     scatter: str = "{function}({place}, {value});"
-    """Joins a ``{value}`` with the element at a ``{place}`` by one of ``Language.atomics``."""
+    """Combines a ``{value}`` with the element at a ``{place}`` by one of ``Language.atomics``."""
     shared: str = ""
     """A variable that the invocations of a work group share."""
     shared_argument: str = ""
-    """One of a ``{type}`` that a function gets as a parameter; empty where such variables are
+    """A shared variable of a ``{type}`` as a parameter of a function; empty if such variables are
     global."""
     barrier: str = ""
-    """Waits until all invocations of a work group are here, and see what the others have written
-    to what they share."""
+    """A barrier: waits until all invocations of a work group have reached it, and see the values
+    that the others have written to shared variables."""
     member_end: str = ";"
     """Ends a member of a struct or block."""
     struct_end: str = "};"
@@ -120,16 +121,15 @@ class Forms:
     splat: str = "{type}({value})"
     """A scalar in every lane; ``{value:p}.{lanes}`` where that is a swizzle."""
     splat_constant: bool = True
-    """Whether a constant of equal lanes is written with one of them."""
+    """True if a constant whose lanes are equal is written with one of them."""
     matrix: str = "{type}({columns})"
     matrix_by_rows: bool = False
-    """Whether a matrix of constants lists its lanes row by row."""
+    """True if a constant matrix lists its lanes row by row."""
     product_of_tall: str = ""
     """A tall ``{matrix}`` times a ``{vector}``, where a tall matrix is written as a square one:
     ``{zeros}`` are the lanes that the vector has not got."""
     product_of_columns: str = ""
-    """A matrix from its ``{columns}`` times a ``{vector}``, where that is shorter than as
-    ``matrix`` has it."""
+    """A matrix from its ``{columns}`` times a ``{vector}``, if that is shorter than ``matrix``."""
     lane: str = "{vector:p}.{lanes}"
     """One lane of a vector."""
     swizzle: str = "{vector:p}.{lanes}"
@@ -148,14 +148,14 @@ class Forms:
     input: str = "{name}"
     """A stage's input: a global variable, or ``input.{name}``."""
     corner: str = "{name}[{corner}]"
-    """What a stage that gets whole primitives reads of one of their corners."""
+    """An input of one corner, in a stage that gets whole primitives."""
     of_patch: str = "{name}"
-    """What is read at the vertices of a divided patch that is the same all over it."""
+    """An input that is the same for a whole patch, read at a vertex of the divided patch."""
     edge_level: str = ""
-    """Where a control stage writes the level of an edge, by its ``{number}``."""
+    """The place to which a control stage writes the level of an edge, by its ``{number}``."""
     inner_level: str = ""
-    """The same for the levels of the inside."""
+    """The place to which a control stage writes an inner level, by its ``{number}``."""
     lanes: str = "xyzw"
     """The letters of the lanes."""
     lane_words: tuple[str, ...] = ()
-    """What ``{lane}`` stands for, for each of the four lanes."""
+    """The texts that replace ``{lane}``, one for each of the four lanes."""

@@ -18,7 +18,7 @@ from .forms import Forms
 from .spellings import Literals, PipelineInput, Spellings, TypeNames
 
 Numbering = Literal["set", "kind"]
-"""The bindings of a set, whatever is bound; or, where there are no sets, those of one kind."""
+"""How binding numbers are counted: together in a set, or without sets, for each kind on its own."""
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
@@ -26,10 +26,10 @@ GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2,
 
 @frozen(kw_only=True)
 class Samplers:
-    """How textures and their samplers belong together."""
+    """The relation of textures and samplers: separate, or combined in one object."""
 
     combined: bool = False
-    """A texture and its sampler are one object with one binding."""
+    """True if a texture and its sampler are one object with one binding."""
     joined: str = ""
     """Replaces ``Forms.texture``."""
     precision: str = ""
@@ -38,22 +38,23 @@ class Samplers:
 
 @frozen(kw_only=True)
 class Framebuffer:
-    """Where clip space and the rows of a picture point, and what has to be turned over for that."""
+    """The directions of clip space and of the rows of a picture, and how they are flipped."""
 
     clip_depth: Literal["0..1", "-1..1"] = "0..1"
     """Depth range of clip space; Burnish's own is 0..1."""
     clip_y_down: bool = False
-    """The API's own clip y points down: a host turns the viewport over for a program that was not
-    emitted flipped, and only for that, so that either comes out the right way round."""
+    """True if the API's own clip y points down. A host then flips the viewport for programs that
+    were not emitted flipped, and only for these, so that both come out the right way round."""
     clip_control: tuple[str, ...] = ()
-    """What a host gives to OpenGL's ``glClipControl``, so that nothing has to be turned over: the
-    names of its constants. Empty: nobody calls it, as in all other APIs."""
+    """The constants that a host passes to OpenGL's ``glClipControl``, so that nothing has to be
+    flipped. Empty: the host does not call it, as in all other APIs."""
     rows_up: bool = False
-    """The first row is the bottom one, unless the program was emitted flipped."""
+    """True if the first row of a picture is the bottom one, unless the program was emitted
+    flipped."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How the pipeline's values are read while rows count upwards."""
+    """The spelling of the pipeline's values while rows count upwards."""
     natives: Spellings = EMPTY
-    """Spellings of natives while rows count upwards."""
+    """The spelling of natives while rows count upwards."""
 
 
 @frozen
@@ -61,41 +62,41 @@ class StreamOutput:
     """How a host captures vertices."""
 
     told: Literal["text", "names", "semantics"]
-    """What says which outputs are captured: the text itself, the names that a host gives before it
-    links (OpenGL's transform feedback), or their semantics (Direct3D's stream output)."""
+    """The place where the captured outputs are listed: the text itself, the names that a host gives
+    before it links (OpenGL's transform feedback), or semantics (Direct3D's stream output)."""
     indexed: bool = True
-    """Whether the vertices of a mesh may be drawn by their indices. Otherwise a host repeats them,
-    and they have other numbers."""
+    """True if the vertices of a mesh may be drawn by their indices. Otherwise a host repeats the
+    vertices, which then have other numbers."""
 
 
 @frozen
 class Limits:
-    """What every device and every compiler of a profile has, or takes, at least.
+    """Limits that every device and every compiler of a profile supports at least.
 
-    ``LIMITED`` says what messages and the manual call each of them.
+    ``LIMITED`` has the words for each of them in messages and in the manual.
     """
 
     varyings: int = 16
-    """Vectors that cross between the stages."""
+    """Vectors of varyings between two stages."""
     attributes: int = 16
     """Locations of vertex inputs."""
     vertex_buffers: int = 8
-    """Storage buffers that a stage reads which computes vertices; 0 where it can read none."""
+    """Storage buffers of a stage that computes vertices; 0 if it can read none."""
     fragment_buffers: int = 8
-    """Those that the fragment stage reads; likewise."""
+    """Storage buffers of the fragment stage; 0 if it can read none."""
     kernel_buffers: int = 8
-    """Those that a kernel reads and writes; likewise."""
+    """Storage buffers of a kernel, read or written; 0 if it can have none."""
     textures: int = 16
     """Textures with their samplers that one stage reads."""
     vertex_textures: int = 16
-    """Those that a stage reads which computes vertices."""
+    """Textures with their samplers of a stage that computes vertices."""
     block_bytes: int = 16384
     """Bytes of one uniform block."""
     vertex_uniforms: int | None = None
-    """Vectors of loose uniforms that a stage reads which computes vertices, where blocks are loose
-    uniforms (``Profile.loose_uniforms``)."""
+    """Vectors of loose uniforms of a stage that computes vertices, if blocks are loose uniforms
+    (``Profile.loose_uniforms``)."""
     fragment_uniforms: int | None = None
-    """Those that the fragment stage reads; likewise."""
+    """Vectors of loose uniforms of the fragment stage, if blocks are loose uniforms."""
     render_targets: int = 8
     """Render targets that a pass writes."""
     nested_blocks: int = 240
@@ -103,40 +104,42 @@ class Limits:
     emitted_vertices: int = 256
     """Vertices that a geometry stage emits for one primitive."""
     emitted_components: int = 1024
-    """Numbers that all of these have together, those of their positions included."""
+    """Components of all vertices that are emitted for one primitive, those of the positions
+    included."""
     inlined_operations: int = 10_000
-    """Operations that all calls of a stage come to. No language has a limit of its own; but DXC and
-    glslang's HLSL put the body of a function wherever it is called, and so do the drivers behind
-    all languages. Their time grows with the square of the calls: 12 000 operations in 2000 calls
-    took DXC and glslang four seconds each, and twice as many half a minute."""
+    """Operations of a stage if every call is replaced by the function's body. No language has a
+    limit of its own; but DXC and glslang's HLSL inline every call, and so do the drivers behind all
+    languages. Their time grows with the square of the calls: 12 000 operations in 2000 calls took
+    DXC and glslang four seconds each, and twice as many half a minute."""
     work_group: int = 128
     """Invocations in a work group."""
     shared_bytes: int = 16384
     """Bytes that the invocations of a work group share."""
     groups: int | None = None
-    """Bind groups, where there is a limit; for the host's own blocks, which say theirs."""
+    """Bind groups, if they are limited; this concerns the host's own blocks, which have fixed
+    groups."""
     bindings: int | None = None
-    """Numbers of bindings in a group; likewise."""
+    """Binding numbers in a group, if they are limited; for the host's own blocks, too."""
 
     def buffers_of(self, row: StageRow) -> int:
-        """How many storage buffers a stage may have; 0 where it can have none."""
+        """The number of storage buffers that a stage may have; 0 if it can have none."""
         return int(getattr(self, buffer_limit(row)))
 
 
 def buffer_limit(row: StageRow) -> str:
-    """The field of ``Limits`` that says how many storage buffers a stage may have."""
+    """The field of ``Limits`` for the number of storage buffers of a stage."""
     others = {FRAGMENT.name: "fragment_buffers", COMPUTE.name: "kernel_buffers"}
     return others.get(row.name, "vertex_buffers")
 
 
 @frozen
 class Limited:
-    """What messages and the manual say of one limit."""
+    """The words for one limit in messages and in the manual."""
 
     what: str
-    """What there is a limited number of: behind a number."""
+    """The noun that follows the number: the limited thing, in the plural."""
     stage: StageRow | None = None
-    """The stage that it is about, if it means nothing without."""
+    """The stage that the limit is about, if the limit has no meaning without the stage."""
 
 
 LIMITED: Mapping[str, Limited] = {
@@ -164,8 +167,9 @@ LIMITED: Mapping[str, Limited] = {
 
 
 TargetBlending = Literal["alike", "switched", "apart"]
-"""All targets of a pass are blended alike, with the same lanes written; or all that are blended at
-all, each with its own lanes; or each by an equation of its own."""
+"""How targets of one pass may differ in blending: not at all, with the same lanes written
+("alike"); only in being blended or not, and in the written lanes ("switched"); or in everything
+("apart")."""
 
 STORABLE = frozenset({"r32f", "rgba8", "rgba16f", "rgba32f"})
 """The formats of images that kernels of all APIs can write."""
@@ -173,13 +177,13 @@ STORABLE = frozenset({"r32f", "rgba8", "rgba16f", "rgba32f"})
 
 @frozen(eq=False, kw_only=True)
 class Profile:
-    """One dialect of a language: what an API or a version of it takes."""
+    """One dialect of a language: that of an API, or of a version of the language."""
 
     name: str
     doc: str
     on_request: bool = False
-    """Whether it has to be named, and is neither among ``all`` nor proposed: one in which many
-    programs cannot be had."""
+    """True if the profile has to be named, and is neither among ``all`` nor proposed: it cannot
+    express many programs."""
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
@@ -187,70 +191,76 @@ class Profile:
     defaults: tuple[str, ...] = ()
     """Lines behind these two: default precisions, where extensions have to come first."""
     types: TypeNames | None = None
-    """How it writes types, where it does not do so as its language does."""
+    """The profile's own spelling of types, if it differs from its language's."""
     literals: Literals | None = None
-    """Its constants, likewise."""
+    """The profile's own spelling of constants, if it differs from its language's."""
     forms: Forms | None = None
-    """Its statements and expressions, likewise."""
+    """The profile's own statements and expressions, if they differ from its language's."""
     skeleton: Path | None = None
-    """Its skeleton, likewise."""
+    """The profile's own skeleton, if it differs from its language's."""
     stages: Chain = RASTERISED
-    """Those that it has, in any order."""
+    """The stages that the profile has, in any order."""
     stream_output: StreamOutput | None = None
-    """How vertices are captured, if they can be, that the last stage before the fragments makes."""
+    """How a host captures the vertices of the last stage before the fragments; ``None`` if it
+    cannot."""
     image_formats: frozenset[str] = frozenset()
-    """The formats of images that kernels can write. Those of other formats are drawn: a kernel over
-    them is a full-screen pass."""
+    """The formats of images that kernels can write. A kernel over images of other formats is drawn
+    as a full-screen pass."""
     most_images: int = 4
-    """How many images a kernel can write; one that has more is drawn, too."""
+    """The number of images that a kernel can write; a kernel with more is drawn as a full-screen
+    pass."""
     draws_edges: bool = True
-    """Whether a host can have the edges of triangles drawn instead of them."""
+    """True if a host can draw the edges of triangles instead of filling them."""
     blending: TargetBlending = "apart"
-    """How unlike each other the targets of one pass can be blended."""
+    """How much the targets of one pass may differ in blending."""
     blends_floats: bool = True
-    """Whether targets of 32-bit floats can be blended."""
+    """True if render targets of 32-bit floats can be blended."""
     single_file: bool = False
-    """All stages can stand in one text."""
+    """True if all stages can stand in one text."""
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
     patch_winding: Literal["ccw", "cw"] = "ccw"
-    """What the API calls triangles of a patch that turn counter-clockwise where u points to the
-    right and v upwards. It is the other way round where the API has v point downwards."""
+    """The API's winding of a patch's triangles that turn counter-clockwise where u points to the
+    right and v upwards. It is the opposite one where the API has v point downwards."""
     invariant_inputs: bool = False
-    """What one stage delivers as invariant has to be called so where the next one reads it."""
+    """True if an input has to be declared invariant where the stage before delivers it as
+    invariant."""
     varyings_by_name: bool = False
-    """Stages are matched by the names of varyings instead of their locations."""
+    """True if stages are matched by the names of varyings instead of their locations."""
     explicit_bindings: bool = True
-    """The text states set and binding; otherwise the host assigns them by name."""
+    """True if the text states set and binding; otherwise the host assigns them by name."""
     numbering: Numbering = "set"
-    """Where a number may be used once only: in a set, or for blocks, textures and samplers each."""
+    """The scope in which a binding number is unique: a set, or a kind (blocks, textures,
+    samplers)."""
     numbers_storage_apart: bool = False
-    """Where kinds are numbered on their own: whether storage buffers are one of them, and do not
-    follow the blocks."""
+    """With one count for each kind: True if storage buffers are a kind of their own, and False if
+    their numbers follow those of the blocks."""
     sets: Mapping[str, int] = GROUP_SETS
     default_set: int = 2
-    """Where a user's own groups go."""
+    """The set of a user's own groups."""
     natives: Spellings = EMPTY
     """Spellings that only this profile has."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """Inputs that this profile has otherwise than its language."""
+    """Inputs that this profile spells differently from its language."""
     without_inputs: frozenset[str] = frozenset()
     """Values of the pipeline that its stages have not got."""
     textures: frozenset[Texture] = frozenset(TEXTURES)
     """The types of textures that it has."""
     wide_integers: bool = True
-    """Whether integers have 32 bits, with or without a sign, and operations on these bits."""
+    """True if integers have 32 bits, signed and unsigned, and there are operations on their
+    bits."""
     integer_attributes: bool = True
-    """Whether vertex inputs can be integers."""
+    """True if vertex attributes can be integers."""
     flat_varyings: bool = True
-    """Whether fragments can read what one vertex of their triangle has, as integers have to be."""
+    """True if a varying can be flat: the value of one vertex of the triangle. Integers have to be
+    flat."""
     computed_indices: bool = True
-    """Whether any integer can be the place of an element or a lane. Otherwise it is made of
-    constants and of numbers of turns of the loops around it; only arrays of uniforms are read at
-    any place, where vertices are computed."""
+    """True if any integer can be the index of an element or a lane. Otherwise an index consists of
+    constants and of the counters of loops around it; only arrays of uniforms are read at any index,
+    and only where vertices are computed."""
     loose_uniforms: bool = False
-    """Whether the members of blocks are uniforms, each on its own, which a host sets by name."""
+    """True if each member of a block is a uniform of its own, which a host sets by name."""
     lacks: frozenset[str] = frozenset()
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""
@@ -260,7 +270,7 @@ class Profile:
     others leave open; then it needs fewer guards. They are fewer if it has the operation for some
     types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
     cannot: frozenset[str] = frozenset()
-    """Builtins that the profile has not got, nor an exact replacement for. What is said where a
-    program uses one stands in ``capabilities.py``."""
+    """Builtins that the profile has neither by itself nor by an exact replacement. The message
+    about a program that uses one is in ``capabilities.py``."""
     checkers: tuple[str, ...] = ()
     """Checkers of ``targets.toolchain`` that have to accept the text."""

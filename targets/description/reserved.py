@@ -9,7 +9,7 @@ from pathlib import Path
 from ...frozen import frozen
 
 _NEVER = "(?!)"
-"""What matches nothing."""
+"""A pattern that matches nothing."""
 
 
 @frozen(eq=False)
@@ -21,7 +21,7 @@ class Reserved:
     """Anchored at the start of a word."""
 
     def refuses(self, word: str) -> bool:
-        """Whether ``word`` cannot be a name."""
+        """True if ``word`` cannot be a name."""
         return word in self.words or self.pattern.match(word) is not None
 
 

@@ -26,18 +26,19 @@ from .spellings import Literals, PipelineInput, Spellings, TextureNames, TypeNam
 STAGE_STRUCTS = tuple(
     f"{name.capitalize()}{side}" for name in STAGES for side in ("Input", "Output")
 )
-"""What the skeleton calls the structs of a stage's inputs and outputs, where a language has any."""
+"""The skeleton's names for the structs of a stage's inputs and outputs, where a language has
+any."""
 
 FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
-"""Vertex input, value between the stages, that of a control point which is handed on to the stage
-after the next, what is the same all over a patch, or render target."""
+"""The role of a stage's input or output: a vertex attribute, a varying, a varying of a control
+point that the stage hands on, a value that is the same for a whole patch, or a render target."""
 
 BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
-"""What a host binds; a texture and a sampler in one are a texture."""
+"""The kinds of things that a host binds; a texture and a sampler in one are a texture."""
 
 
 def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:
-    """For languages in which locations or names say everything."""
+    """The semantic of languages in which locations or names are enough: none."""
     return ""
 
 
@@ -54,15 +55,15 @@ class Language:
     types: TypeNames
     textures: TextureNames
     images: Mapping[str, str] = EMPTY
-    """By format, how the type of an image is written that a kernel writes."""
+    """By format, the type of an image that a kernel writes."""
     profiles: tuple[Profile, ...]
     """The first is the default."""
     unproven: str = ""
-    """Why nobody should rely on its texts yet: "never compiled by …". Such a language is not among
-    those that a material is compiled for when none is named, and is listed with this."""
+    """The reason why nobody should rely on the language's texts yet: "never compiled by …". Such a
+    language is not compiled for unless it is named, and lists show the reason."""
     entry_point: str = "main"
-    """What a text of one stage calls its entry point; ``{entry}`` is what it is called where
-    several stages stand in one text."""
+    """The name of the entry point in a text of one stage. ``{entry}`` is its name in a text of
+    several stages."""
     reserved: Callable[[], Reserved]
     """Loads the words that compilers refuse as names; called on first use. The words that texts
     have themselves need not be among them: ``emit/own_words.py`` finds these."""
@@ -75,46 +76,49 @@ class Language:
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY
-    """How the inputs of the stages that its profiles have are spelled."""
+    """The spelling of the inputs that stages of the profiles have."""
     primitives: Mapping[str, str] = EMPTY
-    """What a geometry stage calls the primitives that it gets, where the language has one."""
+    """The language's words for the primitives that a geometry stage gets, if it has that stage."""
     patches: Mapping[Patch, str] = EMPTY
-    """What a tessellation stage calls the kinds of patches, where the language has one."""
+    """The language's words for the kinds of patches, if it has tessellation stages."""
     spacings: Mapping[Spacing, str] = EMPTY
-    """What it calls the ways in which their edges are divided."""
+    """The language's words for the ways in which the edges of patches are divided."""
     emitted: Mapping[str, str] = EMPTY
-    """What it calls the streams of points, lines and triangles that it emits."""
+    """The language's words for the streams of points, lines and triangles that a geometry stage
+    emits."""
     semantic: Callable[[FieldRole, str, int], str] = no_semantic
-    """What marks a field in the text, from its role, name and location."""
+    """The semantic or attribute of a field in the text, from its role, name and location."""
     atomics: Mapping[ScatterOperator, str] = EMPTY
     """The functions by which kernels scatter."""
     registers: Mapping[BindingKind, str] = EMPTY
-    """What the language calls a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
+    """The language's own name of a ``{binding}`` of each kind: ``t{binding}``. The reflection lists
     them."""
     resource_arguments: bool = False
-    """Blocks, textures and samplers are no global variables: an entry point gets them as arguments,
-    and hands each function those that it reads."""
+    """True if blocks, textures and samplers are no global variables: an entry point gets them as
+    arguments, and hands each function those that it reads."""
     buffer_blocks: bool = False
-    """A storage buffer stands in an interface block, which has a name of its own."""
+    """True if a storage buffer stands in an interface block, which has a name of its own."""
     global_members: bool = True
-    """Members of blocks are names of the whole file, so they must differ from all others."""
+    """True if members of blocks are names of the whole file, so that they must differ from all
+    others."""
     global_fields: bool = False
-    """Inputs and outputs are global variables and not members of structs."""
+    """True if inputs and outputs are global variables and not members of structs."""
     varying_prefix: str = ""
-    """Keeps global varyings and locals apart, which tend to have the same name."""
+    """A prefix of global varyings, since locals tend to have the same names."""
     point_prefix: str = ""
-    """The same for what a stage hands on of control points, which it also gets."""
+    """A prefix of the outputs by which a stage hands varyings of control points on, as its inputs
+    have the same names."""
     output_prefix: str = ""
-    """The same for render targets."""
+    """A prefix of render targets."""
     fixed_names: tuple[str, ...] = ()
     """Names that texts have besides the words of their skeleton and of these rows: those of helper
     functions, entry points and the structs of stages."""
     line_directive: str = ""
-    """Says which line of which file the next one is, by ``{line}`` and the file's ``{name}`` or
-    ``{number}``; empty where the language has no such thing."""
+    """The line directive: gives the next line's number as ``{line}``, and its file's ``{name}`` or
+    ``{number}``. Empty if the language has none."""
 
     def under(self, profile: Profile) -> Language:
-        """The language as a profile writes it, which may have rows of its own."""
+        """The language with the rows that a profile replaces."""
         return _under(self, profile)
 
     def register(self, kind: BindingKind, binding: int) -> str:

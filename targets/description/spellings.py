@@ -14,31 +14,31 @@ from ...stdlib.builtins.row import SamplerUse
 
 @frozen
 class Spelling:
-    """How a native is spelled when that depends on the operands: empty means the usual way."""
+    """The spellings of a native that depend on its operands; an empty one means ``usual``."""
 
     usual: str = ""
-    """Whatever has no spelling of its own here."""
+    """The spelling for all operands that have none of their own here."""
     floats: str = ""
-    """Scalars or vectors of floats."""
+    """The spelling for scalars or vectors of floats."""
     integers: str = ""
-    """Scalars or vectors of integers."""
+    """The spelling for scalars or vectors of integers."""
     vectors: str = ""
-    """Vectors, whatever their lanes."""
+    """The spelling for vectors, whatever their lanes."""
     matrix: str = ""
-    """Some operand is a matrix."""
+    """The spelling if some operand is a matrix."""
     after: Mapping[str, str] = EMPTY
-    """A vector, by the builtin that has made it."""
+    """The spelling for a vector, by the builtin that has made the vector."""
 
 
 @frozen
 class Read:
-    """How a read of a texture is spelled: as ``plain`` unless one of the others fits."""
+    """The spellings of a texture read: ``plain``, unless one of the others fits."""
 
     plain: str
     layered: str = ""
-    """Where an operand says which layer."""
+    """The spelling if an operand is the layer."""
     types: Mapping[str, str] = EMPTY
-    """By the texture's type: ``depth_cube``."""
+    """The spelling by the texture's type: ``depth_cube``."""
 
 
 Spellings = Mapping[str, str | Spelling | Read]
@@ -50,48 +50,48 @@ before one; or a form, ``clamp({0}, 0.0, 1.0)``, which reads as a call or stands
 
 @frozen
 class TextureNames:
-    """How the types of textures and samplers are written, ``{dimension}`` as the word for it."""
+    """The types of textures and samplers; ``{dimension}`` is the word for the dimension."""
 
     dimensions: Mapping[Dimension, str]
     textures: Mapping[Sample, str]
     samplers: Mapping[SamplerUse, str]
     combined: Mapping[Sample, str] = EMPTY
-    """Both in one object, where the language has such."""
+    """The types of a texture and its sampler in one object, if the language has such."""
     compared: str = ""
-    """Likewise, where the sampler compares depths."""
+    """The type of such an object whose sampler compares depths."""
 
 
 @frozen
 class TypeNames:
-    """How types are written; ``{n}`` is a number of lanes or columns."""
+    """The names of types; ``{n}`` is a number of lanes or columns."""
 
     scalars: Mapping[ScalarKind, str]
     vectors: Mapping[ScalarKind, str]
     matrix: str
     tall_matrix: str
-    """A matrix of four rows, as blocks store smaller ones; ``{n}`` columns."""
+    """A matrix of four rows and ``{n}`` columns, as which blocks store matrices of fewer rows."""
     array: str = ""
     """``{element}`` and ``{count}``; empty where the count stands behind the variable's name."""
     declaration: str = "{type} {name}"
     stored_matrix: str = "{type}"
     """A matrix as a block's member, where its order has to be said: ``column_major {type}``."""
     stored: Mapping[str, str] = EMPTY
-    """By type, what members of blocks have instead, where variables of that type have another size
-    or alignment than Burnish's layout: ``vec3``. ``Forms.stored`` reads such members."""
+    """By type, the type of members of blocks, if variables of that type have another size or
+    alignment than in Burnish's layout: ``vec3``. ``Forms.stored`` reads such members."""
 
 
 @frozen
 class Literals:
-    """How constants are written."""
+    """The spelling of constants."""
 
     true: str = "true"
     false: str = "false"
     float_suffix: str = ""
     uint_suffix: str = "u"
     typed: Mapping[ScalarKind, str] = EMPTY
-    """By kind, how the sides of a choice between two literals are written, and a literal that is
-    shifted, in a language whose literals have no type of their own: they would get one that is too
-    wide."""
+    """By kind, the spelling of both sides of a choice between two literals, and of a literal that
+    is shifted. It is for languages whose literals have no type of their own, and would get one that
+    is too wide."""
 
 
 @frozen
@@ -99,10 +99,10 @@ class PipelineInput:
     """A value that the pipeline supplies."""
 
     type: Type
-    """As the language has it. Programs may want the first lanes of it, or another kind."""
+    """The type in the language. Programs may want its first lanes, or another kind of scalar."""
     read: str
-    """Template; ``{name}`` is the declared name."""
+    """The expression that reads the value; ``{name}`` is the declared name."""
     semantic: str = ""
-    """What marks its declaration; empty where it needs none."""
+    """The semantic or attribute of its declaration; empty if it needs none."""
     host_uniform: str = ""
     """A loose uniform of type float that ``read`` needs and the host has to set."""

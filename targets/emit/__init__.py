@@ -1,1 +1,1 @@
-"""Prints programs in any language, from what `targets/description` says about the language."""
+"""Prints programs in any language, from the language's description in `targets/description`."""

@@ -1,9 +1,9 @@
 """Turns texts of the user into comments that cannot do harm.
 
 Doc comments of a material, its parameters and functions come here on their way into a shader. A
-comment that ends in a backslash swallows the next line in GLSL and HLSL; U+0085, U+2028 and
-other line ends close a comment in WGSL, after which its front ends run what follows; bidirectional
-controls make a text look like what it is not.
+comment that ends in a backslash swallows the next line in GLSL and HLSL. U+0085, U+2028 and other
+line ends close a comment in WGSL, whose front ends then run the rest as code. Bidirectional
+controls make a text look different from its meaning.
 """
 
 from __future__ import annotations

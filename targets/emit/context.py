@@ -1,4 +1,4 @@
-"""The data that all printers of one program share.
+"""The data that all printers of one program share: the program, its names, and its dialect.
 
 The emitter makes one ``Context`` for each program and profile, and hands it to every printer.
 """
@@ -17,21 +17,21 @@ from .texture_declarations import TextureSpeller
 
 
 class Context:
-    """A program, its language, and what was decided once for all of its texts."""
+    """A program, its language, and the decisions that hold for all of its texts."""
 
     def __init__(self, legal: Legal, names: Names, flip_y: bool) -> None:
         program, language, profile = legal.program, legal.language, legal.profile
-        # Whether the picture's rows count upwards, against Burnish's own y.
+        # True if the picture's rows count upwards, against Burnish's own y.
         rows_up = profile.framebuffer.rows_up and not flip_y
         self.program = program
         self.dialect = dialect(language, profile, rows_up)
-        """What is the same for all programs."""
+        """Everything that is the same for all programs of this language and profile."""
         self.language = language
         self.profile = profile
         self.names = names
         self.flip_y = flip_y
         self.definitions = legal.definitions
-        """The functions for what the profile lacks."""
+        """The functions that replace builtins that the profile lacks."""
         self.members = {
             member.parameter: (block.name, member.name, member.type)
             for block in program.blocks
@@ -46,7 +46,7 @@ class Context:
         self.textures = TextureSpeller(language.textures, program)
         """Writes the types of textures and samplers."""
         self.in_place = legal.in_place
-        """Values that no statement gives a name."""
+        """Values that are printed in place, without a name of their own."""
         self._passed = legal.passed
 
     def passed(self, stage: StageName, body: Node) -> Passed:

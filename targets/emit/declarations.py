@@ -1,4 +1,4 @@
-"""Views of what a program declares outside of its stages: structs, blocks, buffers and textures.
+"""Views of a program's declarations outside of stages: structs, blocks, buffers and textures.
 
 Each view is made once for a program, even if several of its texts have the declaration. The emitter
 and ``stage.py`` ask for those that a text or a stage needs.

@@ -1,4 +1,4 @@
-"""Keeps what depends on the profile only, and not on the program that is printed.
+"""Keeps everything that depends on the profile, but not on the program that is printed.
 
 ``context.py`` asks for the ``Dialect`` of a profile. It is made for the first program that is
 printed in the profile, and used for all others.
@@ -28,12 +28,12 @@ class Dialect:
         self.inputs: Mapping[str, PipelineInput] = {
             **language.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
         }  # fmt: skip
-        """How the pipeline's values are read under the profile."""
+        """Spellings of the pipeline's values under the profile."""
         self.writers: dict[str, Writer] = {}
-        """For builtins that are written in the same way whatever their operands are, what does it.
-        ``natives.py`` puts those in that it has come across."""
+        """Functions that print builtins whose spelling does not depend on the operands.
+        ``natives.py`` adds those that it has found."""
         self.types = TypeTexts({}, {}, {})
-        """How scalars, vectors and matrices are written, likewise."""
+        """Texts of scalars, vectors and matrices under the profile."""
 
 
 @lru_cache(maxsize=64)

@@ -14,7 +14,7 @@ from ...frozen import frozen
 from .comments import comment_line
 
 _NEUTRAL = r"[{}\s]*(else[{}\s]*)?$"
-"""Lines that no compiler complains about."""
+"""A pattern of lines about which no compiler complains."""
 
 
 @frozen

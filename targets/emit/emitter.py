@@ -1,7 +1,7 @@
-"""Prints a program in one language: ``emit`` is what ``api.py`` calls after ``legalise``.
+"""Prints a program in one language: ``api.py`` calls ``emit`` after ``legalise``.
 
-What is particular to the language stands in the rows of its ``Language`` and in its skeleton. The
-passes and ``legalise`` have decided what is computed where.
+The rows of the ``Language`` and its skeleton have everything that is particular to a language. The
+passes and ``legalise`` have decided where each value is computed.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from .views import EntryView, FileView
 from .wrapping import Breaks, moved, wrapped
 
 ALL_STAGES = "all"
-"""Stands for the name of a stage where one text holds them all."""
+"""Replaces the name of a stage where one text holds all stages."""
 
 
 @frozen
@@ -46,15 +46,15 @@ class EmittedFile:
     """A finished text."""
 
     suffix: str
-    """What follows the material's name: ``vert.glsl``."""
+    """The end of the file's name, behind the material's name: ``vert.glsl``."""
     stage: StageName
-    """``all`` for a text that holds all stages."""
+    """The stage of the text; ``all`` for a text that holds all stages."""
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
     marks: Marks
     breaks: Breaks
-    """The lines that were broken. The marks know the text as it was before."""
+    """The lines that were broken. The marks count lines as they were before."""
 
     def origins(self) -> dict[int, Node]:
         """The value that each statement belongs to, by line of ``text``, counted from 1."""
@@ -76,7 +76,7 @@ class Emission:
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
-    """Print a program. ``ValueError`` if one file is wanted and the profile needs several."""
+    """Print a program. Raises ``ValueError`` if it needs several files, and one is wanted."""
     options = options or EmitOptions()
     if options.single_file and not legal.profile.single_file:
         raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")
@@ -119,7 +119,7 @@ class _Emitter:
         ]
         text, breaks = marks.taken_out(self._text(stages, entries)), EMPTY
         if not (self._options.line_directives and self._language.line_directive):
-            # Behind a directive a statement stays in its one line, as compilers count on from it.
+            # After a directive a statement stays in one line, as compilers count lines from there.
             text, breaks = wrapped(text)
         extension = self._language.extension
         first = stages[0].row

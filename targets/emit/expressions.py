@@ -28,8 +28,8 @@ from .natives import EmittedFunction, Natives
 from .precedence import NAME, POSTFIX, Binding, Field, Printed, choice, separable, within
 
 DEEPEST = 200
-"""How deeply expressions may nest in a text, as printers call each other for operands. The
-scheduler binds operands to names long before. naga refuses what nests much deeper."""
+"""The deepest nesting of expressions in a text: printers call each other for operands, and naga
+refuses expressions that nest much deeper. The scheduler gives operands names long before."""
 
 _SHIFTS = ("shift_left", "shift_right")
 
@@ -60,7 +60,7 @@ class Expressions:
         self._depth = 0
 
     def text(self, node: Node) -> str:
-        """The text of a node as a part of a statement, where it needs no parentheses."""
+        """The text of a node as a part of a statement that needs no parentheses around it."""
         return self.operand(node)[0]
 
     def operand(self, node: Node) -> Printed:
@@ -69,7 +69,7 @@ class Expressions:
         return printed
 
     def operands(self, nodes: Iterable[Node]) -> list[Printed]:
-        """The same for several nodes."""
+        """The names or expressions of several nodes."""
         assert self._depth < DEEPEST, "the scheduler has to bind deep operands to names"
         self._depth += 1
         bound, printers = self.bound.get, self.PRINTERS
@@ -110,7 +110,7 @@ class Expressions:
         return self._leaves.interpolated(node, self._corner(node))
 
     def _corner(self, crossing: Node) -> str:
-        """The number of the corner whose value crosses, where it is that of one corner."""
+        """The number of the corner whose value a varying is; empty if it is not one corner's."""
         return self.text(crossing.operands[1]) if len(crossing.operands) > 1 else ""
 
     def _constant(self, node: Node) -> Printed:
@@ -188,7 +188,7 @@ class Expressions:
         return self._lanes_of(node, SWIZZLE.data(node), node.type)
 
     def _lanes_of(self, swizzle: Node, lanes: tuple[int, ...], type_: Type) -> Printed:
-        """Lanes of the vector that a node takes lanes of."""
+        """Some lanes of the vector that a swizzle reads."""
         (source,) = swizzle.operands
         if source.op == "cross" and source not in self.bound:
             return self._leaves.interpolated(source, self._corner(source), lanes)
@@ -234,7 +234,7 @@ class Expressions:
         return node.op == "constant" and node not in self.bound
 
     def _typed(self, literal_: Printed, type_: Type) -> Printed:
-        """A literal where no other operand says how wide it is."""
+        """A literal with a type, for operators whose other operands do not fix its width."""
         form = self._literals.typed.get(type_.kind) if isinstance(type_, Scalar) else None
         return (form.format(literal_[0]), POSTFIX) if form else literal_
 

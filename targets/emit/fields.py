@@ -1,6 +1,6 @@
-"""The inputs and outputs of one stage as a text declares them, and what it says of its patches.
+"""The inputs and outputs of one stage as a text declares them, and the division of its patches.
 
-``stage.py`` makes ``Fields`` for each stage, and puts what they give into the stage's view.
+``stage.py`` makes ``Fields`` for each stage, and puts the results into the stage's view.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ DIVIDING = (CONTROL, EVALUATION)
 
 
 class Fields:
-    """What one stage reads of others, and hands to them or to the host."""
+    """The inputs and outputs of one stage: from and to other stages, the mesh and the host."""
 
     def __init__(self, context: Context, stage: Stage) -> None:
         self._context = context
@@ -33,30 +33,30 @@ class Fields:
 
     @property
     def inputs(self) -> list[FieldView]:
-        """What it reads, besides what is the same all over a patch."""
+        """The stage's inputs, without those that are the same for a whole patch."""
         return [field for field in self._inputs if not field.of_patch]
 
     @property
     def outputs(self) -> list[FieldView]:
-        """What it hands on, and what it delivers, besides what is the same all over a patch."""
+        """The stage's outputs, handed-on inputs included, without those of whole patches."""
         return [*self._handed_on, *(field for field in self._delivered if not field.of_patch)]
 
     @property
     def delivered(self) -> list[FieldView]:
-        """For each result with a place, where it goes."""
+        """The outputs to which the stage's results go, in their order."""
         return self._delivered
 
     def names(self) -> list[str]:
-        """What all of them are called."""
+        """The names of all inputs and outputs."""
         return [field.name for field in (*self._inputs, *self._handed_on, *self._delivered)]
 
     def name_of(self, output: Output) -> str:
-        """What an output with a place is called."""
+        """The name of an output that has a location."""
         assert output.field is not None
         return self._name(output.field, self._role(output))
 
     def capture_stride(self) -> int:
-        """The bytes of each vertex that the stage captures, where the text has to say it."""
+        """The bytes of each captured vertex, if the text has to state them; else 0."""
         capture = self._context.program.capture
         stream = self._context.profile.stream_output
         is_said = stream is not None and stream.told == "text"
@@ -64,7 +64,7 @@ class Fields:
         return capture.stride if capture is not None and captures else 0
 
     def tessellation(self) -> TessellationView | None:
-        """What the two stages say of patches that divide them."""
+        """How patches are divided, for the two tessellation stages; ``None`` in other stages."""
         patches = self._context.program.tessellation
         if patches is None or self._stage.row not in DIVIDING:
             return None
@@ -100,7 +100,7 @@ class Fields:
         return changed(view, captured_at=str(capture.member(output.field.name).offset))
 
     def _role(self, output: Output) -> FieldRole:
-        """Whether an output is a render target, or goes on to the next stage."""
+        """The role of an output: a render target, or an input of the next stage."""
         if output.kind == TARGET:
             return "render target"
         return "of patch" if self._stage.row.domain == PATCHES else "varying"
@@ -138,7 +138,7 @@ class Fields:
 
 
 def _roles_of_inputs(program: Program, stage: Stage) -> Iterator[tuple[str, FieldRole]]:
-    """What the inputs of a stage are, by name."""
+    """The names of a stage's inputs, each with its role."""
     for field in stage.inputs:
         yield field.name, "attribute"
     for face in program.interfaces_into(stage):

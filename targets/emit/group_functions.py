@@ -1,10 +1,10 @@
 """Prints the functions by which the invocations of a work group join their values.
 
-``stage.py`` makes a ``GroupFunctions`` for each stage. Each builtin that joins is a function of the
-text for each type that it joins: the invocations put their values into an array that they share,
-wait for each other at barriers, and join what others have put there. The order in which values are
-joined is that of ``compiler/reference/in_groups.py``. Every invocation calls these functions, as
-all have to reach the barriers; what one has put there that has no element is joined with nothing.
+``stage.py`` makes a ``GroupFunctions`` for each stage. Each joining builtin becomes a function of
+the text for each type that it joins: the invocations put their values into a shared array, wait for
+each other at barriers, and join the values of others. The order of joining is that of
+``compiler/reference/in_groups.py``. Every invocation calls these functions, as all have to reach
+the barriers; the value of an invocation without an element is not joined.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ DOCS: Mapping[GroupPart, str] = {
     "before": "What the values of the invocations before this one come to.",
 }
 _WORDS = ("value", "place", "present", "reach", "joined")
-"""What the functions call their parameters and variables: what an invocation has, its number in the
-work group, how many invocations of the group have an element, how far apart two are that join, and
-what comes of it."""
+"""The parameters and variables of the functions: an invocation's value, its number in the work
+group, how many invocations of the group have an element, the distance between two that join, and
+the joined value."""
 
 Use = tuple[str, Type]
 """A builtin that joins, and the type of its operand."""
@@ -53,7 +53,7 @@ class GroupFunctions(GroupCalls):
         self._size = 1 if group is None else invocations(group)
         used = [(use.builtin, use.types[0]) for use in stage.natives if use.builtin in OF_GROUPS]
         self._origins: dict[Use, Node] = {}
-        """By what each function is called first: what its lines belong to."""
+        """The node of each function's first call, for the source map."""
         builtins = [builtin for builtin, _ in used]
         declare = context.names.common.declare
         self._names = {
@@ -65,12 +65,13 @@ class GroupFunctions(GroupCalls):
         namer = context.names.locals(()) if used else None
         self._local = {word: namer.declare(word) for word in _WORDS} if namer else {}
         self._place, self._present = "", ""
-        """The same of the invocation that calls, as the entry point has called it."""
+        """The calling invocation's number in the work group, and the number of invocations with an
+        element, as the entry point names them."""
         self.has_element = ""
-        """The condition under which it has an element to compute."""
+        """The condition under which the calling invocation has an element to compute."""
 
     def __bool__(self) -> bool:
-        """Whether the stage joins anything."""
+        """True if the stage joins values of a work group."""
         return bool(self._names)
 
     @property
@@ -82,7 +83,7 @@ class GroupFunctions(GroupCalls):
         ]
 
     def call(self, node: Node, operand: Printed) -> Printed:
-        """What a builtin comes to at this invocation."""
+        """The expression for a builtin's result at this invocation."""
         builtin, type_ = NATIVE.data(node), node.type
         self._origins.setdefault((builtin, type_), node)
         arguments = [*separable([operand]), self._place]
@@ -95,12 +96,11 @@ class GroupFunctions(GroupCalls):
     def opening(
         self, namer: Namer, natives: Natives, read: str, count: str, index: str
     ) -> list[str]:
-        """The statements that tell invocations apart, of an entry point in which all go on to the
-        end.
+        """The first statements of an entry point in which all invocations run to the end.
 
-        ``read`` is the number of an invocation as the language has it, and ``count`` how many
-        elements there are. An invocation behind the last one has that one's ``index``: so
-        everything exists that it reads.
+        ``read`` is the language's number of an invocation, and ``count`` the number of elements. An
+        invocation behind the last element has that element's ``index``, so that everything that it
+        reads exists.
         """
         whole, number = namer.declare("count"), namer.declare("global_index")
         signed, unsigned = self._types.type(INT), self._types.type(UINT)
@@ -151,7 +151,7 @@ class GroupFunctions(GroupCalls):
         return FunctionView(comment_lines(DOCS[part]), head, lines_of)
 
     def _all(self, use: Use, natives: Natives) -> Iterator[str]:
-        """Pairs are joined, the second half of a group with the first one, until one is left."""
+        """Joins pairs, one from each half of what is left, until one value is left."""
         forms, array = self._forms, self._arrays[use[1]]
         place, present, reach, joined = (
             self._local[word] for word in ("place", "present", "reach", "joined")
@@ -173,7 +173,7 @@ class GroupFunctions(GroupCalls):
         yield forms.return_.format(value=joined)
 
     def _scan(self, use: Use, natives: Natives) -> Iterator[str]:
-        """What is before is joined from a distance of 1, then of 2, of 4 … (Hillis and Steele)."""
+        """Joins each value with those before it, at distances 1, 2, 4 … (Hillis and Steele)."""
         forms, array, type_ = self._forms, self._arrays[use[1]], use[1]
         place, reach, joined = (self._local[word] for word in ("place", "reach", "joined"))
         yield self._variable(joined, type_, self._local["value"])
@@ -191,7 +191,7 @@ class GroupFunctions(GroupCalls):
         yield forms.return_.format(value=joined)
 
     def _shifted(self, type_: Type, natives: Natives) -> Iterator[str]:
-        """What the invocation before has, and zero at the first one."""
+        """The value of the invocation before; zero at the first one."""
         forms, place, joined = self._forms, self._local["place"], self._local["joined"]
         yield from self._put(type_, joined)
         kind = scalar_kind(type_)
@@ -212,13 +212,13 @@ class GroupFunctions(GroupCalls):
         return natives.combined(row.joins, type_, [(one, POSTFIX), (other, POSTFIX)])[0]
 
     def _put(self, type_: Type, value: str) -> Iterator[str]:
-        """Each invocation shows the others what it has."""
+        """Stores the value of each invocation in the shared array, and waits for the others."""
         place = f"{self._arrays[type_]}[{self._local['place']}]"
         yield self._forms.assign.format(name=place, value=value)
         yield self._forms.barrier
 
     def _loop(self, first: str, condition: str, step: str) -> str:
-        """The head of a loop over how far apart the invocations are that join."""
+        """The head of the loop over the distance between the invocations that join."""
         return f"for ({self._variable(self._local['reach'], UINT, first)} {condition}; {step}) {{"
 
     def _variable(self, name: str, type_: Type, value: str) -> str:

@@ -37,7 +37,7 @@ class LeafPrinter:
         self._crossings = dict(_crossings(context.program.entering(stage)))
         faces = context.program.interfaces_into(stage)
         self._points = {f.name for face in faces if face.through for f in face.fields}
-        """The varyings that the stage before hands on."""
+        """The varyings that the stage before hands on from control points."""
 
     def parameter(self, node: Node) -> Printed:
         """A member of a uniform block, in its stored type."""
@@ -82,7 +82,7 @@ class LeafPrinter:
         return text, POSTFIX
 
     def sampler(self, node: Node) -> str:
-        """The name of a texture's sampler; empty where it has none."""
+        """The name of a texture's sampler; empty if the texture has none."""
         return self._names.samplers.get(RESOURCE.data(node).name, "")
 
     def attribute(self, node: Node) -> Printed:
@@ -141,7 +141,7 @@ class LeafPrinter:
 def _crossings(
     varyings: Iterable[Varying],
 ) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
-    """For each value that crosses: its slot, its first lane there, and the slot's lanes."""
+    """For each value between stages: its slot, its first lane there, and the slot's lanes."""
     for varying in varyings:
         first = 0
         total = width(varying.field.type)

@@ -33,7 +33,7 @@ def decimal(value: float) -> str:
     Magnitudes below the smallest normal number are written as zero, which they may count as: DXC
     crashes where a choice has one of them as a side.
     """
-    # By its sign too, which 0.0 and -0.0 do not differ in as keys.
+    # The sign is looked at, too: as keys, 0.0 and -0.0 are equal.
     return _shortest(value, math.copysign(1.0, value))
 
 
@@ -44,7 +44,7 @@ def _shortest(value: float, _sign: float) -> str:
         return "-0.0" if math.copysign(1.0, single) < 0 else "0.0"
     if abs(single) == LARGEST_FLOAT:
         return f"-{_LARGEST_TEXT}" if single < 0 else _LARGEST_TEXT
-    # What has six digits or fewer survives being a float32: it is found as the one with six.
+    # A number of up to six digits survives rounding to float32: the text with six digits finds it.
     digits = next(
         text for count in range(6, 10) if _rounded(float(text := f"{single:.{count}g}")) == single
     )

@@ -15,7 +15,8 @@ from ..description.reserved import Reserved
 _UNUSUAL = re.compile(r"[^A-Za-z0-9_]")
 _UNDERSCORES = re.compile(r"_{2,}")
 _LONGEST = 128
-"""Longer names are cut: WebGL refuses those beyond 1024 characters, and readers much earlier."""
+"""The length at which names are cut: WebGL refuses names beyond 1024 characters, and readers give
+up much earlier."""
 
 
 class Namer:
@@ -27,10 +28,12 @@ class Namer:
         self._reserved = reserved
         self._taken = set(taken)
         self._outer = outer
-        """The names of the scope around this one: not copied, as there may be many of both."""
+        """The names of the scope around this one. They are not copied, as there may be many of
+        both."""
         self._scopes: list[list[str]] = []
         self._numbers: dict[str, int] = {}
-        """By stem, the last number that was tried: so a name that is wanted often stays cheap."""
+        """By stem, the last number that was tried, so that a name that is wanted often stays
+        cheap."""
 
     def declare(self, wanted: str) -> str:
         """A legal name that nothing visible has yet: ``wanted`` itself if possible."""
@@ -82,7 +85,7 @@ class Namer:
 
 @lru_cache(maxsize=4096)
 def _legal(wanted: str, reserved: Reserved) -> str | None:
-    """``wanted`` in letters that are allowed; none if a language does not allow that name."""
+    """``wanted`` in allowed letters; empty if the language does not allow the result as a name."""
     name = _base(wanted)
     return None if name[:1].isdigit() or reserved.refuses(name) else name
 

@@ -1,8 +1,8 @@
-"""The final names of everything a program declares outside of functions.
+"""The final names of everything that a program declares outside of functions.
 
 They are decided once for all stages of a program. So stages that are matched by name agree, and the
-reflection lists the names that the text has. Blocks are named first, since hosts see their names
-most: what comes later gets a suffix where two names would be equal.
+reflection lists the names of the text. Blocks are named first, since hosts see their names most: of
+two equal names, the later one gets a suffix.
 """
 
 from __future__ import annotations
@@ -28,24 +28,26 @@ class Names:
     variables: Mapping[str, str]
     """The variable of each block, in languages where members are read through one."""
     members: Mapping[tuple[str, str], str]
-    """By block (or struct) and member."""
+    """The names of members, by block (or struct) and member."""
     structs: dict[str, str]
     buffers: Mapping[str, str]
     buffer_blocks: Mapping[str, str]
-    """By buffer, the interface block around it, in languages that have one."""
+    """The interface block around each buffer, by buffer, in languages that have interface
+    blocks."""
     images: Mapping[str, str]
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
-    """By texture; only textures that are read by a sampler have one."""
+    """The names of samplers, by texture; only textures that are read by a sampler have one."""
     attributes: Mapping[str, str]
     semantics: Mapping[str, str]
-    """What marks each attribute in the text, where the language marks them."""
+    """The semantic of each attribute in the text, in languages that have semantics."""
     varyings: Mapping[str, str]
     points: Mapping[str, str]
-    """By varying, what a stage between calls it that hands it on, and the stage behind."""
+    """By varying of a control point, its name where one stage hands it on and the next one reads
+    it."""
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
-    """By stage and the function's body."""
+    """The names of functions, by stage and the function's body."""
     common: Namer
     """The scope around all functions: locals of any stage must not hide its names."""
 
@@ -137,7 +139,7 @@ class _Naming:
         )
 
     def _supplied_parameters(self) -> Iterator[str]:
-        """What the pipeline supplies as parameters of an entry point: resources may be others."""
+        """The pipeline's values that are parameters of an entry point, as resources may be, too."""
         for stage in self._program.stages:
             for supplied in stage.row.inputs:
                 row = self._language.inputs.get(supplied.name)

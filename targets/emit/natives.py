@@ -56,11 +56,11 @@ def _special(row: Spelling, operands: Sequence[Type]) -> str:
 
 @frozen
 class EmittedFunction:
-    """A function of the text, as its callers know it."""
+    """The name of a function in the text, with the resources that its calls pass."""
 
     name: str
     passed: Sequence[str]
-    """The arguments in front of its own: blocks, textures and samplers."""
+    """The arguments that precede the function's own: blocks, textures and samplers."""
 
     def call(self, arguments: Sequence[Printed]) -> Printed:
         """The function called with arguments of its own."""
@@ -68,11 +68,11 @@ class EmittedFunction:
 
 
 class GroupCalls(ABC):
-    """What prints the calls of builtins that join the values of a work group."""
+    """Prints the calls of builtins that join the values of a work group."""
 
     @abstractmethod
     def call(self, node: Node, operand: Printed) -> Printed:
-        """What such a call comes to, of its printed operand."""
+        """The expression for such a call, with its printed operand."""
 
 
 class Natives:

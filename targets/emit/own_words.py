@@ -1,9 +1,9 @@
-"""Finds the words that a language's texts have of their own, which therefore name nothing else.
+"""Finds the words that a language's own texts contain, and that therefore cannot be names.
 
-``names.py`` asks for them once for each language. They are what the skeleton says between its tags,
-and what stands in the rows of the language and its profiles: types, forms, spellings of builtins,
-inputs and so on. So a row that brings a new word makes it one that no name takes. ``reserved.txt``
-adds what compilers refuse although no text of Burnish has it.
+``names.py`` asks for them once for each language. They are the text of the skeleton between its
+tags, and the rows of the language and its profiles: types, forms, spellings of builtins, inputs and
+so on. So a row with a new word makes it one that no name takes. ``reserved.txt`` adds words that
+compilers refuse although no text of Burnish has them.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ _TAG = re.compile(r"\{%.*?%\}|\{#.*?#\}", re.DOTALL)
 _SHOWN = re.compile(r"\{\{.*?\}\}")
 _FIELD = re.compile(r"\{[^{}\n]*\}")
 _PART = "\0"
-"""Stands for what is filled in: a word that touches it is only a part of one."""
+"""Replaces fields that are filled in: a word that touches it is only a part of a word."""
 _COUNTS = "234"
-"""What a number of lanes or columns can be."""
+"""The possible numbers of lanes or columns."""
 _OF_PARTS = frozenset(
     {"dimensions", "float_suffix", "lane_words", "lanes", "semantic", "type", "uint_suffix"}
 )
@@ -43,7 +43,7 @@ _ELSEWHERE = re.compile(
     r"|(?:\.|::)[A-Za-z_]\w*",  # A member.
     re.MULTILINE,
 )
-"""Where a compiler takes a word for what it says, whatever else has the same name."""
+"""A pattern of places where a word cannot be confused with a name, whatever has that name."""
 _WORD = re.compile(rf"(?<![\w{_PART}])[A-Za-z_]\w*(?![\w{_PART}])")
 
 
@@ -69,7 +69,7 @@ def _of_skeleton(language: Language) -> str:
 
 
 def _of_rows(language: Language) -> str:
-    """What stands in rows, with all that parts of its words can be."""
+    """The text of all rows, with every possible value of fields that are parts of words."""
     dimensions = tuple(language.textures.dimensions.values())
     rows = (_rows(language), *map(_profile_rows, language.profiles))
     forms = chain.from_iterable(_expanded(form, dimensions) for form in _texts(rows))
@@ -77,7 +77,7 @@ def _of_rows(language: Language) -> str:
 
 
 def _expanded(form: str, dimensions: Sequence[str]) -> Iterator[str]:
-    """A form, with each number of lanes and each dimension in it if it is about these."""
+    """A form with each number of lanes, and with each dimension, if it has fields for them."""
     if "{dimension}" in form:
         for dimension in dimensions:
             yield from _expanded(form.replace("{dimension}", dimension), dimensions)
@@ -89,9 +89,10 @@ def _expanded(form: str, dimensions: Sequence[str]) -> Iterator[str]:
 
 
 def _rows(language: Language) -> tuple[object, ...]:
-    """All that a language says of how something is written; formats are words of it, too.
+    """All rows that say how the language writes something; formats are words of it, too.
 
-    What its helper functions have inside hides other names, and their types stand in other rows.
+    Names inside of its helper functions hide other names, so that these do no harm, and the types
+    in them stand in other rows.
     """
     return (
         language.types, language.textures, tuple(language.images), language.images,
@@ -102,7 +103,7 @@ def _rows(language: Language) -> tuple[object, ...]:
 
 
 def _profile_rows(profile: Profile) -> tuple[object, ...]:
-    """The same of a profile."""
+    """All rows that say how a profile writes something."""
     framebuffer = profile.framebuffer
     return (
         profile.preamble, profile.requires, profile.defaults, profile.natives, profile.inputs,

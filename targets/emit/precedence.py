@@ -75,7 +75,7 @@ _SPECS = {
     "factor": Binding.PREFIX,
     "p": Binding.POSTFIX,
 }
-"""How tightly a field of a form binds what stands there."""
+"""The binding that an operand needs, by the word after the colon in a field of a form."""
 
 Printed: TypeAlias = tuple[str, Binding]
 """A printed expression, and how tightly it binds. It is a plain tuple, since thousands are made."""

@@ -38,9 +38,12 @@ def backend_row(
     flip_y: bool,
     source_maps: Mapping[str, Mapping[int, Span]],
 ) -> BackendRow:
-    """The row of one emission. ``files`` are names of files, by stage or for ``all`` of them;
-    ``front`` is how the corners of a front go around, and ``source_maps`` has by the name of a file
-    what in Burnish text each line of it is for."""
+    """The row of one emission.
+
+    ``files`` are names of files, by stage or for ``all`` of them; ``front`` is the winding of front
+    faces, and ``source_maps`` has, by the name of a file, the place in Burnish's text for each
+    line.
+    """
     names, bindings = emission.names, emission.bindings
     sampled = program.sampled
     turned = flip_y and not profile.framebuffer.clip_y_down
@@ -117,8 +120,10 @@ def backend_row(
 
 
 def _members(block: Block, names: Names, profile: Profile) -> dict[str, str]:
-    """What the members of a block are called, and those of structures, if hosts have to name them:
-    ``Lamp.place``."""
+    """The names of a block's members, for a host.
+
+    Those of structures are among them if hosts have to name them: ``Lamp.place``.
+    """
     found = {member.name: names.members[block.name, member.name] for member in _real(block)}
     if profile.loose_uniforms:
         found |= {

@@ -1,9 +1,9 @@
 """Translates a skeleton to a function in Python, which fills it in without Jinja.
 
 To import Jinja takes longer than to compile most materials. So ``templates.py`` has Jinja parse the
-skeletons when the package is built, and this module translates the trees. A skeleton that uses more
-of Jinja than what is translated here is left to Jinja itself: then ``translated`` raises
-``UnsupportedError``.
+skeletons when the package is built, and this module translates the trees. A skeleton with other
+features of Jinja than those that are translated here is left to Jinja itself: then ``translated``
+raises ``UnsupportedError``.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from collections.abc import Iterator, Sequence
 from jinja2 import nodes
 
 FILTERS = {"length": "len"}
-"""Filters, and Python's functions that do the same."""
+"""Filters, with the functions of Python that do the same."""
 PARAMETERS = ("file", "forms", "profile", "flip_y")
-"""What a skeleton is filled in with."""
+"""The variables of a skeleton."""
 GLOBALS = ("joiner",)
 """Functions of Jinja that ``templates.py`` supplies."""
 
@@ -26,7 +26,7 @@ Lines = Iterator[str]
 
 
 class UnsupportedError(Exception):
-    """The skeleton uses something of Jinja that is not translated here."""
+    """The skeleton uses a feature of Jinja that is not translated here."""
 
 
 def translated(tree: nodes.Template, function: str) -> str:
@@ -39,8 +39,8 @@ def translated(tree: nodes.Template, function: str) -> str:
 def _check_variables(tree: nodes.Template) -> None:
     """Raise ``UnsupportedError`` where Python's local variables would mean something else.
 
-    In Jinja, what a loop sets is forgotten after each iteration. So a name may be set in one loop
-    only, or outside of loops only, and no variable of a loop may hide another one.
+    Jinja forgets a loop's variables after each iteration. So a name may be set in one loop only, or
+    outside of loops only, and no variable of a loop may hide another one.
     """
     known = {*PARAMETERS, *GLOBALS}
     known.update(name.name for name in tree.find_all(nodes.Name) if name.ctx != "load")
@@ -74,7 +74,7 @@ def _names(target: nodes.Node) -> list[nodes.Name]:
 
 
 def _body(statements: Sequence[nodes.Node]) -> Lines:
-    """The body of a function that returns what the statements put out."""
+    """The body of a function that returns the text that the statements print."""
     yield f"{_INDENT}out = []"
     yield from _indented(statements)
     yield f"{_INDENT}return ''.join(out)"
@@ -130,7 +130,7 @@ def _joined(parts: Sequence[nodes.Node]) -> str:
 
 
 def _target(node: nodes.Node) -> str:
-    """What a value is assigned to: a variable, or several."""
+    """The left side of an assignment: a variable, or several."""
     match node:
         case nodes.Name(name=name):
             return _variable(name)

@@ -9,7 +9,7 @@ from ...frozen import frozen
 from ..description.spellings import TypeNames
 
 _NAME = "\0"
-"""Stands for the name in declarations that are kept; no text contains it."""
+"""A placeholder for the name in declarations that are kept; no text contains it."""
 
 
 @frozen(eq=False)
@@ -21,9 +21,9 @@ class TypeTexts:
 
     types: dict[Type, str]
     declared: dict[Type, str]
-    """Declarations of something called ``_NAME``."""
+    """Declarations of a variable called ``_NAME``."""
     stored: dict[Type, str]
-    """Likewise, as members of blocks."""
+    """Declarations of a block's member called ``_NAME``."""
 
 
 class _Written(dict[Type, str]):
@@ -52,7 +52,7 @@ class TypeSpeller:
         self._stored = _Written(known.stored, self._stored_pattern)
 
     def type(self, type_: Type) -> str:
-        """The type where no name stands beside it, as in a constructor or a result."""
+        """The type without a name beside it, as in a constructor or a result."""
         return self._types[type_]
 
     def declare(self, name: str, type_: Type) -> str:
@@ -81,7 +81,7 @@ class TypeSpeller:
         raise TypeError(f"{type_} is no value's type")
 
     def _pattern(self, type_: Type) -> str:
-        """A declaration of something called ``_NAME``."""
+        """The declaration of a variable called ``_NAME``."""
         element, name = self._element_and_name(type_)
         return self._names.declaration.format(type=self.type(element), name=name)
 

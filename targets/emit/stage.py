@@ -77,7 +77,7 @@ class StagePrinter:
         self._natives = Natives(context, self._leaves, self._functions, self._groups)
         self._marks = marks
         self._index = ""
-        """The name of the number of a kernel's element."""
+        """The name of the index of a kernel's element."""
 
     def entry(self, name: str) -> EntryView:
         """The entry point, called ``name``."""
@@ -126,7 +126,7 @@ class StagePrinter:
         )
 
     def _expansion(self) -> ExpansionView | None:
-        """What a stage that emits vertices says of the primitives that it gets."""
+        """The declaration of the primitives that a geometry stage gets and emits; else ``None``."""
         expansion = self._context.program.expansion
         if not self._stage.emitted or expansion is None:
             return None
@@ -162,8 +162,10 @@ class StagePrinter:
         return self._marks.mark(f"{self._index} >= {expressions.text(extent)}", extent)
 
     def _opening(self, namer: Namer, expressions: Expressions, extent: Node | None) -> list[str]:
-        """The statements that give the number of a kernel's element, or the place of its texel, a
-        name, and else what tells its invocations apart; none in other stages."""
+        """The first statements of a kernel, which name the index of its element or its texel.
+
+        They also compute other numbers by which its invocations differ. Other stages have none.
+        """
         own = self._invocation
         if own is None:
             return []
@@ -182,7 +184,7 @@ class StagePrinter:
         return [self._language.forms.let.format(typed=typed, name=self._index, value=value)]
 
     def _written(self, expressions: Expressions) -> Iterator[str]:
-        """The lines with which an invocation of a kernel writes what it has computed."""
+        """The lines by which an invocation of a kernel writes its results."""
         if self._invocation is None:
             return
         lines = list(self._all_written(expressions))
@@ -217,13 +219,13 @@ class StagePrinter:
 
     @property
     def _invocation(self) -> SystemInput | None:
-        """What tells a kernel's invocations apart; ``None`` in other stages."""
+        """The number or texel by which a kernel's invocations differ; ``None`` in other stages."""
         if self._context.program.work_group is None:
             return None
         return inputs_of((self._stage.row,))["texel" if self._stage.images else "index"]
 
     def _texels(self, expressions: Expressions) -> Iterator[str]:
-        """What is written to the images of a kernel."""
+        """The lines that write the texels of a kernel's images."""
         for output in self._stage.results:
             if output.image is not None:
                 text = self._language.forms.store_texel.format(
@@ -234,7 +236,7 @@ class StagePrinter:
                 yield self._marks.mark(text, output.value)
 
     def _stores(self, expressions: Expressions) -> Iterator[StoreView]:
-        """What is written at the end: outputs, and levels of a patch."""
+        """The assignments at the end of the entry point: outputs, and levels of a patch."""
         placed = [output for output in self._stage.results if output.field is not None]
         for field, output in zip(self._fields.delivered, placed, strict=True):
             yield StoreView(field.name, self._value(expressions, output.value))
@@ -326,13 +328,13 @@ class StagePrinter:
         )
 
     def _locals(self) -> Namer:
-        """A namer for locals, which never hide what the stage's file declares."""
+        """A namer for locals, which never hide declarations of the stage's file."""
         if not self._language.global_fields:
             return self._names.locals(())
         return self._names.locals(self._fields.names())
 
     def _supplied(self) -> tuple[str, ...]:
-        """The pipeline's values that the entry point reads; a kernel's always reads its place."""
+        """The pipeline's values that the entry point reads; a kernel always reads its index."""
         own, invocation = self._stage.builtin_inputs, self._invocation
         missing = invocation is not None and invocation.name not in own
         return (invocation.name, *own) if invocation and missing else own

@@ -1,7 +1,7 @@
 """Prints the statements of a region as lines of text.
 
-``stage.py`` makes a ``Statements`` for each function body. What a statement looks like is a form of
-the language (``forms.py``). Nested regions are walked with a stack, since materials may nest ``if``
+``stage.py`` makes a ``Statements`` for each function body. The look of a statement is a form of the
+language (``forms.py``). Nested regions are walked with a stack, since materials may nest ``if``
 deeply.
 """
 
@@ -43,7 +43,7 @@ class Statements:
         self._mark = marks.mark
 
     def lines(self, region: Region) -> list[str]:
-        """The statements of ``region``, indented. Names that they bind can be used afterwards."""
+        """The indented statements of ``region``. Names that they bind can be used afterwards."""
         return self.laid_out(self._region(region))
 
     def laid_out(self, block: Lines) -> list[str]:
@@ -89,7 +89,7 @@ class Statements:
         return self._mark(text, let.node)
 
     def _filled(self, let: Let) -> Lines:
-        """A variable for an array, and what assigns each of its elements."""
+        """A variable for an array, and the assignments of its elements."""
         values = [self._expressions.text(element) for element in let.node.operands]
         name = self._namer.declare(let.name)
         self._expressions.bound[let.node] = name, NAME
@@ -110,7 +110,7 @@ class Statements:
     def _branch(self, branch: Branch) -> Lines:
         otherwise = branch.node.operands[2]
         short = otherwise.op == "constant" and not branch.otherwise.statements
-        # What is known before the branch is printed before its name is taken.
+        # Values that are known before the branch are printed before its name is declared.
         test = self._test(branch)
         value = self._expressions.text(otherwise) if short else ""
         name = self._namer.declare(branch.name)
@@ -145,7 +145,7 @@ class Statements:
         yield self._forms.end
 
     def _connective(self, connective: Connective) -> Lines:
-        """A variable with the left operand, which the right one replaces unless that decides."""
+        """A variable with the left operand; the right one replaces it if it is needed."""
         left, right = connective.node.operands
         value = self._expressions.text(left)
         name = self._namer.declare(connective.name)
@@ -178,10 +178,10 @@ class Statements:
         return self._mark(text, owner or node)
 
     def _opened(self, loop: Loop | Iterate, count: str, going: Node | None = None) -> str:
-        """A loop's first line. What is declared after this call is inside of the loop.
+        """The first line of a loop. Names that are declared after this call are inside of the loop.
 
         The condition ``going`` is part of that line if no statement has to come before it: drivers
-        know loops with a single exit best.
+        handle loops with a single exit best.
         """
         # The name is declared outside: old C compilers kept a loop's variable after the loop.
         index = self._namer.declare(loop.index.name)
@@ -200,7 +200,7 @@ class Statements:
         return self._mark(text, loop.node)
 
     def _enough(self, loop: Loop | Iterate, count: str) -> Lines:
-        """What leaves a loop behind its last turn, where its first line can only say the bound."""
+        """The line that leaves a loop after its last iteration, if the loop only has a bound."""
         if self._forms.enough and loop.count.op != "constant":
             index = self._expressions.formals[loop.index]
             yield self._mark(self._forms.enough.format(index=index, count=count), loop.node)
@@ -268,14 +268,14 @@ class Statements:
         return self._forms.at_most.format(value=value, bound=self._bound(loop))
 
     def _bound(self, loop: Loop | Iterate) -> str:
-        """The number of iterations that no count exceeds; the count itself, if it is constant."""
+        """The largest possible number of iterations; the count itself, if it is constant."""
         kind: ScalarKind = "uint" if loop.count.type == UINT else "int"
         known = loop.count.data if loop.count.op == "constant" else loop.bound
         assert isinstance(known, int)
         return literal(min(known, loop.bound), kind, self._literals)
 
     def _block(self, region: Region, name: str, value: Node) -> Lines:
-        """The statements of a nested region, and what assigns ``value`` to a variable."""
+        """The statements of a nested region, and the assignment of ``value`` to a variable."""
         with self._inside():
             last = region.statements[-1] if region.statements else None
             if isinstance(last, Branch) and last.node is value:
@@ -299,7 +299,7 @@ class Statements:
 
 
 def _only_branch(branch: Branch) -> Branch | None:
-    """The branch that is all that another one does on its second side."""
+    """The branch that is everything on another branch's second side; ``None`` if there is more."""
     match branch.otherwise.statements:
         case (Branch() as inner,) if inner.node is branch.node.operands[2]:
             return inner

@@ -1,4 +1,4 @@
-"""Prints what a geometry stage does: a loop for each group of strips, and one for their vertices.
+"""Prints the body of a geometry stage: a loop for each group of strips, and one for their vertices.
 
 ``stage.py`` calls ``Strips.emitted`` where a stage emits vertices.
 """
@@ -22,7 +22,7 @@ class Strips(Statements):
     """The statements of a body that emits vertices."""
 
     def emitted(self, stage: Stage, delivered: Delivered) -> list[str]:
-        """What all groups share, and then these, one after the other."""
+        """The statements that all groups share, and then the groups, one after the other."""
         return self.laid_out(self._all(stage, delivered))
 
     def _all(self, stage: Stage, delivered: Delivered) -> Lines:
@@ -31,7 +31,7 @@ class Strips(Statements):
             yield from self._where(part.condition, self._part(part, stage.results, delivered))
 
     def _where(self, condition: Node, block: Lines) -> Lines:
-        """What is done only where a condition holds; without a test if it always does."""
+        """A block inside an ``if`` with a condition; without the test if it always holds."""
         if condition.op == "constant":
             if condition.data:
                 yield from block
@@ -43,7 +43,7 @@ class Strips(Statements):
         yield self._forms.end
 
     def _counted(self, number: Formal, count: str, about: Node, block: Lines) -> Lines:
-        """A loop. Its variable is known to what comes behind it, too, as some compilers remark."""
+        """A loop. Its variable is visible behind the loop, too, as some compilers remark."""
         index = self._namer.declare(number.name)
         self._expressions.formals[number] = index
         text = self._forms.loop.format(
@@ -67,7 +67,7 @@ class Strips(Statements):
                 yield from strip
 
     def _count_of(self, group: EmittedGroup) -> str:
-        """How many strips there are; never more than the bound, whatever the host has set."""
+        """The number of strips; never more than the bound, whatever the host has set."""
         bound = literal(group.strips.strips, "int", self._literals)
         if group.count.op == "constant":
             return bound
@@ -101,7 +101,9 @@ class Strips(Statements):
 
 
 def _stands_alone(group: EmittedGroup) -> bool:
-    """Whether there are several triangles that share no vertices, so that each is a strip of its
-    own; or points, which are in no strip."""
+    """True if no strip joins the group: several separate triangles, or points.
+
+    Each of the triangles is a strip of its own; points are in no strip.
+    """
     kind = group.strips.kind
     return not kind.is_joined and (kind.emits == "point" or group.strips.primitives > 1)

@@ -1,14 +1,14 @@
 """Loads and fills in skeletons, the Jinja2 templates of whole files.
 
 The emitter asks ``renderer`` for a function that turns a ``FileView`` into a text. Text of the user
-is data to a skeleton, never code.
+is data to a skeleton, never code. A language's skeleton extends ``skeleton.j2`` and overrides
+blocks of it.
 
-A language's skeleton extends ``skeleton.j2`` and overrides blocks of it. Jinja resolves inheritance
-each time that a template is rendered: it copies all variables for each block, and a block does not
-see the variables of the loop around it. So inheritance is resolved here, once, before a skeleton is
-compiled: every block is replaced by what the language says instead.
+Jinja resolves inheritance each time that a template is rendered: it copies all variables for each
+block, and a block does not see the variables of the loop around it. So inheritance is resolved
+here, once, before a skeleton is compiled: every block is replaced by the language's own block.
 
-What comes out is translated to Python (``skeleton_compiler.py``). This is done when the package is
+The result is translated to Python (``skeleton_compiler.py``). This is done when the package is
 built: ``generate.py`` asks for ``functions_to_generate``. So Jinja is imported only for a skeleton
 that has changed since.
 """
@@ -38,7 +38,8 @@ _BRANCHES = ("body", "elif_", "else_")
 """The fields of Jinja's statements that hold other statements."""
 
 Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
-"""Fills a skeleton in. What it takes is called ``file``, ``forms``, ``profile`` and ``flip_y``."""
+"""Fills a skeleton in. Its parameters are called ``file``, ``forms``, ``profile`` and
+``flip_y``."""
 
 
 @cache
@@ -60,7 +61,7 @@ def renderer(path: Path) -> Renderer:
 def functions_to_generate(paths: Iterable[Path]) -> Precomputations:
     """The functions for which ``renderer`` looks, as code.
 
-    Each is called ``render_`` and its key. A skeleton that has to be left to Jinja has none.
+    Each is called ``render_`` and its key. A skeleton that is left to Jinja has none.
     """
     found = {_key(sources): sources for sources in (tuple(skeleton_texts(path)) for path in paths)}
     return {key: partial(_translated, found[key], f"render_{key}") for key in found}
@@ -93,7 +94,7 @@ def by_jinja(path: Path) -> Renderer:
 
 
 def joiner(separator: str) -> Callable[[], str]:
-    """Jinja's function: what it returns gives ``separator``, but nothing the first time."""
+    """Jinja's function: its result returns ``separator``, but nothing the first time."""
     given = iter(("",))
     return lambda: next(given, separator)
 

@@ -49,8 +49,11 @@ def opening_lines(
     natives: Iterable[NativeUse],
     reads: Iterable[TextureRead],
 ) -> list[str]:
-    """The first lines of a file behind the preamble: the extensions that what it uses makes
-    necessary, default precisions, and the precisions of the textures that it reads."""
+    """The first lines of a file behind the preamble.
+
+    They are the extensions that its operations need, default precisions, and the precisions of the
+    textures that it reads.
+    """
     used = (*(use.builtin for use in natives), *(read.builtin for read in reads))
     extensions = (profile.requires[name] for name in used if name in profile.requires)
     precision = profile.samplers.precision
@@ -61,7 +64,7 @@ def opening_lines(
 
 
 def image_lines(profile: Profile, images: Iterable[ImageView]) -> list[str]:
-    """The first lines of a file that writes images: their precision, where one has to be told."""
+    """The first lines of a file that writes images: their precision, if it has to be stated."""
     precision = profile.samplers.precision
     types = dict.fromkeys(image.type for image in images)
     return [precision.format(type=type_) for type_ in types] if precision else []

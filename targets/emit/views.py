@@ -1,7 +1,7 @@
-"""The records that a skeleton gets to print: all texts in them are finished.
+"""The records that a skeleton prints: all texts in them are finished.
 
-The emitter makes them, and ``skeleton.j2`` puts them together. What belongs between the elements of
-a list, or around them, is the skeleton's business.
+The emitter makes them, and ``skeleton.j2`` puts them together. Separators and brackets of lists are
+the skeleton's business.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ class MemberView:
     typed: str
     comment: str = ""
     is_padding: bool = False
-    """Whether it only keeps the others at their places."""
+    """True if the member only keeps the others at their offsets."""
 
 
 @frozen
@@ -35,10 +35,10 @@ class BlockView:
 
     name: str
     variable: str
-    """The variable that it is, in languages where members are reached through one."""
+    """The variable that holds the block, in languages where members are reached through one."""
     slot: BindingSlot
     register: str
-    """The slot in the language's own words, where it has such."""
+    """The binding in the language's own words, if it has such."""
     argument: str
     """The block as a parameter of a function."""
     members: tuple[MemberView, ...]
@@ -50,7 +50,7 @@ class BufferView:
 
     name: str
     block: str
-    """What the interface block around it is called, in languages where there is one."""
+    """The name of the interface block around the buffer, in languages that have one."""
     element: str
     """The type of its elements."""
     slot: BindingSlot
@@ -58,9 +58,10 @@ class BufferView:
     argument: str
     """The buffer as a parameter of a function."""
     written: bool
-    """Whether a kernel writes it; all others are only read."""
+    """True if a kernel writes the buffer; all others are only read."""
     scattered: bool
-    """Whether it does so by joining values with elements that are there already."""
+    """True if the kernel writes by combining values with elements that are there already
+    (atomics)."""
 
 
 @frozen
@@ -70,7 +71,7 @@ class ImageView:
     name: str
     type: str
     format: str
-    """That of its texels, in Burnish's word."""
+    """The format of the image's texels, in Burnish's word."""
     slot: BindingSlot
     register: str
 
@@ -95,18 +96,18 @@ class FieldView:
     location: int
     semantic: str
     crosses: bool
-    """Whether it goes from one stage to the next."""
+    """True if the field goes from one stage to the next."""
     flat: bool
     comment: str
     of_patch: bool = False
-    """Whether it is the same all over a patch."""
+    """True if the field is the same for a whole patch."""
     per_corner: bool = False
-    """Whether there is one for each corner of a primitive, or for each control point."""
+    """True if there is one value for each corner of a primitive, or for each control point."""
     invariant: bool = False
-    """Whether the text has to say that it is the same, bit by bit, in all shaders that compute it
-    in this way."""
+    """True if the text has to declare the field invariant: the same, bit by bit, in all shaders
+    that compute it in this way."""
     captured_at: str = ""
-    """At which byte of a vertex it is captured, where the text says so."""
+    """The byte of a vertex at which the field is captured, if the text says so."""
 
 
 @frozen
@@ -136,42 +137,43 @@ class StoreView:
 
 @frozen
 class ExpansionView:
-    """What a stage does that gets whole primitives and emits vertices."""
+    """The primitives that a geometry stage gets, and the vertices that it emits."""
 
     primitive: str
-    """In the language's own word."""
+    """The kind of primitive that the stage gets, in the language's own word."""
     corners: int
     emitted: str
-    """What it emits: the language's word for streams of points, lines or triangles."""
+    """The language's word for the stream that the stage emits: points, lines or triangles."""
     places: bool
-    """Whether it says where vertices go; those that are captured go nowhere."""
+    """True if the stage delivers positions; captured vertices have none."""
     vertices: int
-    """How many it emits at most."""
+    """The largest number of vertices that the stage emits."""
     is_layered: bool
-    """Whether it says to which layer of the render targets they belong."""
+    """True if the stage says to which layer of the render targets its vertices belong."""
 
 
 @frozen
 class TessellationView:
-    """How patches are divided, for the two stages that do it."""
+    """How patches are divided, for the two tessellation stages."""
 
     patch: str
-    """Their kind, in the language's own word."""
+    """The kind of the patches, in the language's own word."""
     lines: bool
-    """Whether they are divided into lines, and not into triangles."""
+    """True if patches are divided into lines, and not into triangles."""
     spacing: str
-    """How edges are divided, likewise."""
+    """How edges are divided, in the language's own word."""
     points: int
-    """How many control points each has."""
+    """The number of control points of each patch."""
     edge_levels: int
-    """How many levels there are."""
+    """The number of tessellation levels of the edges."""
     inner_levels: int
     is_control: bool
-    """Whether it is the stage that computes the levels."""
+    """True in the stage that computes the tessellation levels."""
     own: list[FieldView]
-    """What is the same all over a patch: this stage computes it, the other one reads it."""
+    """The fields that are the same for a whole patch: the control stage computes them, the
+    evaluation stage reads them."""
     handing: list[StoreView]
-    """What is handed on of each control point: the outputs, and the inputs that they are."""
+    """The outputs of each control point, with the inputs that they hand on."""
 
 
 @frozen
@@ -184,40 +186,40 @@ class EntryView:
     pipeline_inputs: list[InputView]
     outputs: list[FieldView]
     blocks: list[BlockView]
-    """What this stage reads of the file's blocks."""
+    """The file's blocks that this stage reads."""
     buffers: list[BufferView]
-    """Likewise."""
+    """The file's buffers that this stage reads or writes."""
     images: list[ImageView]
-    """Those that it writes."""
+    """The images that this stage writes."""
     textures: list[TextureView]
-    """What it reads of the file's textures."""
+    """The file's textures that this stage reads."""
     functions: list[FunctionView]
     lines: list[str]
     stores: list[StoreView]
     shared: list[str]
     """Declarations of variables that the invocations of a work group share."""
     written: list[str]
-    """Lines with which a kernel writes elements of buffers and texels of images."""
+    """Lines by which a kernel writes elements of buffers and texels of images."""
     position: str
     """Clip-space position; empty in stages that do not deliver it."""
     invariant: bool
-    """Whether positions are the same, bit by bit, in all shaders that compute them in this way:
-    where they are delivered, and how finely patches are divided."""
+    """True if positions, and the tessellation levels, have to be the same, bit by bit, in all
+    shaders that compute them in this way."""
     opening: list[str]
-    """The statements that tell a kernel's invocations apart; none in other stages."""
+    """The first statements of a kernel, which compute its index; none in other stages."""
     guard: str
-    """Where a kernel's invocation has nothing to do; empty in other stages, and where all
-    invocations go on to the end."""
+    """The condition under which a kernel's invocation has nothing to do. Empty in other stages, and
+    in kernels in which all invocations go on to the end."""
     work_group: tuple[int, ...]
-    """How many invocations a kernel runs together along x, y and z; empty in other stages."""
+    """The size of a kernel's work group along x, y and z; empty in other stages."""
     discard: list[str]
-    """Lines that give the pixel up where it has to be; empty where nothing is discarded."""
+    """Lines that discard the fragment; empty if nothing is discarded."""
     capture_stride: int = 0
-    """The bytes of each vertex that is captured, where the text says so; else 0."""
+    """The bytes of each captured vertex, if the text states them; else 0."""
     expansion: ExpansionView | None = None
-    """Of a stage that emits vertices."""
+    """The expansion of a stage that emits vertices; else ``None``."""
     tessellation: TessellationView | None = None
-    """Of the stages that divide patches."""
+    """The division of patches in tessellation stages; else ``None``."""
 
 
 @frozen
@@ -225,16 +227,16 @@ class FileView:
     """One file."""
 
     opening: list[str]
-    """Lines that have to come before all others, besides those of the profile."""
+    """Lines that have to come before all others, after those of the profile."""
     header: list[str]
     structs: list[StructView]
     blocks: list[BlockView]
     buffers: list[BufferView]
     images: list[ImageView]
     textures: list[TextureView]
-    """Each followed by its sampler, if that is an object of its own."""
+    """The textures; each is followed by its sampler, if that is an object of its own."""
     helpers: list[str]
-    """Functions of the language's own, texts of some lines."""
+    """Helper functions of the language, each a text of several lines."""
     host_uniforms: list[str]
     """Loose float uniforms."""
     entries: list[EntryView]

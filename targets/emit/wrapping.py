@@ -19,7 +19,7 @@ from .precedence import INFIX, Binding
 
 WIDTH = 110
 STEP = 4
-"""How much deeper each level is indented."""
+"""The indentation of each level, in spaces."""
 
 _BINDINGS = {
     **{symbol: rule.result for symbol, rule in INFIX.items()},
@@ -35,15 +35,16 @@ _TOKEN = re.compile(
       )""",
     re.VERBOSE,
 )
-"""Operators have blanks around them; ``<`` of a type has not, nor has a sign or ``->``. A brace at
-the end opens a block."""
+"""A bracket, a separator or an operator. Operators have blanks around them; ``<`` of a type has
+not, nor has a sign or ``->``. A brace at the end opens a block."""
 _COMMENT = re.compile(r"(?P<mark>///?) (?P<text>.*)")
 _WORD_END = re.compile(r"(?<![\\\s]) +")
 """Not behind a backslash, which would swallow the next line."""
 
 Place = TypeVar("Place")
 Breaks: TypeAlias = Mapping[int, int]
-"""For each line that was too long (counted from 1, in order), how many lines were made of it."""
+"""For each line that was too long (counted from 1, in order), the number of lines that it
+became."""
 
 
 def wrapped(text: str) -> tuple[str, Breaks]:
@@ -121,8 +122,10 @@ def _chain(operands: Sequence[str], indent: int, column: int) -> list[str]:
 
 
 def _around_bracket(operands: Sequence[str], indent: int, column: int) -> list[str]:
-    """Lines for operands of which only one is too long: it is broken at its brackets, and the
-    others stand in the lines of those. Empty if that does not work."""
+    """Lines for operands of which only one is too long: it is broken at its brackets.
+
+    The other operands stand in the lines of the brackets. Empty if that does not work.
+    """
     starts = [indent, *(column for _ in operands[1:])]
     wide = [k for k, start in enumerate(starts) if start + len(operands[k]) > WIDTH]
     if len(wide) != 1 or len(_operands(operands[wide[0]])) > 1:
@@ -150,7 +153,7 @@ def _enclosed(text: str, start: int, indent: int, column: int) -> list[str]:
 
 
 def _arguments(items: Iterable[str], column: int) -> list[str]:
-    """As many arguments in a line as fit; one that has to be broken shares its lines with none."""
+    """Lines with as many arguments as fit; a broken argument shares its lines with no other."""
     lines: list[str] = []
     for line in _filled_lines(items, WIDTH - column):
         lines += _layout(line, column, column + STEP)

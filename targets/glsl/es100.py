@@ -1,8 +1,9 @@
 """The profile of GLSL ES 1.00, for OpenGL ES 2.0 and WebGL 1, which ``language.py`` lists.
 
-The language is older than all others here: no blocks, no integers of a known width, loops that say
-a constant number of turns. What it may leave out, as many devices do, is Appendix A of its
-specification (https://registry.khronos.org/OpenGL/specs/es/2.0/GLSL_ES_Specification_1.00.pdf).
+The language is older than all others here: it has no blocks, no integers of a known width, and only
+loops with a constant number of iterations. Appendix A of its specification
+(https://registry.khronos.org/OpenGL/specs/es/2.0/GLSL_ES_Specification_1.00.pdf) lists the features
+that it may leave out, as many devices do.
 """
 
 from __future__ import annotations
@@ -18,18 +19,18 @@ from ..description.profile import Framebuffer, Limits, Profile, Samplers
 from ..description.spellings import Literals, Read, Spelling, Spellings, TypeNames
 
 TYPES = TypeNames(
-    # What is stored as uint are bools, of which only 0 and 1 are written.
+    # Only bools are stored as uint, so only 0 and 1 are written.
     scalars={"float": "float", "int": "int", "uint": "int", "bool": "bool"},
     vectors={"float": "vec{n}", "int": "ivec{n}", "uint": "ivec{n}", "bool": "bvec{n}"},
     matrix="mat{n}",
-    # All matrices are square. A host fills the columns that a tall one has not got with zeros.
+    # All matrices are square. A host fills the columns that a tall matrix lacks with zeros.
     tall_matrix="mat4",
 )
 
 NATIVES: Spellings = {
     "mod": Spelling(floats="mod", integers="({0:factor} - {1:factor} * ({0:factor} / {1:factor}))"),
     "fma": "({0:factor} * {1:factor} + {2:factor})",
-    # There are neither bits nor `&&` of vectors.
+    # There are no operations on bits, and no `&&` of vectors.
     "and": Spelling(vectors="{type}(vec{lanes}({0}) * vec{lanes}({1}))"),
     "or": Spelling(vectors="{type}(vec{lanes}({0}) + vec{lanes}({1}))"),
     "sample": Read("texture2D({0}, {1})", types={"texture_cube": "textureCube({0}, {1})"}),
@@ -46,7 +47,7 @@ FORMS = Forms(
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the operands are floats."""
+    """True if the operands are floats."""
     return facts[0].kind == "float"
 
 

@@ -133,7 +133,7 @@ FORMS = Forms(
     deliver_layer="gl_Layer = {value};",
     store_texel="imageStore({name}, {place}, {value});",
     shared="shared {typed};",
-    # GLSL says that a barrier orders what is shared, too; Mesa's OpenGL moves reads across it.
+    # In GLSL, a barrier also orders shared memory; but Mesa's OpenGL moves reads across it.
     barrier="memoryBarrierShared(); barrier();",
     emit_vertex="EmitVertex();",
     end_strip="EndPrimitive();",
@@ -174,7 +174,7 @@ FRAG_COORD_FROM_TOP = PipelineInput(
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the operands are floats."""
+    """True if the operands are floats."""
     return facts[0].kind == "float"
 
 
@@ -182,16 +182,16 @@ AGREES: Mapping[str, Domain] = {"dot": is_float}
 """GLSL has no inner product of integers."""
 
 COUNTS = frozenset({"count_bits", "first_leading_bit", "first_trailing_bit"})
-"""What came with GLSL 4.00 and ES 3.10. In ES the results are ``lowp``: a device may compute
-``1000 * bitCount(x)`` in nine bits."""
+"""Builtins that came with GLSL 4.00 and ES 3.10. In ES the results are ``lowp``: a device may
+compute ``1000 * bitCount(x)`` in nine bits."""
 
 LACKS = COUNTS | {"reverse_bits"}
-"""What came with them, too, and is ``highp`` in ES."""
+"""All builtins that came with GLSL 4.00 and ES 3.10; ``reverse_bits`` is ``highp`` in ES."""
 
 WITHOUT_FMA = {"fma": "({0:p} * {1:p} + {2:p})"}
 
 DOWNWARDS = {"ddy": "(-dFdy({0}))"}
-"""Where rows count upwards, so does ``dFdy``."""
+"""The spelling of ``ddy`` where rows count upwards, as then ``dFdy`` does, too."""
 
 VULKAN = Profile(
     name="vulkan",
@@ -218,7 +218,7 @@ VULKAN = Profile(
 )
 
 NO_LEVELS = frozenset({"texture_levels"})
-"""It came with GLSL 4.30; no version of ES has it."""
+"""The builtin that came with GLSL 4.30; no version of ES has it."""
 
 CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""
@@ -236,7 +236,7 @@ OPENGL = Profile(
     preamble=("#version 330 core",),
     stages=EXPANDED,
     stream_output=StreamOutput("names"),
-    # Equations of their own came with OpenGL 4.0.
+    # Blend equations for each target came with OpenGL 4.0.
     blending="switched",
     explicit_bindings=False,
     samplers=Samplers(combined=True),
@@ -327,7 +327,7 @@ OF_EXTENSIONS = (
     "(f(16|32|64)|[iu](8|16|32|64))vec[2-4]$",
     "f(16|32|64)mat[2-4](x[2-4])?$",
     "f16(sampler|image|texture|subpassInput)",
-    # What the extensions of vendors add, and what they are called without one.
+    # Words of vendors' extensions, and those without a vendor's suffix.
     r"\w+(AMD|ARB|EXT|KHR|NV|QCOM)$",
     "coopmat$|nonprivate$|(device|queuefamily|workgroup|subgroup|shadercall)coherent$|spirv_",
 )

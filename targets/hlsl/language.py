@@ -37,7 +37,7 @@ TYPES = TypeNames(
     stored_matrix="column_major {type}",
 )
 
-# DXC takes a choice between two plain literals for a double, or an integer of 64 bits, and remarks
+# DXC treats a choice between two plain literals as a double, or an integer of 64 bits, and warns
 # that it does not know how wide a shifted one is.
 LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 
@@ -85,8 +85,8 @@ IMAGES: Mapping[str, str] = {
 }
 
 _CAST = "(({type}){0:p})"
-"""How a vector is converted that has just been converted: DXC drops both of `float2(int2(v))` where
-it makes SPIR-V."""
+"""The conversion of a vector that has just been converted: DXC drops both of `float2(int2(v))`
+where it makes SPIR-V."""
 
 NATIVES: Spellings = {
     "mul": Spelling(matrix="mul"),
@@ -143,7 +143,7 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
     "3d": ("width, height, depth", "int3(width, height, depth)"),
     "cube": ("width, height", "int2(width, height)"),
 }
-"""What `GetDimensions` answers before the levels, and a size of that."""
+"""The results of `GetDimensions` before the levels, and the size that is made of them."""
 
 
 def asking(head: str, level: str, answer: str) -> Mapping[Dimension, str]:
@@ -201,7 +201,8 @@ SPACINGS: Mapping[Spacing, str] = {
 
 
 LONGEST_SEMANTIC = 54
-"""Direct3D takes 64 characters; longer names are cut, and told apart by their location."""
+"""The length at which semantics are cut: Direct3D takes 64 characters. Cut names are told apart by
+their location."""
 
 
 NEVER_NAMES = (
@@ -237,7 +238,7 @@ def semantic(role: FieldRole, name: str, location: int) -> str:
 
 
 def is_unsigned(facts: tuple[Fact, ...]) -> bool:
-    """Whether the first operand is a `uint`."""
+    """True if the first operand is a `uint`."""
     return facts[0].kind == "uint"
 
 

@@ -36,7 +36,8 @@ class Bindings:
     blocks: Mapping[str, BindingSlot]
     textures: Mapping[str, BindingSlot]
     samplers: Mapping[str, BindingSlot]
-    """Of textures that are read by one; the texture's own slot where the profile combines them."""
+    """The slots of samplers, for textures that are read by one. Where the profile combines them, it
+    is the texture's own slot."""
     buffers: Mapping[str, BindingSlot]
     images: Mapping[str, BindingSlot]
 
@@ -56,7 +57,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     else:
         blocks = {name: BindingSlot(place.group, place.binding) for name, place in hosts.items()}
         slots = _SlotsBySet(frozenset(blocks.values()))
-    # First, as devices have fewer places for images than for textures.
+    # Images come first, as devices have fewer bindings for them than for textures.
     for image in program.images:
         set_ = profile.sets.get(image.group, profile.default_set)
         images[image.name] = slots.free("image", set_)
@@ -76,14 +77,14 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
 
 
 class _Slots(Protocol):
-    """Hands out places that nothing has yet."""
+    """Hands out binding slots that are still free."""
 
     def free(self, kind: BindingKind, set_: int) -> BindingSlot:
-        """The next place for something of ``kind`` in a set."""
+        """The next free slot for a resource of ``kind`` in a set."""
 
 
 class _SlotsBySet:
-    """A number is used once in a set, and not where the host has bound a block of its own."""
+    """Uses a number once in a set, and skips those of blocks that the host has bound itself."""
 
     def __init__(self, taken: frozenset[BindingSlot]) -> None:
         self._taken = taken
@@ -95,8 +96,11 @@ class _SlotsBySet:
 
 
 class _SlotsByKind:
-    """A number is used once for each kind; images are textures. The host's own blocks are numbered
-    like others, and before them, since their places may be the same but for the set."""
+    """Uses a number once for each kind; images count as textures.
+
+    The host's own blocks are numbered like others, and before them, since their places may differ
+    in the set only.
+    """
 
     def __init__(self) -> None:
         self._numbers: defaultdict[BindingKind, Iterator[int]] = defaultdict(count)
@@ -116,7 +120,7 @@ class _Owned:
 
 
 def _by_group(program: Program) -> dict[str, _Owned]:
-    """What each group has; groups are in the order of the program."""
+    """The blocks, buffers and textures of each group; groups are in the order of the program."""
     found: defaultdict[str, _Owned] = defaultdict(lambda: _Owned([], [], []))
     for block in program.blocks:
         owned = found[block.group].blocks

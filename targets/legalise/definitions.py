@@ -34,9 +34,9 @@ Definitions = Mapping[Use, Function]
 
 
 def with_definitions(program: Program, profile: Profile) -> tuple[Program, Definitions]:
-    """The program with the functions that the profile needs in each stage, and what each is for.
+    """The program with the functions that the profile needs in each stage, and their uses.
 
-    A function stands behind those that it calls itself.
+    Each function follows those that it calls.
     """
     made: dict[Use, Function] = {}
     stages = tuple(_defined(stage, profile, made) for stage in program.stages)
@@ -44,7 +44,7 @@ def with_definitions(program: Program, profile: Profile) -> tuple[Program, Defin
 
 
 def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage:
-    """The stage with its functions behind those that the profile needs."""
+    """The stage with the functions that the profile needs, followed by its own."""
     pending = list(_lacking(stage.natives, profile))
     if not pending:
         return stage
@@ -61,7 +61,7 @@ def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage
 
 
 def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
-    """The uses of builtins that the profile does not have as they are meant."""
+    """The uses of builtins whose meaning the profile lacks."""
     for native in natives:
         if native.builtin in profile.lacks or native.builtin in profile.agrees:
             use = native.builtin, native.types
@@ -70,10 +70,10 @@ def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
 
 
 def has_meaning(profile: Profile, use: Use) -> bool:
-    """Whether the profile's own operation means what the builtin does, for operands of some types.
+    """True if the profile's own operation means what the builtin does, for operands of these types.
 
-    Types decide about builtins that have a definition. Those of which values decide have been
-    proven, or have a guard, where they are used.
+    Types decide about builtins that have a definition. Those whose meaning depends on values have
+    been proven, or have a guard, where they are used.
     """
     name, types = use
     domain = profile.agrees.get(name) if BUILTINS[name].definition else None

@@ -24,9 +24,9 @@ def emitted(shader: Shader, legal: Legal) -> Shader:
     """``shader``, but with the values of its results as ``legal`` computes them.
 
     Parameters are read as blocks store them, derived ones are parameters like others, and a builtin
-    that the profile lacks is a call of the function that the text has for it. The graph is a new
-    one, in which equal programs have equal nodes with equal numbers. So what is remembered of the
-    program of one profile is found for every other one that has the same program.
+    that the profile lacks is a call of the text's function for it. The graph is a new one, in which
+    equal programs have equal nodes with equal numbers. So results that are remembered for the
+    program of one profile are found for every other profile with the same program.
     """
     given = [pair for stage in legal.program.stages for pair in _values(shader, stage)]
     writing = _Writing(legal.definitions)
@@ -52,7 +52,7 @@ def _values(shader: Shader, stage: Stage) -> Iterator[tuple[Result, Node]]:
 
 
 class _Writing:
-    """Copies nodes into a new graph, with a call wherever the text calls a definition."""
+    """Copies nodes into a new graph; uses of definitions become calls, as in the text."""
 
     def __init__(self, definitions: Definitions) -> None:
         self.graph = Graph()
@@ -69,7 +69,7 @@ class _Writing:
         return [self._program[value] for value in values]
 
     def notes(self, given: Notes) -> Notes:
-        """What ``given`` says of the program's nodes, for their copies."""
+        """The notes of ``given`` about the program's nodes, moved to their copies."""
         notes = Notes()
         notes.take_over(given, {old.id: new.id for old, new in self._program.items()})
         for function in self._definitions.values():

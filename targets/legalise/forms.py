@@ -1,4 +1,4 @@
-"""Chooses the form in which a profile has a program, where there are several.
+"""Chooses the form of a program that a profile can have, if there are several.
 
 ``api.py`` asks before anything is legalised: a kernel over images is a compute shader where the
 profile can write these images, and a full-screen pass elsewhere, if vertices have numbers there.
@@ -13,7 +13,7 @@ from ..description.profile import Profile
 
 
 def form_for(staged: Staged, profile: Profile) -> Form:
-    """The program as a profile can have it."""
+    """The form of a program for a profile."""
     images = staged.program.images
     is_written = (
         COMPUTE in profile.stages

@@ -1,4 +1,4 @@
-"""Decides about guards that some languages need and others do not.
+"""Decides which guards a profile needs: some languages define operations that others leave open.
 
 The passes leave a call where an operation is defined in some languages and left open in others: an
 integer over zero, a shift by more than there are bits. ``legalise`` asks here what the profile
@@ -31,7 +31,7 @@ from ..description.profile import Profile
 
 
 def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]:
-    """The program with the guards that the profile needs, and what is noted of its nodes."""
+    """The program with the guards that the profile needs, and the notes about its nodes."""
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
     graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
     shader = changed(undecided.shader, graph=graph, notes=notes)
@@ -40,7 +40,7 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
     roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
     apart = Apart.of(undecided.results, shader.placing)
     roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
-    # Calls that only these guards make dear are copied here, with the loops in them.
+    # Calls that only these guards make expensive are inlined here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)
     roots = verified("legalise", "stored", roots)
     made = zip(undecided.results, roots, strict=True)
@@ -49,13 +49,13 @@ def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:
-    """Whether a guard stays in the texts for a profile."""
+    """True if a guard stays in the texts for a profile."""
     domain = profile.agrees.get(guard.builtin, BUILTINS[guard.builtin].domain)
     return not (guard.by_profile and domain(guard.facts))
 
 
 class _Deciding(Guarding):
-    """Replaces calls, with what was known of their operands when the guards were looked at."""
+    """Replaces calls, by the facts about their operands when the guards were examined."""
 
     def __init__(
         self, graph: Graph, notes: Notes, known: Ranges, domains: Mapping[str, Domain]
@@ -65,7 +65,7 @@ class _Deciding(Guarding):
         self._known = known
 
     def decided(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """Replace one call; ``rewrite`` asks this for each call of the program."""
+        """Decide about one call; ``rewrite`` calls this for each call of the program."""
         self.at = self.notes.spans.get(node.id, self.at)
         for operand, given in zip(operands, node.operands, strict=True):
             self.ranges.assume(operand, self._known.of(given))

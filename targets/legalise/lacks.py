@@ -1,8 +1,8 @@
-"""Finds what a program uses that a profile has not got at all.
+"""Finds the features that a program uses and a profile lacks altogether.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
-by ``availability.py``, as it follows from the table of capabilities. ``limits.py`` finds what a
-profile has, but not as often as a program needs it.
+``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
+adds the way out, which follows from the table of capabilities. ``limits.py`` finds features that a
+profile has, but not as often as a program needs them.
 """
 
 from __future__ import annotations
@@ -45,20 +45,20 @@ from .values import features_of_values
 
 @frozen
 class Lack:
-    """Something that a profile has not got, and a program uses."""
+    """A feature that a program uses and a profile lacks."""
 
     feature: str
-    """That of a ``Need`` in the table of capabilities, behind "… has no"."""
+    """The feature of a ``Need`` in the table of capabilities, behind "… has no"."""
     node: int
     """The id of a node that needs it."""
     of_expansion: bool = False
-    """Whether it is what the material turns its primitives or patches into that needs it."""
+    """True if the need comes from the material's expansion or tessellation."""
     instead: str = ""
-    """What a user can do, if it is no matter of other profiles alone."""
+    """A hint, if there is one besides compiling for another profile."""
     needed_for: Capability | None = None
     """The capability for which it is needed, if the feature alone does not say."""
     target: int | None = None
-    """The number of the render target that needs it, if it is not its value that does."""
+    """The number of the render target that needs the feature, if its value does not."""
 
 
 FLOATS = frozenset(("r32f", "rg32f", "rgba32f"))
@@ -69,18 +69,18 @@ WITH_STREAM_OUTPUT = "compile with `--native-stages`: then a stream output captu
 
 
 def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
-    """What a program uses and the profile has not got."""
+    """The features that a program uses and the profile lacks."""
     captured = capturing(program)
     missing = [stage for stage in program.stages if stage.row not in profile.stages]
     if captured is not None:
         yield from _cannot_capture(program, profile, captured)
     elif missing:
-        # What misses the first one of several that belong together misses all of them.
+        # A profile that lacks the first of several stages that belong together lacks all of them.
         stage = missing[0]
         of_primitives = bool(stage.emitted) or stage.row == CONTROL
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
     elif is_lowered(program) and not INSTANCES.is_met(profile):
-        # All else that its stages need was not written by the user.
+        # Further needs of its stages do not come from the user's text.
         row = GEOMETRY if program.tessellation is None else CONTROL
         yield Lack(feature_of_stage(row), program.stages[0].roots[0].id, of_expansion=True)
         return
@@ -98,7 +98,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
-    """The number of the render targets, and how they are blended."""
+    """Lacks that follow from the number of the render targets, and from how they are blended."""
     if len(program.targets) > 1 and not SEVERAL_TARGETS.is_met(profile):
         second = program.results_of(TARGET)[1].value.id
         ways = (way for way, _ in _ways_of_blending(program.targets) if way != BLENDED_FLOATS)
@@ -108,7 +108,7 @@ def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
-    """Storage buffers, where a stage can have none."""
+    """Storage buffers in stages that can have none."""
     for stage in program.stages:
         need = buffers_of(stage.row)
         buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
@@ -117,7 +117,7 @@ def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
-    """Types of textures, and ways to read the others."""
+    """Types of textures that the profile lacks, and ways to read other textures."""
     absent = {
         read.resource: read.node
         for read in reversed(program.reads)
@@ -138,14 +138,14 @@ def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _way_of_comparing(builtins: Set[str]) -> Capability | None:
-    """What a texture of depths needs of a profile besides that there are such textures."""
+    """The capability that reading a depth texture in these ways needs, besides depth textures."""
     if {"compare", "load"} <= builtins:
         return COMPARED_AND_LOADED
     return GATHERED_COMPARISONS if "gather_compare" in builtins else None
 
 
 def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
-    """What the profile has not got of the ways in which the targets are blended."""
+    """The features of blending that the render targets use and the profile lacks."""
     for capability, number in _ways_of_blending(program.targets):
         for feature in standing(capability, profile).missing[:1]:
             root = program.results_of(TARGET)[number].value.id
@@ -153,7 +153,7 @@ def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
 
 
 def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capability, int]]:
-    """What targets need of a profile, each with the number of the first target that needs it."""
+    """The capabilities of blending that targets need, each with the first target that needs it."""
     blended = [number for number, target in enumerate(targets) if target.blend != REPLACES]
     apart = [number for number in blended if targets[number].blend != targets[blended[0]].blend]
     if apart:
@@ -167,7 +167,7 @@ def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capabil
 
 
 def is_lowered(program: Program) -> bool:
-    """Whether its primitives or patches are drawn as instances, without stages of their own."""
+    """True if primitives or patches are drawn as instances instead of by stages of their own."""
     made_of = program.expansion or program.tessellation
     rows = {stage.row for stage in program.stages}
     return made_of is not None and program.capture is None and not rows & {CONTROL, GEOMETRY}
@@ -179,7 +179,7 @@ def emitting(program: Program) -> list[Stage]:
 
 
 def capturing(program: Program) -> Capability | None:
-    """What a program needs that captures; ``None`` if it draws."""
+    """The capability that a program needs to capture vertices; ``None`` if it draws."""
     if program.capture is None:
         return None
     if program.tessellation is not None:
@@ -188,7 +188,7 @@ def capturing(program: Program) -> Capability | None:
 
 
 def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -> Iterator[Lack]:
-    """What the profile has not got of a stream output or, where this is lowered, of kernels."""
+    """The lacking features of stream output or, if capturing is lowered, of kernels."""
     cell, captured = standing(capturing, profile), program.results_of(CAPTURE)
     if not captured:
         (kernel,) = program.stages
@@ -208,7 +208,7 @@ def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -
 
 
 def _reading_numbers(program: Program) -> list[Node]:
-    """What the first stage delivers that depends on the number of a vertex."""
+    """The outputs of the first stage that depend on the vertex index."""
     stage = program.stages[0]
     (number, *_) = stage.row.inputs
     return [
@@ -226,7 +226,7 @@ def _first_use(stage: Stage) -> int:
 
 
 def _is_read(native: NativeUse) -> bool:
-    """Whether it reads a texture: then it stands among the reads, once for each texture."""
+    """True if the use reads a texture, and so is among the program's texture reads, too."""
     return bool(native.types) and isinstance(native.types[0], Texture)
 
 

@@ -15,17 +15,18 @@ from .resource_arguments import ResourceArguments
 
 @frozen
 class Legal:
-    """A program that ``emit`` only has to print, with what was decided for the profile."""
+    """A program that ``emit`` only has to print, with all decisions for the profile."""
 
     program: Program
     language: Language
     profile: Profile
     definitions: Definitions
-    """The function that stands for each builtin that the profile does not have as it is meant."""
+    """The function that replaces each builtin whose meaning the profile lacks."""
     bindings: Bindings
     passed: ResourceArguments
     """The blocks and textures that functions get as arguments."""
     in_place: frozenset[Node] = frozenset()
-    """Values that get no names, since they are parts of places that have to be constant."""
+    """Values that get no names, since they are parts of indices that have to be constant."""
     notes: Notes | None = None
-    """Names and places of the program's nodes, if nodes were added to those of the shader."""
+    """Names and source positions of the program's nodes, if ``legalise`` has added nodes to the
+    shader's."""

@@ -1,8 +1,8 @@
-"""Finds what a profile has not as often as a program needs it.
+"""Finds the limits of a profile that a program exceeds.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. Their way out is told
-by ``availability.py`` where it follows from other profiles. ``lacks.py`` finds what a profile has
-not got at all.
+``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
+adds the way out where it follows from other profiles. ``lacks.py`` finds features that a profile
+lacks altogether.
 """
 
 from __future__ import annotations
@@ -32,22 +32,22 @@ from .lacks import capturing, emitting, is_lowered
 
 @frozen
 class Excess:
-    """More of something than every device of the profile is guaranteed to have."""
+    """A limit that is exceeded: more of something than every device of the profile supports."""
 
     limit_name: str
     """A field of ``Limits``."""
     count: int
     limit: int
     block: str = ""
-    """The host's own block that is the reason."""
+    """The host's own block that exceeds the limit."""
     of_expansion: bool = False
-    """Whether the reason is what the material turns its primitives into."""
+    """True if the reason is the material's expansion or tessellation."""
     instead: str = ""
-    """What a user can do, if it is no matter of other profiles alone."""
+    """A hint, if there is one besides compiling for another profile."""
 
     @property
     def what(self) -> str:
-        """What there is too much of, behind its number."""
+        """The noun for the limited things, which follows their number."""
         return LIMITED[self.limit_name].what
 
 
@@ -70,11 +70,11 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
 
 
 def _counts(program: Program, profile: Profile) -> dict[str, int]:
-    """How much a program has of what is limited, by the field of the limit."""
+    """The program's number of everything that is limited, by the field of the limit."""
     depths = (_nested_blocks(region) for stage in program.stages for region in stage.regions)
     crossing = (len(face.varyings) for face in program.interfaces)
     return {
-        # What is captured leaves a stage as what crosses does.
+        # Captured values leave a stage as varyings do.
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         "attributes": program.input_locations + _missing_inputs(program, profile),
         "textures": max(len(stage.resources) for stage in program.stages),
@@ -84,7 +84,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         **_uniform_counts(program, profile),
         "nested_blocks": max(depths),
         "inlined_operations": max(map(_inlined_operations, program.stages)),
-        # Where there is only one, that is what ``lacks`` tells.
+        # If the profile has only one target, ``lacks`` reports that.
         "render_targets": len(program.results_of(TARGET)) if SEVERAL_TARGETS.is_met(profile) else 0,
         "work_group": 0 if program.work_group is None else invocations(program.work_group),
         "shared_bytes": _shared_bytes(program),
@@ -98,7 +98,7 @@ def _of_vertices(program: Program) -> list[Stage]:
 
 
 def _uniform_counts(program: Program, profile: Profile) -> dict[str, int]:
-    """How large blocks are, or how many vectors of uniforms a stage reads instead of them."""
+    """The size of the largest block or, with loose uniforms, the vectors that each stage reads."""
     if not profile.loose_uniforms:
         return {"block_bytes": max((block.size for block in program.blocks), default=0)}
 
@@ -111,8 +111,7 @@ def _uniform_counts(program: Program, profile: Profile) -> dict[str, int]:
 
 
 def _missing_inputs(program: Program, profile: Profile) -> int:
-    """How many vertex inputs a program lacks a buffer for, which has corners where there can be
-    one."""
+    """The vertex inputs that replace a buffer of corners, if the profile can have none."""
     corners = program.corner_buffer
     if corners is None or not isinstance(corners.type.element, Struct):
         return 0
@@ -120,7 +119,7 @@ def _missing_inputs(program: Program, profile: Profile) -> int:
 
 
 def _shared_bytes(program: Program) -> int:
-    """How many bytes a work group shares that joins values: an array of each type that it joins."""
+    """The bytes that a work group shares to join values: an array of each type that it joins."""
     natives = (native for stage in program.stages for native in stage.natives)
     joined = {native.types[0] for native in natives if native.builtin in OF_GROUPS}
     if not joined or program.work_group is None:
@@ -131,7 +130,7 @@ def _shared_bytes(program: Program) -> int:
 
 
 def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
-    """Likewise of storage buffers. Where a stage can have none, that is what ``lacks`` tells."""
+    """The storage buffers of the stages. ``lacks`` reports stages that can have none."""
     counts: dict[str, int] = {}
     for stage in program.stages:
         if profile.limits.buffers_of(stage.row):
@@ -157,8 +156,10 @@ def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
 
 
 def _inlined_operations(stage: Stage) -> int:
-    """The operations that the calls of a stage come to, if each is the function's body instead; at
-    most ``UNCOUNTED``. Functions stand behind those that they call."""
+    """The operations of a stage if each call is replaced by the function's body.
+
+    The result is at most ``UNCOUNTED``. Functions follow those that they call.
+    """
     whole: dict[Node, int] = {}
 
     def of_calls(nodes: Iterable[Node]) -> int:
@@ -171,7 +172,7 @@ def _inlined_operations(stage: Stage) -> int:
 
 
 def _nested_blocks(region: Region) -> int:
-    """How many loops and branches stand inside of each other."""
+    """The depth of nesting of loops and branches."""
     deepest = 0
     pending = [(region, 0)]
     while pending:
@@ -182,7 +183,7 @@ def _nested_blocks(region: Region) -> int:
 
 
 def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
-    """Places of the host's own blocks that the profile does not have. They count from 0."""
+    """Bindings of the host's own blocks that the profile does not have. They count from 0."""
     for block in program.blocks:
         if block.host is not None:
             for name, number, limit in (
@@ -196,8 +197,8 @@ def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
 LANE_BYTES = 4
 VECTOR_BYTES = 4 * LANE_BYTES
 UNCOUNTED = 10**9
-"""So many operations in place of calls, or more: they double with each function that calls the one
-before it twice."""
+"""The number at which counting stops: inlined operations double with each function that calls the
+one before it twice."""
 INLINED = (
     "compilers and drivers put the whole body of a function wherever it is called, with those of "
     "all that it calls: have an equation compute once what several calls share, or a loop what "
@@ -209,4 +210,4 @@ BY_CORNER = (
     "`--native-stages` for one that has the stage"
 )
 INSTEAD = {"inlined_operations": INLINED}
-"""What a user can do about a limit that no profile has more of."""
+"""Advice about a limit that is the same in all profiles."""

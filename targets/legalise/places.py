@@ -1,8 +1,8 @@
-"""Tells the places of elements that are constant in each turn of a loop from all others.
+"""Finds indices that are constant in each iteration of a loop, and all others.
 
-In some languages only such places are allowed (``Profile.computed_indices``): expressions of
-constants and of the numbers of turns, which name no other variable. ``values.py`` refuses all
-others, and ``legalise`` has these printed where they are used, instead of giving them names.
+Some languages only allow such indices (``Profile.computed_indices``): expressions of constants and
+loop counters, which name no other variable. ``values.py`` refuses all others, and ``legalise`` has
+these printed where they are used, instead of giving them names.
 """
 
 from __future__ import annotations
@@ -17,14 +17,17 @@ from ...compiler.ir.statements import Iterate, Loop, Region
 from ...compiler.passes.walks import visible
 
 COUNTED = frozenset({"add", "div", "mod", "mul", "neg", "sub"})
-"""The operations of which such a place is made."""
+"""The operations that such an index may consist of."""
 LARGEST = 16
-"""Of how many operations at most, as they are written again wherever the place is used."""
+"""The largest number of operations in such an index: it is repeated wherever it is used."""
 
 
 def computed_places(stage: Stage) -> Iterator[int]:
-    """The ids of the elements and lanes whose places are others, besides those of storage buffers,
-    of which more is told, and of arrays of uniforms where vertices are computed."""
+    """The ids of elements and lanes with other indices, which a profile may not have.
+
+    Storage buffers are left out, since other messages are about them, and so are arrays of uniforms
+    in stages that compute vertices.
+    """
     for node, counted in _elements(stage):
         source = _source(node.operands[0])
         is_free = source == "buffer" or (source == "parameter" and stage.row != FRAGMENT)
@@ -33,7 +36,7 @@ def computed_places(stage: Stage) -> Iterator[int]:
 
 
 def counted_places(program: Program) -> frozenset[Node]:
-    """The operations of which the places are made that are constant in each turn."""
+    """The operations of the indices that are constant in each iteration."""
     found: set[Node] = set()
     for stage in program.stages:
         found.update(*(counted for _node, counted in _elements(stage) if counted))
@@ -41,8 +44,10 @@ def counted_places(program: Program) -> frozenset[Node]:
 
 
 def _elements(stage: Stage) -> Iterator[tuple[Node, list[Node] | None]]:
-    """The elements and lanes that a stage reads by a place, each with the operations that the place
-    is made of; ``None`` if it is computed."""
+    """The elements and lanes that a stage reads, each with the operations of its index.
+
+    The operations are ``None`` if the index is computed in another way.
+    """
     counters = frozenset(_counters(stage.regions))
     for node in visible(stage.roots, into_bodies=True):
         if node.op == "index":
@@ -50,7 +55,7 @@ def _elements(stage: Stage) -> Iterator[tuple[Node, list[Node] | None]]:
 
 
 def _counters(regions: Iterable[Region]) -> Iterator[Formal]:
-    """The numbers of turns of all loops."""
+    """The counters of all loops."""
     pending = list(regions)
     while pending:
         for statement in pending.pop().statements:
@@ -60,14 +65,14 @@ def _counters(regions: Iterable[Region]) -> Iterator[Formal]:
 
 
 def _source(aggregate: Node) -> Op:
-    """The operation that an aggregate comes from, or that of which it is a part."""
+    """The operation that an aggregate, or the aggregate around it, comes from."""
     while aggregate.op in ("index", "member"):
         aggregate = aggregate.operands[0]
     return aggregate.op
 
 
 def _counted(place: Node, counters: frozenset[Formal]) -> list[Node] | None:
-    """The operations that a place is made of, if it is made of constants and numbers of turns."""
+    """The operations of an index that consists of constants and loop counters; else ``None``."""
     operations: list[Node] = []
     pending = [place]
     for node in pending:  # It grows on the way.

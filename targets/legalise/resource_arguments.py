@@ -19,7 +19,10 @@ from ..description.shading_language import Language
 
 @frozen
 class Passed:
-    """What a function gets, by the names in the program, in its order."""
+    """The blocks, buffers and textures that a function gets as arguments.
+
+    They have their names in the program, and its order.
+    """
 
     blocks: tuple[str, ...] = ()
     buffers: tuple[str, ...] = ()
@@ -29,11 +32,12 @@ class Passed:
 NOTHING = Passed()
 
 ResourceArguments = Mapping[tuple[StageName, Node], Passed]
-"""By stage and the function's body; a function that reads nothing is not among them."""
+"""The resources of functions, by stage and the function's body. Functions that read none are left
+out."""
 
 
 def resource_arguments(program: Program, language: Language) -> ResourceArguments:
-    """What each function of ``program`` gets, where the language has no global resources."""
+    """The resources that each function of ``program`` gets; empty if they are global variables."""
     if not language.resource_arguments:
         return {}
     return {
@@ -45,7 +49,7 @@ def resource_arguments(program: Program, language: Language) -> ResourceArgument
 
 
 def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
-    """What each function of a stage gets; functions stand behind those that they call."""
+    """The resources that each function of a stage gets; functions follow those that they call."""
     owners = {
         member.parameter: block.name
         for block in program.blocks

@@ -1,4 +1,4 @@
-"""Tells how a texture's sampler works: a depth texture is compared with, others are filtered."""
+"""Finds how a texture's sampler works: it compares depths, and filters other textures."""
 
 from __future__ import annotations
 
@@ -14,5 +14,5 @@ def texture_type(resource: Resource) -> Texture:
 
 
 def sampler_use(resource: Resource) -> SamplerUse:
-    """Whether the sampler of a texture filters or compares."""
+    """The use of a texture's sampler: it filters or compares."""
     return "comparison" if texture_type(resource).sample == "depth" else "filtering"

@@ -1,4 +1,4 @@
-"""Finds values that a program has and a profile has not: their types, their places, who gives them.
+"""Finds values that a program uses and a profile lacks: by their types, indices and sources.
 
 ``lacks.py`` asks, for profiles of languages that are older than most: those without integers of a
 known width, without arrays that are values, or in which places of elements have to be constant.
@@ -27,8 +27,10 @@ from .places import computed_places
 
 
 def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str, int]]:
-    """What values need and the profile has not got, each with the id of a node that needs it. Of
-    stages that the profile has not got, nothing more is told."""
+    """Features of values that a program needs and the profile lacks, each with a node's id.
+
+    Nothing is reported about stages that the profile has not got.
+    """
     stages = [stage for stage in program.stages if stage.row in profile.stages]
     for stage in stages:
         nodes = visible(stage.roots, into_bodies=True)
@@ -49,8 +51,10 @@ def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str
 
 
 def needs_wide_integers(use: NativeUse) -> bool:
-    """Whether an operation needs integers of 32 bits, or without a sign. A bool is stored as 0 or
-    1, and compared with 0 to read it."""
+    """True if an operation needs integers of 32 bits, or unsigned ones.
+
+    A bool is stored as 0 or 1, and compared with 0 to read it.
+    """
     kinds = {scalar_kind(type_) for type_ in use.types}
     return use.builtin in WIDE_INTEGERS.builtins or ("uint" in kinds and use.builtin != "ne")
 

@@ -91,7 +91,7 @@ PLACE, LEVEL = "uint2({1})", "uint({2})"
 
 
 def precisely(*names: str) -> Mapping[str, str]:
-    """Functions of which the compiler's options would otherwise choose a faster, coarser one."""
+    """Functions for which the compiler's options would else choose a faster, less precise one."""
     return {name: f"precise::{name}" for name in names}
 
 
@@ -208,7 +208,7 @@ def semantic(role: FieldRole, _name: str, location: int) -> str:
 
 
 def is_float(facts: tuple[Fact, ...]) -> bool:
-    """Whether the first operand is of floats."""
+    """True if the first operand has floats."""
     return facts[0].kind == "float"
 
 

@@ -70,7 +70,7 @@ EXACT: Mapping[str, TargetFormat] = {
 """For each type that is written to a target, a format that can hold every value of it."""
 
 WINDINGS: Mapping[str, Winding] = {"counter_clockwise": "ccw", "clockwise": "cw"}
-"""What drivers call the ways in which the corners of a front go around."""
+"""The drivers' words for the winding of front faces."""
 
 VERTEX_FORMATS: Mapping[str, VertexFormat] = {
     "float": "float32", "vec2": "float32x2", "vec3": "float32x3", "vec4": "float32x4",
@@ -122,7 +122,7 @@ def pipeline(
         depth_bias=_depth_bias(state.depth),
         stencil=_stencil(state.stencil),
         flip_y=backend.flip_y,
-        # Vulkan's viewport makes the picture of every text upright, also of those for other APIs.
+        # Vulkan's viewport makes every picture upright, also that of a text for another API.
         front_face=WINDINGS[state.front] if on_vulkan else backend.front_face,
         first_row="top" if on_vulkan else backend.first_row,
         host_uniforms=tuple(backend.host_uniforms),
@@ -141,7 +141,7 @@ def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot
 
 
 def _stream_output(reflection: Reflection, backend: BackendRow) -> StreamOutput | None:
-    """How vertices are captured; ``None`` if they are drawn, or if a kernel captures."""
+    """The stream output that captures vertices; ``None`` if nothing, or a kernel, captures."""
     captured, names = reflection.capture, backend.captures
     if captured is None or not names:
         return None
@@ -178,7 +178,7 @@ def _divided_natively(draw: DrawRow) -> bool:
 
 
 def _layers(row: LayersRow | None) -> int:
-    """To how many layers a single draw reaches; 0 if there are none, or a draw for each."""
+    """The number of layers of a single draw; 0 if there are none, or a draw for each."""
     return 0 if row is None or row.parameter is not None else row.count
 
 
@@ -198,15 +198,17 @@ def _equation(row: blending.BlendEquation) -> BlendEquation:
 
 
 def shows_less(reflection: Reflection) -> bool:
-    """Whether targets that are drawn to as the pass declares them show something else than the
-    numbers that shaders write: because of what is there before, or of several samples."""
+    """True if targets show something else than the numbers that shaders write.
+
+    Blending and masks mix these numbers with the old contents, and several samples with each other,
+    where targets are drawn to as the pass declares them.
+    """
     joined = reflection.render_state.samples > 1
     return joined or any(map(keeps_something, reflection.targets))
 
 
 def keeps_something(row: TargetRow) -> bool:
-    """Whether something is left of what is there, where one of the reflection's targets is drawn
-    to."""
+    """True if drawing to a target keeps some of its old contents: by blending, or by a mask."""
     return row.blend is not None or row.mask != ALL_LANES
 
 
@@ -222,7 +224,7 @@ def _input(row: VertexInputRow, backend: BackendRow) -> Input:
 
 
 def _block(row: BlockRow, binding: BlockBindingRow) -> BlockSlot:
-    """A block; one that has no name in the text is uniforms there."""
+    """A block; if it has no name in the text, loose uniforms."""
     loose = () if binding.identifier else tuple(uniforms_of(row, binding))
     return BlockSlot(_place(binding), row.size, loose)
 

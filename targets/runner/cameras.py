@@ -1,4 +1,4 @@
-"""Cameras: where somebody looks from, and how much they see.
+"""Cameras: their position, direction and field of view.
 
 ``scene.py`` has one, and files of scenes bring theirs. World space is right-handed with y upwards;
 clip space has z from 0 to w.
@@ -20,17 +20,17 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Camera:
-    """It looks along -z of its own space, with y upwards."""
+    """A camera that looks along -z of its own space, with y upwards."""
 
     eye: Vector
     world_to_camera: Matrix
     near: float
     far: float
-    """May be infinite for a perspective."""
+    """The far plane; may be infinite for a perspective."""
     fov: float | None
     """The vertical angle of view from bottom to top; ``None`` without perspective."""
     height: float = 2.0
-    """Without perspective: how much it sees from bottom to top."""
+    """Without perspective: the height that it sees, from bottom to top."""
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform; ``aspect`` is width divided by height."""

@@ -1,4 +1,4 @@
-"""Captures vertices: runs a pass that captures by a route, and gives what it wrote as arrays.
+"""Captures vertices: runs a pass that captures by a route, and returns its output as arrays.
 
 Hosts and tests call ``capture``, and ``conform`` calls the parts of it. ``Vertices.mesh`` makes a
 mesh of them, which is drawn like any other.
@@ -38,9 +38,9 @@ class Vertices:
     """Captured vertices, in the order in which they were drawn."""
 
     members: Mapping[str, NDArray[Any]]
-    """By the name of the capture, of shape (vertices, lanes)."""
+    """The captured values, by the name of the capture, of shape (vertices, lanes)."""
     primitive: str
-    """What they are: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
+    """The primitives: ``triangle``, of three vertices each, ``line``, of two, or ``point``."""
     count: int
 
     def mesh(self) -> Mesh:
@@ -64,7 +64,7 @@ _WIDE = {"f": np.float64, "i": np.int64, "u": np.int64}
 def capture(
     subject: Subject, state: SceneState, route: Route, runner: Runner, toolchain: Toolchain
 ) -> Vertices:
-    """What a pass captures of a mesh, by a route.
+    """The vertices that a pass captures of a mesh, by a route.
 
     Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``, also for a
     pass that captures nothing.
@@ -80,7 +80,7 @@ def capture(
 def captured_by(
     route: Route, bound: Pipeline, states: Sequence[SceneState], runner: Runner
 ) -> list[Vertices]:
-    """What a route captures of each state, by a stream output or by a kernel.
+    """The vertices that a route captures for each state, by a stream output or by a kernel.
 
     All states are of one material. Raises ``DriverError``.
     """
@@ -98,7 +98,7 @@ def captured_by(
 
 
 def give_elements(state: SceneState) -> None:
-    """Give the kernel that captures of a mesh what it reads of it."""
+    """Give a kernel that captures the values of the mesh that it reads."""
     rows = mesh_rows(state.instance.reflection)
     give_mesh(state.instance, {row.name: _of_elements(row, state) for row, _ in rows})
 
@@ -121,7 +121,7 @@ def _of_elements(row: VertexInputRow, state: SceneState) -> NDArray[Any]:
 
 
 def _compacted(state: SceneState, written: Written) -> Captured:
-    """What a kernel has written, without the vertices that are not there."""
+    """The vertices that a kernel has written, without those that it marks as absent."""
     row = _capture(state.instance.reflection)
     assert row.buffer is not None, "a kernel captures"
     data = elements_of(state.instance, written)[row.buffer]
@@ -132,13 +132,13 @@ def _compacted(state: SceneState, written: Written) -> Captured:
 
 
 def most(state: SceneState) -> int:
-    """How many vertices are captured of a mesh at most."""
+    """The largest number of vertices that can be captured of a mesh."""
     row = _capture(state.instance.reflection)
     return row.vertices * len(state.triangles) * state.instance_count
 
 
 def vertices(reflection: Reflection, captured: Captured) -> Vertices:
-    """What was captured, as arrays."""
+    """Captured vertices as arrays."""
     row = _capture(reflection)
     words = np.frombuffer(captured.data, np.uint8).reshape(captured.count, row.stride)
     members = {each.name: _member(words, each) for each in row.members}
@@ -146,7 +146,7 @@ def vertices(reflection: Reflection, captured: Captured) -> Vertices:
 
 
 def _capture(reflection: Reflection) -> CaptureRow:
-    """How a pass captures that does."""
+    """The capture of a pass that captures."""
     assert reflection.capture is not None
     return reflection.capture
 

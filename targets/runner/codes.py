@@ -60,7 +60,7 @@ class Request:
 
     route: Route
     files: Sequence[ShaderFile]
-    """Its texts; those of other profiles are ignored."""
+    """The material's texts; those of other profiles are ignored."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,7 @@ def compile_all(requests: Sequence[Request], toolchain: Toolchain) -> list[Codes
 def modules(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verdict]:
     """A module for each job of a checker that makes SPIR-V, or its verdict if it has refused it.
 
-    Tests that have texts checked call it as well: what a route has compiled is not compiled again.
+    Tests that check texts call it as well: a text that a route has compiled is not compiled again.
     """
     store = Store(STORE)
     versions = {name: toolchain.versions(name) for name in {job.checker for job in jobs}}

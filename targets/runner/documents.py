@@ -1,8 +1,8 @@
-"""Reads JSON that was received: plans, reflections, and the elements of buffers.
+"""Reads JSON from outside: plans, reflections, and the elements of buffers.
 
-What stands in such a text is not believed. It is refused if it has too many values, before any of
-them is made; if it is nested as nobody nests; if a name stands twice in an object, which hosts
-understand in different ways; or if a number or a text is none elsewhere.
+Nothing in such a text is believed. It is refused if it has too many values, before any of them is
+made; if it is nested too deeply; if a name occurs twice in an object, which hosts understand in
+different ways; or if other programs could not read a number or a text in it.
 """
 
 from __future__ import annotations
@@ -17,40 +17,39 @@ from ...compiler.budget import allowed, check, holding
 from .files import FileError
 
 MOST_NESTED = 200
-"""How deep lists and objects may stand in each other."""
+"""The deepest nesting of lists and objects."""
 
 LARGEST = 2**53
-"""Up to here, all languages of hosts tell whole numbers apart."""
+"""The largest number up to which all languages of hosts tell whole numbers apart."""
 
 _TEXT = re.compile(rb'"[^"\\]*+(?:\\.?[^"\\]*+)*+(?:"|\Z)', re.DOTALL)
 _ASTRAL = re.compile(rb"[\xf0-\xff]|\\u[dD][89abAB]")
-"""How a character is written for which Python has four bytes."""
+"""A pattern of characters for which Python needs four bytes, as they are written."""
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
-"""How half of a character is written that takes two halves."""
+"""A pattern of escaped halves of characters (surrogates), as they are written."""
 _SURROGATE = re.compile("[\ud800-\udfff]")
-"""Half of a character in a text that was read."""
+"""A pattern of halves of characters (surrogates) in a text that was read."""
 _OF_A_VALUE = 256
-"""Bytes that a value takes at most, with a short name."""
+"""The most bytes that a value takes, with a short name."""
 
 
 class DocumentError(FileError):
-    """A text is no JSON that can be read; says where it stands, and why."""
+    """The text is no JSON that can be read; the message says where, and why."""
 
 
 class Quota:
-    """How many values several documents may still have together."""
+    """The number of values that several documents may still have together."""
 
     def __init__(self, what: str) -> None:
-        """``what`` begins the sentence that is told if there are too many, and ends with its
-        verb."""
+        """``what`` begins the message if there are too many values, and ends with its verb."""
         self._what = what
         self._taken = 0
 
     def take(self, data: bytes) -> int:
-        """Count the values of a text, and say how many it has at most. Raises ``BudgetError``."""
+        """Count the values of a text; returns the most that it can have. Raises ``BudgetError``."""
         count = _at_most(data)
         if self._taken + count > allowed("values"):
-            # Commas and brackets within texts are none.
+            # Commas and brackets within strings do not count.
             count = _at_most(_TEXT.sub(b"", data))
         self._taken += count
         check("values", self._taken, self._what)
@@ -58,10 +57,13 @@ class Quota:
 
 
 def read_json(data: bytes, name: str, quota: Quota | None = None) -> Any:
-    """The value of a JSON text in UTF-8; ``name`` is what errors call it, and ``quota`` says how
-    many values there may be. Raises ``DocumentError`` and ``BudgetError``."""
+    """The value of a JSON text in UTF-8.
+
+    ``name`` is the text's name in errors, and ``quota`` the number of values that there may be.
+    Raises ``DocumentError`` and ``BudgetError``.
+    """
     count = (quota or Quota(f"{name} has")).take(data)
-    # Python has as many bytes for each character of a text as for the largest one.
+    # Python needs as many bytes for each character of a text as for the largest one.
     size = count * _OF_A_VALUE + 2 * len(data) * _width_of_characters(data)
     with holding(size, f"reading {name} takes"):
         return _read(data, name)
@@ -94,12 +96,12 @@ _TOO_DEEP = f"lists and objects stand in each other more than {MOST_NESTED} time
 
 
 def _at_most(data: bytes) -> int:
-    """How many values a text has at most: as many as commas and opening brackets, and one."""
+    """The most values that a text can have: the number of commas and opening brackets, and one."""
     return 1 + data.count(b",") + data.count(b"[") + data.count(b"{")
 
 
 def _width_of_characters(data: bytes) -> int:
-    """How many bytes Python has for each character of a text in UTF-8 that may be escaped."""
+    """The bytes that Python needs for each character of a text in UTF-8 that may be escaped."""
     if _ASTRAL.search(data):
         return 4
     return 1 if data.isascii() and rb"\u" not in data else 2
@@ -120,7 +122,7 @@ def _check_nesting(document: Any) -> None:
 
 
 def _check_halves(document: Any) -> None:
-    """Refuse texts that are none elsewhere, each by itself: all of them again would be large."""
+    """Refuse texts with half a character, one by one: a copy of all texts would be large."""
     if isinstance(document, str):
         if not document.isascii() and _SURROGATE.search(document):
             raise ValueError("a text in it has half of a character")

@@ -1,4 +1,4 @@
-"""Meshes as a material draws them that says what each of their primitives or patches turns into.
+"""Makes the draw calls of materials that turn primitives or patches of a mesh into others.
 
 ``scene_state.py`` calls ``as_drawn``. Where a draw of instances stands for another stage, each
 primitive is an instance, and each vertex input has a value for each of them.
@@ -26,18 +26,18 @@ Values = Mapping[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What a draw call gets."""
+    """The vertices and instances of a draw call."""
 
     attributes: Values
-    """By vertex input, of shape (vertices or instances, lanes)."""
+    """The values of vertex inputs, by input, of shape (vertices or instances, lanes)."""
     corners: Indices
-    """The vertices of each primitive, (primitives, corners); of each instance, where one stands for
-    a primitive that is expanded."""
+    """The vertices of each primitive, (primitives, corners); or of each instance, if an instance
+    stands for a primitive that is expanded."""
     instance_count: int
 
 
 def as_drawn(instance: Instance, data: Values, mesh: Mesh) -> Drawn:
-    """What is drawn of a mesh; ``data`` are its values by the names of declared vertex inputs."""
+    """The draw call for a mesh; ``data`` are its values by the names of declared vertex inputs."""
     reflection = instance.reflection
     draw = reflection.draw
     if draw.tessellation is not None:
@@ -74,7 +74,7 @@ def _divided(instance: Instance, row: TessellationRow, data: Values, mesh: Mesh)
         if each.mesh is not None and not each.mesh.is_of_pattern
     }
     if row.levels is None:
-        # No input is of the pattern: each vertex finds out by its number where it lies.
+        # The pattern has no vertex inputs: each vertex computes its position from its number.
         assert draw.vertices is not None, "patches are listed"
         cells = np.arange(draw.vertices).reshape(-1, CORNERS[draw.topology])
     else:
@@ -91,7 +91,7 @@ def pattern_of(instance: Instance, row: TessellationRow) -> tuple[dict[str, NDAr
     places, cells = pattern(row.kind, row.spacing, *instance.patch_levels())
     numbers = cells
     if vertices is not None:
-        # Each vertex that a cell turns into gets where all corners of the cell lie.
+        # Each vertex of a cell gets the positions of all corners of the cell.
         numbers = np.repeat(cells, vertices, axis=0)
         cells = np.arange(len(numbers)).reshape(-1, CORNERS[draw.topology])
     attributes = {}

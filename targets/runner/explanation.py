@@ -1,4 +1,4 @@
-"""Explains a pixel of a scene: the way of its error through the source.
+"""Explains a pixel of a scene: where its error comes from in the source.
 
 ``conform`` asks for it, for the pixels that people ask about and for those that prove little.
 """

@@ -1,9 +1,9 @@
-"""Gives the buffers that shaders read what the kernels of the same file write.
+"""Runs the kernels of a file, and gives their results to the shaders of the same file.
 
-``burnish render`` uses it: a buffer has the elements of the result that is called like it. The
-reference runs the kernels, in the order in which they need each other, so that all routes draw the
-same elements. For simulations, a step can be repeated: before it, some buffers get what results
-have become in the step before.
+``burnish render`` uses it: a buffer has the elements of the result of the same name. The reference
+runs the kernels, in the order in which they need each other, so that all routes draw the same
+elements. For simulations, a step can be repeated: before it, some buffers get the results of the
+step before.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Progress = Callable[[float], None]
 
 
 class FeedError(ValueError):
-    """Kernels do not go together with each other, or with what reads their results."""
+    """Kernels do not fit each other, or do not fit the readers of their results."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,17 +34,17 @@ class Kernel:
 
     @property
     def name(self) -> str:
-        """The name that it is declared by."""
+        """The declared name."""
         return self.subject.name
 
     @property
     def results(self) -> Mapping[str, ResultRow]:
-        """The rows of the reflection for what it writes, by name."""
+        """The reflection's rows of the kernel's results, by name."""
         return {row.name: row for row in self.subject.reflection.results}
 
 
 class Feeding:
-    """The kernels that some instances need, and what they have written."""
+    """The kernels that some instances need, and the results of these kernels."""
 
     def __init__(
         self, kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]
@@ -64,7 +64,7 @@ class Feeding:
 
     @property
     def kernels(self) -> Sequence[Kernel]:
-        """Those that are run, in this order."""
+        """The kernels that are run, in this order."""
         return self._order
 
     def unfed(self, instance: Instance) -> list[str]:
@@ -78,8 +78,7 @@ class Feeding:
         ]
 
     def run(self, steps: int, tell: Progress) -> None:
-        """Run all kernels, and those that a step changes again; then set the buffers of what is
-        drawn.
+        """Run all kernels, and again those that a step changes; then set the subjects' buffers.
 
         Raises ``MissingValuesError``.
         """
@@ -116,7 +115,7 @@ class Feeding:
             )
 
     def _ordered(self, wanted: Sequence[str]) -> list[Kernel]:
-        """The kernels that write these, and what they need, each behind those that it reads of."""
+        """The kernels that write these results, and those that they need, in order of execution."""
         sorter: TopologicalSorter[str] = TopologicalSorter()
         by_name: dict[str, Kernel] = {}
         waiting = [self._writers[name] for name in wanted if name in self._writers]
@@ -134,8 +133,10 @@ class Feeding:
             raise FeedError(f"kernels wait for each other's results: {circle}") from None
 
     def _repeated(self) -> list[Kernel]:
-        """The kernels that give other results in a later step: they read what changes, and do not
-        write how it begins."""
+        """The kernels whose results change in a later step.
+
+        They read something that changes, and do not write how it begins.
+        """
         changing = set(self._again)
         found = []
         for kernel in self._order:
@@ -161,7 +162,7 @@ class Feeding:
 
 
 def _stored(row: BufferRow | ResultRow) -> object:
-    """How the elements of a buffer are stored; structures are told apart by their members only."""
+    """The memory layout of a buffer's elements; structures are compared by their members only."""
     members = [struct.members for struct in row.structs]
     return row.stride, members or row.layout
 

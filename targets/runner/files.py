@@ -1,4 +1,4 @@
-"""Opens files that a user names, or that a file which was received names.
+"""Opens files that a user names, or that a received file names.
 
 They may be anything: a pipe that nobody writes to, a device that never ends, a file of many
 gigabytes. Pictures, scenes and the elements of buffers are read by this module, so that all of them
@@ -22,9 +22,12 @@ class FileError(ValueError):
 
 
 def read_file(path: Path, name: str, limit: str = "file", *, links: bool = True) -> bytes:
-    """All bytes of a file; ``name`` is what errors call it, and ``limit`` the row of the budget
-    that says how many there may be. Without ``links`` none is followed: what a received file names
-    may be a link to anything. Raises ``FileError`` and ``BudgetError``."""
+    """All bytes of a file.
+
+    ``name`` is the file's name in errors, and ``limit`` the row of the budget for the number of
+    bytes. Without ``links`` no link is followed: a name in a received file may be a link to
+    anything. Raises ``FileError`` and ``BudgetError``.
+    """
     with opened(path, name, limit, links=links) as file:
         size = os.fstat(file.fileno()).st_size
         data = file.read(size + 1)
@@ -62,10 +65,10 @@ def _check_regular(status: os.stat_result, name: str) -> None:
 
 
 def _without_waiting(path: str, flags: int) -> int:
-    """Open a file; should it have become a pipe, this does not wait until somebody writes."""
+    """Open a file without waiting for a writer, should the file have become a pipe."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _without_links(path: str, flags: int) -> int:
-    """The same, unless it has become a link."""
+    """Open a file without waiting for a writer; fails if the file has become a link."""
     return _without_waiting(path, flags | getattr(os, "O_NOFOLLOW", 0))

@@ -1,4 +1,4 @@
-"""Counts what a job asks of a driver, before it is sent.
+"""Counts the work and the memory of a job, before it is sent to a driver.
 
 Jobs and answers travel as texts, of which both ends have copies; ``runner.py`` asks before it makes
 any of them. How long a program runs is measured as if the reference ran it.
@@ -18,27 +18,29 @@ from .drivers.kernel_job import KernelJob
 from .drivers.texels import Image
 
 TEXEL = 16
-"""Bytes of a texel as it comes back: four lanes of float32."""
+"""Bytes of a texel that is read back: four lanes of float32."""
 COPIES = 8
-"""How much room all copies of what travels need together, in times its size: as bytes and as text
-on either side, and as the numbers that are made of it."""
+"""The memory of all copies of a job and its answer, as a factor of their size: both ends have
+bytes, a text, and the numbers that are made of it."""
 
 
 def check_work(shader: Shader) -> None:
-    """Raise ``BudgetError`` if loops of a program turn so often that the reference would refuse to
-    compute it: drivers that compute on processors would not end either."""
+    """Raise ``BudgetError`` if loops of a program run for too many iterations.
+
+    The limit is that of the reference: drivers that compute on processors would not end either.
+    """
     check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
 
 
 def check_draws(job: Job) -> None:
-    """Raise ``BudgetError`` if what a job of draws sends and gets back is too much."""
+    """Raise ``BudgetError`` if a job of draws sends and reads back too much."""
     of_pixel = TEXEL * len(job.pipeline.targets) * max(job.pipeline.layers, 1)
     back = sum(draw.width * draw.height * max(len(draw.layers), 1) for draw in job.draws)
     _check(back * of_pixel + sum(map(_sent, job.draws)))
 
 
 def check_dispatches(job: KernelJob) -> None:
-    """The same for runs of a kernel, whose buffers come back as well."""
+    """Raise ``BudgetError`` if a kernel job, with its buffers, sends and reads back too much."""
     of_texel = TEXEL * len(job.pipeline.images)
     size = 0
     for dispatch in job.dispatches:
@@ -49,7 +51,7 @@ def check_dispatches(job: KernelJob) -> None:
 
 
 def check_captures(job: CaptureJob) -> None:
-    """The same for draws that capture vertices."""
+    """Raise ``BudgetError`` if a job of captures sends and reads back too much."""
     output = job.pipeline.stream_output
     back = 0 if output is None else output.stride * sum(job.most)
     _check(back + sum(map(_sent, job.draws)))

@@ -39,8 +39,10 @@ class EmptyImageError(ValueError):
 
 
 class UndrawableError(ValueError):
-    """A material has stages that the reference does not draw, or of which it does not capture, such
-    as those that make lines of patches."""
+    """The reference cannot draw a stage of the material, or cannot capture its vertices.
+
+    An example are stages that make lines of patches.
+    """
 
     def __init__(self, material: str, does: Literal["draw", "capture"] = "draw") -> None:
         super().__init__(
@@ -49,22 +51,22 @@ class UndrawableError(ValueError):
 
 
 def has_images(reflection: Reflection) -> bool:
-    """Whether something compiled is a kernel over images."""
+    """True for a compiled kernel over images."""
     return reflection.extent is not None and bool(reflection.targets)
 
 
 def is_over_buffers(reflection: Reflection) -> bool:
-    """Whether something compiled is a kernel over buffers, which has no picture of its own."""
+    """True for a compiled kernel over buffers, which has no picture of its own."""
     return bool(reflection.results) and reflection.capture is None
 
 
 def is_drawn(reflection: Reflection) -> bool:
-    """Whether it makes pictures. Kernels over buffers write elements instead, and captures do."""
+    """True if pictures are drawn. Kernels over buffers, and captures, write elements instead."""
     return reflection.capture is None and not is_over_buffers(reflection)
 
 
 def job_of(reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]) -> KernelJob:
-    """What a driver is asked to compute with the pipeline of a kernel."""
+    """The job that runs a kernel's pipeline for some dispatches."""
     assert reflection.work_group is not None, "it is a kernel"
     return KernelJob(pipeline, reflection.work_group, tuple(dispatches))
 
@@ -89,7 +91,7 @@ def dispatch_of(instance: Instance) -> Dispatch:
 
 
 def _before(row: ResultRow, count: int) -> bytes:
-    """What a buffer holds before a kernel writes it. No API binds one of no bytes."""
+    """The contents of a buffer before a kernel writes it. No API binds an empty buffer."""
     size = max(count, 1) * row.stride
     if row.initial is None:
         return bytes(size)
@@ -106,7 +108,7 @@ def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
 
 
 def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
-    """What is drawn to make the images of a kernel: one triangle over the whole picture.
+    """The draw that makes the images of a kernel: one triangle over the whole picture.
 
     Raises ``MissingValuesError``, and ``EmptyImageError``.
     """
@@ -148,5 +150,5 @@ def drawable(shader: Shader) -> Shader:
         if shader.chain != RASTERISED:
             raise UndrawableError(shader.name)
         return shader
-    # It adds nodes, and others may walk over the graph that was given.
+    # A copy, as nodes are added, and others may walk over the given graph.
     return full_screen(changed(shader, graph=shader.graph.copy(), notes=shader.notes.copy()))

@@ -1,4 +1,4 @@
-"""The lights of a scene: those that a file has, or some that are made up.
+"""The lights of a scene: those of a file, or made-up ones.
 
 A material's rig says which lights it takes, each by the values that it reads: one with a place and
 a direction is a spot, one with a place only shines all around, and one with a direction only from
@@ -19,7 +19,7 @@ from .instances.host_values import HostValues
 LampKind = Literal["directional", "point", "spot"]
 
 Roles = Mapping[str, str]
-"""The parameters of a light, each with what the scene calls its value."""
+"""The parameters of a light, each with its role, which is the scene's word for it."""
 
 GOLDEN_ANGLE = math.pi * (3 - math.sqrt(5))
 
@@ -33,19 +33,20 @@ class Lamp:
     name: str
     kind: LampKind
     color: Vector
-    """In linear light: what arrives of a directional light; of others, at distance one."""
+    """The colour in linear light: of a directional light, as it arrives; of others, at distance
+    one."""
     place: Vector
     direction: Vector
-    """Where a directional light or the axis of a spot travels; of length one."""
+    """The direction in which a directional light, or the axis of a spot, travels; of length one."""
     inner: float = 0.0
-    """The angle in radians between a spot's axis and where it begins to fade."""
+    """The angle in radians from a spot's axis at which the spot begins to fade."""
     outer: float = math.pi / 4
-    """The angle between a spot's axis and where nothing is left of it."""
+    """The angle in radians from a spot's axis at which the spot is dark."""
     reach: float = math.inf
-    """At which distance nothing is left of it."""
+    """The distance at which the light is dark."""
 
     def value(self, role: str) -> Any:
-        """What the scene calls so."""
+        """The value of the lamp for a role, which is the scene's word for it."""
         match role:
             case "towards_object":
                 return self.direction
@@ -56,7 +57,7 @@ class Lamp:
 
 
 _DARK = Lamp("", "spot", (0.0, 0.0, 0.0), (0.0, 1000.0, 0.0), (0.0, -1.0, 0.0))
-"""For the lights of a rig that a file has none for."""
+"""The light for entries of a rig for which a file has none."""
 
 
 def shine(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> None:
@@ -72,7 +73,7 @@ def shine(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles]) -
 
 
 def left_over(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles]) -> list[Lamp]:
-    """The lights of a file for which a rig has no place."""
+    """The lights of a file for which the rig has no entry."""
     shared = _shared(instance.declared.lights, lamps, roles)
     used = {id(lamp) for taken in shared for lamp in taken}
     return [lamp for lamp in lamps if id(lamp) not in used]
@@ -81,7 +82,7 @@ def left_over(instance: HostValues, lamps: Sequence[Lamp], roles: Sequence[Roles
 def _shared(
     lights: Sequence[LightRow], lamps: Sequence[Lamp], roles: Sequence[Roles]
 ) -> list[list[Lamp]]:
-    """Which lights of a file each light of a rig gets: the next of its kind."""
+    """The lights of a file that each light of a rig gets: the next ones of its kind."""
     waiting: dict[LampKind, list[Lamp]] = {"directional": [], "point": [], "spot": []}
     for lamp in lamps:
         waiting[lamp.kind].append(lamp)
@@ -96,10 +97,10 @@ def _shared(
 def make_up(
     instance: HostValues, roles: Sequence[Roles], distance: float, most_of_array: int
 ) -> None:
-    """Set the parameters of all lights of a rig, so that they shine on what is at the origin.
+    """Set the parameters of all lights of a rig, so that they shine on an object at the origin.
 
     Lights with a place are at a distance from it. Those of an array have values beyond the number
-    that shines, so that this can be raised later.
+    that shines, so that this number can be raised later.
     """
     lights = instance.declared.lights
     counts = [_count(row, most_of_array) for row in lights]
@@ -114,7 +115,7 @@ def make_up(
 
 
 MADE_UP = frozenset(("color", "place", "towards_object"))
-"""The values that lights have which are made up; others keep their defaults."""
+"""The roles whose values are made up; values of other roles keep their defaults."""
 
 
 def _kind(roles: Roles) -> LampKind:
@@ -135,7 +136,7 @@ def _values(roles: Roles, lamp: Lamp, known: frozenset[str] | None = None) -> di
 def _set(
     instance: HostValues, row: LightRow, values: Sequence[Mapping[str, Any]], count: int
 ) -> None:
-    """Set a light, or all of an array of which ``count`` are switched on."""
+    """Set a light, or all lights of an array; ``count`` of them are switched on."""
     if values and values[0]:
         instance.set(row.name, values[0] if row.capacity is None else values)
     if row.count is not None:
@@ -143,7 +144,7 @@ def _set(
 
 
 def _count(row: LightRow, most_of_array: int) -> int:
-    """How many lights a row of the reflection means."""
+    """The number of lights that a row of the reflection stands for."""
     if row.capacity is None:
         return 1
     return row.capacity if row.count is None else min(row.capacity, most_of_array)

@@ -1,4 +1,4 @@
-"""Pictures with layers where each layer is a draw of its own, and how they become one picture.
+"""Pictures whose layers are draws of their own, and the picture that is made of these.
 
 ``runner.py`` has drivers draw the layers, and ``reference.py`` draws them itself.
 """
@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 
 def single_draws(draw: Draw) -> tuple[Draw, ...]:
-    """What drivers draw: one draw for each layer, or the draw itself if it has no layers."""
+    """The draws that drivers make: one for each layer, or the draw itself if it has no layers."""
     if not draw.layers:
         return (draw,)
     return tuple(replace(draw, blocks=blocks, layers=()) for blocks in draw.layers)
@@ -35,7 +35,7 @@ def stacked(pictures: Sequence[Picture]) -> Picture:
 
 
 def stacked_expected(pictures: Sequence[Expected]) -> Expected:
-    """The same for what the reference has drawn."""
+    """The reference's layers as one picture, the rows of the first one on top."""
     if len(pictures) == 1:
         return pictures[0]
     return Expected(

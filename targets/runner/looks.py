@@ -1,4 +1,4 @@
-"""What a file says about one surface, by words that ``stdlib/scene.toml`` gives a meaning."""
+"""The surface of an object as a file describes it, in words that ``stdlib/scene.toml`` maps."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ class Look:
     """Values for parameters and textures of whichever material draws a model."""
 
     name: str = ""
-    """The name of its material in the file."""
+    """The name of the material in the file."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     textures: Mapping[str, Texture] = field(default_factory=dict)
 
 
 PLAIN = Look()
-"""For what no file says anything about."""
+"""The look of models about which no file says anything."""

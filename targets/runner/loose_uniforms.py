@@ -1,4 +1,4 @@
-"""Lists the uniforms that the members of a block are, in texts that have no blocks.
+"""Lists the loose uniforms that replace a block, in texts that have no blocks.
 
 ``binding.py`` asks for profiles with loose uniforms (``Profile.loose_uniforms``). A host then sets
 each uniform by its name, from the bytes that the block would have: those of structures and of their

@@ -1,4 +1,4 @@
-"""Meshes in storage buffers, where shaders read them so instead of vertex inputs.
+"""Puts meshes into storage buffers, where shaders read these instead of vertex inputs.
 
 ``scene_state.py`` gives the vertex stage its corners, and ``capturing.py`` a kernel its vertices.
 """
@@ -18,7 +18,7 @@ from .instances.shapes import stored_as
 
 
 def mesh_rows(reflection: Reflection) -> list[tuple[VertexInputRow, InBuffer]]:
-    """The vertex inputs that are members of a storage buffer, and which."""
+    """The vertex inputs that are members of a storage buffer, and this buffer."""
     rows = reflection.vertex_inputs
     return [(row, row.buffer) for row in rows if row.buffer is not None]
 

@@ -21,7 +21,7 @@ CHANNELS = {
     "position": 3, "normal": 3, "uv": 2, "tangent": 4, "color": 4, "uv2": 2, "joints": 4,
     "weights": 4,
 }  # fmt: skip
-"""What a mesh may have at each vertex, with the number of lanes.
+"""The values that a mesh may have at each vertex, with the number of lanes.
 
 ``uv`` has v pointing downwards. ``tangent`` points along u; its w is the sign with which
 ``cross(normal, tangent)`` points up, against v. ``color`` is linear, with alpha last. ``uv2`` are
@@ -43,12 +43,13 @@ class Mesh:
     """Triangles, with values at each vertex; or, without triangles, points."""
 
     channels: Mapping[str, NDArray[Any]]
-    """By channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices, lanes)."""
+    """Values by channel (see ``CHANNELS``) or name of a vertex input, of shape (vertices,
+    lanes)."""
     triangles: Indices
     """Indices of vertices, of shape (triangles, 3); the first of a triangle is its provoking
     vertex."""
     instances: Mapping[str, NDArray[Any]] = field(default_factory=dict)
-    """By name of a vertex input per instance, of shape (instances, lanes)."""
+    """Values by name of a vertex input per instance, of shape (instances, lanes)."""
     instance_count: int = 1
     patches: Indices | None = None
     """Indices of vertices, of shape (patches, points), for materials that divide patches; if there
@@ -159,7 +160,7 @@ _SIDES = (
     ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
     ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
 )
-"""For each side of a cube, the directions of the x, y and z axis of a side that faces +z."""
+"""For each side of a cube, the directions of the x, y and z axis of the side that faces +z."""
 
 
 def cylinder(around: int = 64, rows: int = 8, radius: float = 0.6, half: float = 0.7) -> Mesh:
@@ -199,8 +200,11 @@ def knot(along: int = 192, across: int = 16, tube: float = 0.13) -> Mesh:
 
 
 def _revolved(profile: Sequence[tuple[float, float, float, float]], around: int) -> Mesh:
-    """What a profile sweeps around the y axis: from the top to the bottom, each time a distance to
-    the axis, a height, and both of its normal. A point that stands twice is an edge."""
+    """The surface that a profile sweeps around the y axis.
+
+    The profile goes from the top to the bottom. Each of its points has a distance to the axis, a
+    height, and both of its normal. A point that stands twice is an edge.
+    """
     rows = np.array(profile)
     steps = np.linalg.norm(np.diff(rows[:, :2], axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
@@ -282,7 +286,7 @@ def _skin(position: Floats) -> tuple[Floats, Indices]:
 
 
 def _not_degenerate(triangles: Indices, position: Floats) -> Indices:
-    """The triangles without those that a pole has shrunk to a line."""
+    """The triangles that a pole has not shrunk to a line."""
     a, b, c = (position[triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     kept: Indices = triangles[area > 1e-9]

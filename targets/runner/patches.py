@@ -45,7 +45,7 @@ def patches(mesh: Mesh, kind: Patch, points: int, ends: Sequence[int]) -> Indice
 def pattern(
     kind: Patch, spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
 ) -> tuple[NDArray[Any], Indices]:
-    """Where the points of a divided patch lie in it, and the triangles or lines between them."""
+    """The points of a divided patch, in its own coordinates, and its triangles or lines."""
     found = divided(kind, edges, inside, spacing)
     row = PATCH_KINDS[kind]
     lanes = width(row.coordinate.type)
@@ -57,11 +57,11 @@ _Place = tuple[int, int]
 """The row and the column of a vertex of a grid."""
 
 _OfGrid = Callable[[Indices, int, Sequence[int]], Indices]
-"""Makes the patches of a grid that have so many points, of which some are their ends."""
+"""Makes the patches of a grid with a number of points, some of which are their ends."""
 
 
 def _of_grids(kind: Patch, points: int) -> _OfGrid | None:
-    """What makes patches of grids; ``None`` if triangles and edges are such patches anyway."""
+    """The function that makes patches of grids; ``None`` if triangles or edges are such patches."""
     if kind == "quad":
         return _windows if isqrt(points) ** 2 == points else _between_corners
     if points == PATCH_KINDS[kind].ends:
@@ -117,7 +117,7 @@ def _halves(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
 def _placed(
     points: int, ends: Sequence[int], corners: Sequence[_Place], others: Iterable[_Place]
 ) -> list[_Place]:
-    """Where each point lies: the ends at the corners, and the others one after the other."""
+    """The position of each point: the ends at the corners, and the others one after the other."""
     left = (place for place in others if place not in corners)
     at_end = dict(zip(ends, corners, strict=True))
     return [at_end.get(number) or next(left) for number in range(points)]
@@ -133,7 +133,7 @@ def _runs(lattice: Indices, points: int, ends: Sequence[int]) -> Indices:
 
 
 def _steps(points: int) -> int:
-    """Into how many steps the edges of a triangle are divided that has room for so many points."""
+    """The number of steps of each edge of a triangle that has room for this number of points."""
     return (isqrt(8 * points - 7) - 1) // 2
 
 
@@ -147,7 +147,7 @@ def _squares(lattice: Indices, side: int, step: int) -> Iterator[Indices]:
 
 
 def _distance(side: int, one: int, other: int) -> int:
-    """How far apart two points of a square are: along a row or a column, or 1 if in one place."""
+    """The distance of two points of a square along a row or a column; 1 if they are one point."""
     (row, column), (other_row, other_column) = divmod(one, side), divmod(other, side)
     return max(abs(other_row - row), abs(other_column - column), 1)
 
@@ -172,7 +172,7 @@ def _quads(mesh: Mesh) -> Indices:
 
 
 def _quad(one: Indices, other: Indices) -> Indices:
-    """From the vertex of the first one that the second one does not have, round both."""
+    """The four corners of two triangles, in order, from the corner that only the first one has."""
     alone = [k for k in range(3) if one[k] not in other]
     beyond = [vertex for vertex in other if vertex not in one]
     if len(alone) != 1 or len(beyond) != 1:
@@ -189,4 +189,4 @@ _MADE: Mapping[Patch, Callable[[Mesh], Indices]] = {
     "quad": _quads,
     "isoline": _lines,
 }
-"""Patches of the primitives that a mesh has anyway."""
+"""Makes patches of the primitives that a mesh has anyway."""

@@ -42,7 +42,7 @@ def check_format(path: Path) -> None:
 
 
 def keeps_numbers(path: Path) -> bool:
-    """Whether files with this ending have a target's numbers, instead of what a screen shows."""
+    """True if files with this ending keep a target's numbers, instead of what a screen shows."""
     return format_of(path) is not None
 
 
@@ -55,9 +55,9 @@ def encoded_numbers(pixels: Floats, path: Path, *, lanes: int = 4) -> bytes:
 
 
 def encoded(image: Image.Image, path: Path, **further: Any) -> bytes:
-    """A file in the format that the ending of its name says; raises ``PictureError``.
+    """A file in the format of its name's ending; raises ``PictureError``.
 
-    ``further`` is what Pillow takes for this format, such as more pictures.
+    ``further`` are Pillow's options for this format, such as more pictures.
     """
     file = BytesIO()
     try:

@@ -1,4 +1,4 @@
-"""The points, lines and triangles of a mesh, with the vertices next to them.
+"""Finds the points, lines and triangles of a mesh, with the vertices next to them.
 
 ``expanding.py`` draws with them where a material says what each of them turns into.
 """
@@ -12,11 +12,12 @@ import numpy as np
 from .meshes import Indices, Mesh
 
 PRIMITIVES: Mapping[str, Callable[[Mesh], Indices]]
-"""What makes the primitives of each kind: the vertices at their corners, (primitives, corners)."""
+"""Makes the primitives of each kind: the vertices at their corners, (primitives, corners)."""
 
 
 _DECIMALS = 5
-"""Vertices that lie closer to each other are in one place; meshes here are about one in size."""
+"""Decimals of positions up to which vertices are in one place; meshes here are about one in
+size."""
 
 
 def primitives(mesh: Mesh, kind: str) -> Indices:
@@ -54,7 +55,7 @@ def _lines_between(mesh: Mesh) -> Indices:
 
 
 def _triangles_between(mesh: Mesh) -> Indices:
-    """Each triangle with the vertex across each edge, behind the vertex where that begins."""
+    """Each triangle with the vertices across its edges; each follows the beginning of its edge."""
     return np.stack([mesh.triangles, _across(mesh)], axis=2).reshape(-1, 6)
 
 
@@ -92,13 +93,13 @@ def _across(mesh: Mesh) -> Indices:
 
 
 def _places(mesh: Mesh) -> Indices:
-    """For each vertex a number that it shares with all that lie in its place, up to rounding."""
+    """For each vertex, a number that it shares with all vertices in its place, up to rounding."""
     rounded = np.round(mesh.channels["position"], _DECIMALS) + 0.0
     _, numbers = np.unique(rounded, axis=0, return_inverse=True)
     return numbers.reshape(-1).astype(np.int64)
 
 
 def _first(rows: Indices, keys: Indices) -> Indices:
-    """The rows whose keys have not come before."""
+    """The rows whose keys have not occurred before."""
     _, first = np.unique(keys, axis=0, return_index=True)
     return rows[np.sort(first)]

@@ -39,8 +39,8 @@ Progress = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
 
 _BYTES_OF_TEXEL = 100
-"""What the reference takes for each texel of all levels, with the bounds of what devices read, as
-measured."""
+"""Bytes that the reference takes for each texel of all levels, with the bounds of what devices
+read, as measured."""
 
 
 def expected(
@@ -52,7 +52,7 @@ def expected(
 ) -> Expected:
     """The picture that every driver must draw; always computed again.
 
-    With the ``errors`` of functions, it has the bounds between which a driver's picture must be.
+    With the ``errors`` of functions, it has the bounds of a driver's picture.
     """
     return stacked_expected(
         [
@@ -73,18 +73,17 @@ def expected(
 
 
 Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
-"""What draws a picture: ``expected``, or that of ``reference_process.References``."""
+"""Draws a picture: ``expected``, or the method of ``reference_process.References``."""
 
 
 def values_for(
     shader: Shader, instance: Instance, written: Mapping[str, Contents] | None = None
 ) -> dict[str, Any]:
-    """The values of the parameters that a shader reads and the contents of its buffers, in the
-    reference's form.
+    """The values of a shader's parameters, and the contents of its buffers, for the reference.
 
     ``written`` are the contents of buffers that kernels have written, of which the instance has the
-    bytes only. What a host sets is a float32 exactly. The emitted program also reads derived
-    parameters, whose values are given before they are rounded, as that is what they mean.
+    bytes only. A value that a host sets is exactly a float32. The emitted program also reads
+    derived parameters, whose values are given before they are rounded, as that is their meaning.
     """
     values = instance.values()
     values |= {name: Contents(held.bound) for name, held in instance.buffers().items()}
@@ -138,8 +137,7 @@ def geometry_for(shader: Shader, geometry: Geometry) -> Geometry:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A shader, and everything that the reference reads of it as text, by which equal ones are
-    found."""
+    """A shader, with the text of everything that the reference reads of it, as a key."""
 
     shader: Shader
     text: str
@@ -160,8 +158,8 @@ def remembered(
 ) -> Expected:
     """The expected picture, from the store if the reference has drawn it before.
 
-    It is kept by the rules that most pictures hang on. If what is kept there hangs on others as
-    well, and is not by these ``rules``, then it is kept by all of them.
+    It is kept under the rules on which most pictures depend. If the kept picture depends on further
+    rules, and they differ from these ``rules``, then it is kept under all of them.
     """
     for own in (False, True):
         name = _digest(program, state, rules, errors, own=own)
@@ -235,9 +233,10 @@ def _node_text(node: Node, numbers: dict[Formal, int]) -> str:
 
 @cache
 def _code_digest() -> str:
-    """A digest of the code that defines what graphs and textures mean.
+    """A digest of the code that defines the meaning of graphs and textures.
 
-    What makes the graph of a shader does not count, since the graph itself is part of the key.
+    The code that makes the graph of a shader does not count, since the graph itself is part of the
+    key.
     """
     root, here = Path(__file__).parents[2], Path(__file__).parent
     compiler = root / "compiler"

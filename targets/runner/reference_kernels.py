@@ -1,4 +1,4 @@
-"""Runs kernels over buffers by the reference: what they write, and what a device may write.
+"""Runs kernels over buffers by the reference: the results, and the bounds of a device's results.
 
 ``feeding.py`` gives the bytes to drivers, and ``frames/by_reference.py`` the whole contents to
 other steps. ``compiler/reference/kernel.py`` computes the values.
@@ -24,7 +24,7 @@ from .reference import texels_of, values_for
 Floats = NDArray[np.float64]
 
 _INTEGERS = {STORED[kind]: ends for kind, ends in WHOLE.items()}
-"""The least and the largest integer that is stored so."""
+"""The smallest and the largest integer of each stored type."""
 
 
 def elements_by_reference(
@@ -37,8 +37,9 @@ def elements_by_reference(
 ) -> dict[str, Contents]:
     """The elements of each result of a kernel, by name.
 
-    ``textures`` are what it reads, if not those of the instance, and ``buffers`` what it reads that
-    other kernels have written. With ``errors`` they have bounds. Raises ``MissingValuesError``.
+    ``textures`` are the textures that it reads, if not those of the instance, and ``buffers`` the
+    buffers that other kernels have written. With ``errors`` the elements have bounds. Raises
+    ``MissingValuesError``.
     """
     counts = instance.result_counts()
     lanes = computed(
@@ -67,7 +68,7 @@ def _contents(count: int, lanes: Sequence[Lane]) -> Contents:
 
 
 def place_of(lane: Lane) -> tuple[int, str]:
-    """Where a lane lies in the elements of its result, in bytes, and how it is stored."""
+    """The offset of a lane in the elements of its result, in bytes, and its stored type."""
     element = lane.store.buffer.type.element
     type_, offset = place_in(element, lane.store.path)
     start = lane.store.offset * byte_size(stored_element(element)) + offset
@@ -86,7 +87,7 @@ def _bytes(values: NDArray[np.generic], kind: str) -> NDArray[np.uint8]:
 
 
 def _numbers(lane: Lane, kind: str) -> Floats:
-    """A lane of all elements: what it means, and between which numbers that of a device is."""
+    """A lane of all elements: its values, and the bounds of a device's values."""
     found = np.stack([lane.value, lane.low, lane.high]).astype(np.float64)
     if kind in _INTEGERS:
         found = np.clip(found, *_INTEGERS[kind])

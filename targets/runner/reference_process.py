@@ -2,7 +2,7 @@
 
 Python evaluates in one thread at a time. ``burnish conform`` of many materials therefore lends the
 pictures that it expects to as many processes as there are processors. A process that ends for any
-reason costs only time: its picture is drawn by whoever asked for it.
+reason costs only time: the caller draws its picture.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ from .reference import dumped, expected, loaded
 from .scene_state import SceneState
 
 TIME_LIMIT = 600.0
-"""After how many seconds a process is given up."""
+"""The seconds after which a process is given up."""
 
 
 class References(Closing):
     """A few processes that draw; several threads may ask them at once."""
 
     def __init__(self, size: int) -> None:
-        """With no process, everything is drawn by whoever asks."""
+        """``size`` is the number of processes; without any, the caller draws everything."""
         self._size = size
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(__name__), WORKERS))
 
@@ -45,7 +45,7 @@ class References(Closing):
     def expected(
         self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
     ) -> Expected:
-        """What ``reference.expected`` returns, and the same errors."""
+        """Draw like ``reference.expected``: the same result, and the same errors."""
         question = self._size and _question(shader, state, rules, errors)
         if question:
             with self._pool.borrow() as worker:
@@ -62,7 +62,7 @@ class References(Closing):
 def _question(
     shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
 ) -> str | None:
-    """What a process has to know; ``None`` if the graph is too deep to be sent."""
+    """The data for a process, encoded; ``None`` if the graph is too deep to be sent."""
     # Results hold their nodes. The graph, in which passes look for equal nodes, stays here.
     bare = changed(shader, graph=Graph(), notes=Notes())
     try:
@@ -85,11 +85,11 @@ def _answer(question: str) -> dict[str, str]:
 
 
 def main() -> None:
-    """Answer questions until the input ends. What libraries print goes to standard error."""
+    """Answer questions until the input ends. Output of libraries goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         for line in sys.stdin:
-            # Whoever asked has given up earlier, unless he has died.
+            # The caller has given up earlier, unless its process has died.
             faulthandler.dump_traceback_later(1.5 * TIME_LIMIT, exit=True)
             answers.write(json.dumps(_answer(json.loads(line)["question"])) + "\n")
             answers.flush()

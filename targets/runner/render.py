@@ -25,8 +25,10 @@ Floats = NDArray[np.float64]
 def by_reference(
     subject: Subject, state: SceneState, progress: Progress | None = None
 ) -> tuple[tuple[Floats, ...], tuple[str, ...]]:
-    """The targets, each of shape (height, width, 4), not rounded to their formats; and the values
-    that are zero somewhere although they were promised not to be."""
+    """The reference's targets, each of shape (height, width, 4), not rounded to their formats.
+
+    The second result are the values that are zero somewhere although they were promised not to be.
+    """
     rules = RasterRules(state.width, state.height)
     drawn = expected(drawable(subject.shader), state, rules, progress=progress)
     kept = promises(subject.shader)
@@ -36,10 +38,10 @@ def by_reference(
 def by_route(
     subject: Subject, state: SceneState, route: Route, runner: Runner, toolchain: Toolchain
 ) -> tuple[Floats, ...]:
-    """The targets, each of shape (height, width, 4); rounded to their formats only if the pass
-    blends, or has several samples for each pixel.
+    """A route's targets, each of shape (height, width, 4).
 
-    Raises ``CodeError`` if the route's compiler refuses the texts, ``DriverError``, and
+    They are rounded to their formats only if the pass blends, or has several samples for each
+    pixel. Raises ``CodeError`` if the route's compiler refuses the texts, ``DriverError``, and
     ``BudgetError`` for a picture that is too large, or would take too long.
     """
     check_work(subject.shader)

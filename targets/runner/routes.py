@@ -32,15 +32,15 @@ class DriverRow:
     arguments: tuple[str, ...] = ()
     """The worker's arguments; ``{name}`` is replaced by the path of that tool's first file."""
     one_worker: bool = False
-    """Whether one process is enough, because it starts slowly and uses all cores anyway."""
+    """True if one process is enough, because it starts slowly and uses all cores anyway."""
     any_device: bool = False
-    """Whether it draws with any device of the machine, which ``--device`` names."""
+    """True if the driver draws with any device of the machine, which ``--device`` names."""
     limits: Limits = WORKERS
-    """What the worker may take."""
+    """Limits of the worker's memory and time."""
 
     @property
     def draws_packages(self) -> bool:
-        """Whether it executes frames in a web page, by their packages."""
+        """True if the driver draws frames in a web page, from their packages."""
         return self.name in _PACKAGE_DRIVERS
 
     def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
@@ -75,16 +75,17 @@ class Route:
 
     @property
     def platforms(self) -> tuple[Platform, ...]:
-        """The specifications that say how accurate its pictures are; the weakest promise counts.
+        """The specifications that define how accurate the route's pictures are.
 
-        If a text becomes SPIR-V, both the language and Vulkan may lose accuracy.
+        The weakest promise counts: if a text becomes SPIR-V, both the language and Vulkan may lose
+        accuracy.
         """
         language = _PLATFORMS[self.profile]
         return tuple({language: None, "vulkan": None} if self.compiler else {language: None})
 
     @property
     def bottom_up(self) -> bool:
-        """Whether the picture's lowest row is the first one that is drawn."""
+        """True if the picture's lowest row is drawn first."""
         return self.profile in _BOTTOM_UP
 
     @property
@@ -96,7 +97,7 @@ class Route:
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """A way to every Vulkan driver."""
+    """A text and a compiler by which every Vulkan driver can draw."""
 
     name: str
     title: str
@@ -115,7 +116,7 @@ _PLATFORMS: Mapping[str, Platform] = {
     "glsl:es300": "es",
     "glsl:es310": "es",
 }
-"""The platform for which each profile that is drawn is written."""
+"""The platform of each profile that is drawn."""
 _BOTTOM_UP = frozenset({"glsl:gl330", "glsl:es100", "glsl:es300", "glsl:es310"})
 """The profiles whose rows count upwards."""
 
@@ -192,7 +193,7 @@ def _vulkan_routes(driver: str) -> Iterator[Route]:
 
 
 def _opengl_routes(driver: str) -> Iterator[Route]:
-    """All texts that a driver for OpenGL 4.5 takes; those of ES 3.1 it takes as they are."""
+    """The routes to a driver for OpenGL 4.5, which also takes texts of ES 3.1 as they are."""
     for version, words in (("gl330", "3.30"), ("gl450", "4.50"), ("es310", "ES 3.10")):
         title = f"GLSL {words}, {EVERY_DRIVER[driver].title}"
         yield Route(f"{driver}:{version}", title, f"glsl:{version}", driver)
@@ -225,8 +226,8 @@ NARROW_ROUTES: Mapping[str, Route] = {
         ),
     )
 }  # fmt: skip
-"""The routes of profiles in which many programs cannot be had. They draw the same on every machine,
-too, and only if they are named, since all that is drawn with every route needs more."""
+"""The routes of profiles that cannot express many programs. They draw the same on every machine,
+too, and only if they are named, since drawing by all routes should not fail for that reason."""
 
 DEVICE_ROUTES: Mapping[str, Route] = {
     route.name: route
@@ -244,7 +245,7 @@ ALL = "all"
 
 
 class UnknownRouteError(ValueError):
-    """There is no route with this name; the text suggests a similar one."""
+    """The route does not exist; the text suggests a similar one."""
 
 
 def select(names: Iterable[str]) -> tuple[Route, ...]:

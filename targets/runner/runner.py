@@ -32,7 +32,7 @@ STORE = "pictures"
 """The name of the store that keeps pictures."""
 
 TIME_LIMIT = 120.0
-"""How many seconds one job may take, including the start of its driver."""
+"""The seconds that one job may take, including the start of its driver."""
 
 
 class Runner(Closing):
@@ -47,11 +47,11 @@ class Runner(Closing):
         reuse: bool = True,
         device: str = "",
     ) -> None:
-        """For these routes. ``parallel`` workers of each driver draw at once, by default one per
-        core.
+        """``routes`` are those that will draw.
 
-        Without ``reuse`` nothing is taken from the store. ``device`` is what the drivers draw with
-        that can draw with any: a part of its name, or its number; empty for the usual one.
+        ``parallel`` workers of each driver draw at once, by default one per core. Without ``reuse``
+        nothing is taken from the store. ``device`` names the device of drivers that can draw with
+        any: a part of its name, or its number; empty for the usual one.
         """
         self._wanted = device
         self._time_limit = time_limit
@@ -102,7 +102,7 @@ class Runner(Closing):
         return tuple(stacked([next(drawn) for _ in draws]) for draws in singles)
 
     def _drawn(self, route: Route, job: Job) -> tuple[Picture, ...]:
-        """A picture for each draw of a job, none of which has layers."""
+        """A picture for each draw of a job whose draws have no layers."""
         request = {"job": to_json(job)}
         name = self._digest(route, request)
         kept = self._store.read(name) if self._store else None
@@ -115,7 +115,10 @@ class Runner(Closing):
         return made
 
     def compute(self, route: Route, job: KernelJob) -> tuple[Written, ...]:
-        """What each dispatch of the job writes. Raises ``DriverError`` and ``BudgetError``."""
+        """Run a kernel job: returns what each dispatch writes.
+
+        Raises ``DriverError`` and ``BudgetError``.
+        """
         check_dispatches(job)
         answer = self._ask(route.driver, {"kernel": to_json(job)})
         return tuple(from_json(Written, written) for written in answer["written"])
@@ -128,15 +131,17 @@ class Runner(Closing):
         return tuple(from_json(Captured, captured) for captured in answer["captured"])
 
     def draw_frame(self, route: Route, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         answer = self._ask(route.driver, {"frame": to_json(job)})
         return from_json(Found, answer["found"])
 
     def draw_package(
         self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
     ) -> tuple[FrameTexels, ...]:
-        """What some outputs of a frame show that a web page draws ``count`` times. Raises
-        ``DriverError``."""
+        """Draw a frame ``count`` times in a web page: returns the texels of some of its outputs.
+
+        Raises ``DriverError``.
+        """
         request = {"whole": package, "outputs": list(outputs), "count": count}
         answer = self._ask(route.driver, {"package": request})
         return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])

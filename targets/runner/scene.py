@@ -1,4 +1,4 @@
-"""Sets up a camera, an object and lights for a material, by what its parameters are declared to be.
+"""Sets up a camera, an object and lights for a material, by the declarations of its parameters.
 
 ``stdlib/scene.toml`` says what the library's declarations mean in a scene. World space is
 right-handed with y upwards; clip space has z from 0 to w.
@@ -34,12 +34,12 @@ Pose = tuple[tuple[tuple[float, ...], ...], ...]
 """The transforms of bones, each column by column."""
 
 INSTANCES = 4
-"""How many instances are drawn if the material distinguishes them."""
+"""The number of instances that are drawn if the material distinguishes them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """The positions of camera, object and lights, and what the object looks like."""
+    """The positions of camera, object and lights, and the look of the object."""
 
     camera: Camera = field(default_factory=looking)
     object_to_world: tuple[tuple[float, ...], ...] = tuple(map(tuple, np.eye(4).tolist()))
@@ -47,17 +47,19 @@ class Scene:
     light_distance: float = 3.0
     """The distance from the origin of lights that are made up and have a position."""
     light_count: int = 3
-    """How many lights are made up for an array of lights, if it has space for them."""
+    """The number of lights that are made up for an array of lights, if it has space for them."""
     lamps: tuple[Lamp, ...] = ()
     """The lights of a file; without any, lights are made up."""
     look: Look = PLAIN
-    """What a file says about the object's surface."""
+    """The surface of the object as a file describes it."""
     bones: Matrix | None = None
     """The transform of each bone (bones, 4, 4); ``None`` for the bones of the meshes here."""
 
     def apply(self, instance: HostValues, aspect: float, but: frozenset[str] = frozenset()) -> None:
-        """Set all parameters and textures that belong to a scene, but those with some names;
-        ``aspect`` is width divided by height."""
+        """Set all parameters and textures that belong to a scene, except those named in ``but``.
+
+        ``aspect`` is width divided by height.
+        """
         roles = value_roles(instance.declared)
         given = self._values(aspect)
         if _POSE in roles.values():
@@ -71,11 +73,11 @@ class Scene:
         self._place_lights(instance)
 
     def values(self, aspect: float) -> dict[str, Any]:
-        """The values of the scene that are no light's, by what it calls them."""
+        """The values of the scene that are no light's, by the scene's words for them."""
         return {**self._values(aspect), _POSE: self._pose()}
 
     def _values(self, aspect: float) -> dict[str, Any]:
-        """The same without the pose, which may consist of many numbers and is rarely read."""
+        """The values of the scene without the pose, which may be large and is rarely read."""
         return {
             "world_to_clip": _columns(self.camera.world_to_clip(aspect)),
             "eye": self.camera.eye,
@@ -87,7 +89,7 @@ class Scene:
         return pose() if self.bones is None else _padded(self.bones)
 
     def unused_lamps(self, instance: HostValues) -> list[Lamp]:
-        """The lights of a file for which the rig has no place."""
+        """The lights of a file for which the rig has no entry."""
         return left_over(instance, self.lamps, _all_roles(instance))
 
     def _place_lights(self, instance: HostValues) -> None:
@@ -98,7 +100,7 @@ class Scene:
 
 
 def _all_roles(instance: HostValues) -> list[dict[str, str]]:
-    """What a scene sets of each light of the rig."""
+    """The roles of each light's parameters in a scene."""
     parameters = _by_name(instance.declared)
     return [dict(light_roles(parameters, row)) for row in instance.declared.lights]
 
@@ -106,8 +108,11 @@ def _all_roles(instance: HostValues) -> list[dict[str, str]]:
 def light_roles(
     parameters: Mapping[str, ParameterRow], light: LightRow
 ) -> Iterator[tuple[str, str]]:
-    """The parameters of a light that a scene sets, without the light's own name, each with what
-    the scene calls its value. ``parameters`` are those of the reflection, by name."""
+    """The parameters of a light that a scene sets, each with its role.
+
+    The names come without the light's own name. ``parameters`` are those of the reflection, by
+    name.
+    """
     rows = [parameters[name] for name in light.parameters]
     members: list[tuple[str, ParameterRow | MemberRow]] = (
         [(row.name.removeprefix(f"{light.name}."), row) for row in rows]
@@ -125,10 +130,10 @@ def _by_name(declared: Declared) -> Mapping[str, ParameterRow]:
 
 
 def _light_role(row: ParameterRow | MemberRow) -> str | None:
-    """What a scene calls the value of a light's parameter, if it has one for it.
+    """The scene's word for a light's parameter, if it has a value for it.
 
-    A declaration of the library says this, or else the type of a parameter without a default. Names
-    say nothing: a parameter of one's own may have any.
+    A declaration of the library decides this, or else the type of a parameter without a default.
+    Names decide nothing: a parameter of one's own may have any name.
     """
     names = scene_names()
     known = names["parameters"].get(row.library or "")
@@ -149,22 +154,22 @@ def set_by_scene(declared: Declared) -> set[str]:
 
 _POSE = "pose"
 _OF_VIEWS = ("world_to_clip", "eye", "object_to_world", _POSE)
-"""What a scene calls the values that are not a light's."""
+"""The scene's words for the values that are not a light's."""
 
 
 def value_roles(declared: Declared | FramePlan) -> dict[str, str]:
-    """The parameters for which a scene may have a value, each with what it calls that."""
+    """The parameters for which a scene may have a value, each with the scene's word for it."""
     rows = declared.parameters
     return {row.name: row.role for row in rows if row.role is not None}
 
 
 def declared_as(role: str) -> str:
-    """The library's declaration of what a scene calls so."""
+    """The library's declaration of a role, which is the scene's word for a value."""
     return next(name for name, own in scene_names()["parameters"].items() if own == role)
 
 
 def texture_roles(declared: Declared) -> dict[str, str]:
-    """The textures for which a look may have a picture, each with what a scene calls that."""
+    """The textures for which a look may have a picture, each with the scene's word for it."""
     names = scene_names()["textures"]
     rows = (row for row in declared.textures if isinstance(row, TextureRow))
     found = ((row.name, names.get(row.library or "")) for row in rows)
@@ -236,15 +241,15 @@ def with_inputs(reflection: Reflection, mesh: Mesh, instances: int = INSTANCES) 
 
 
 def _own(name: str) -> str:
-    """Where a mesh keeps the values of a vertex input that it got for one material.
+    """The channel of a mesh for a vertex input that one material has got.
 
-    A material may call an input ``position``, and still the mesh has its positions.
+    A material may call an input ``position``, and still the mesh has its own positions.
     """
     return f"own {name}" if name in CHANNELS else name
 
 
 def is_instanced(reflection: Reflection) -> bool:
-    """Whether a shader distinguishes instances of the mesh."""
+    """True if a shader distinguishes instances of the mesh."""
     rows = reflection.vertex_inputs
     draw = reflection.draw
     if "instances" in (draw.expanded_by, draw.tessellation and draw.tessellation.divided_by):
@@ -342,6 +347,6 @@ def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
 
 
 def _padded(bones: Matrix) -> Pose:
-    """As many transforms as ``pose`` has, or more if there are more bones."""
+    """The bones, filled up to the number that ``pose`` has; more bones stay as they are."""
     rest = np.tile(np.eye(4), (max(_BONES_OF_POSE - len(bones), 0), 1, 1))
     return tuple(_columns(bone) for bone in np.concatenate([bones, rest]))

@@ -34,15 +34,15 @@ class SceneState:
     width: int
     height: int
     attributes: Mapping[str, NDArray[Any]]
-    """By vertex input, of shape (vertices or instances, lanes); 32-bit formats hold all numbers
-    exactly."""
+    """Values by vertex input, of shape (vertices or instances, lanes); 32-bit formats hold all
+    numbers exactly."""
     triangles: Indices
     instance: Instance
     clear: tuple[Color, ...]
     """The clear colour of each render target."""
     instance_count: int = 1
     blend_constant: Color = CLEAR
-    """What the factor ``constant`` means where a target is blended."""
+    """The colour of the blend factor ``constant``, for all targets."""
 
     def geometry(self) -> Geometry:
         """The triangles of all instances, in the form that the reference takes."""
@@ -54,8 +54,10 @@ class SceneState:
         return {row.name: self.attributes[row.name] for row in rows if row.step == step}
 
     def draw(self) -> Draw:
-        """The bytes that a driver draws, in the order of the reflection's inputs, blocks,
-        textures and buffers."""
+        """The bytes for a driver, in the order of the reflection's rows.
+
+        These are vertex inputs, blocks, textures and buffers.
+        """
         reflection = self.instance.reflection
         textures, buffers = self.instance.textures(), self.instance.buffers()
         return Draw(

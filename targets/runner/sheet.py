@@ -15,7 +15,7 @@ GAP = 16
 NARROWEST = 128
 """The least width of a caption, however small the picture is."""
 NOTE_LINES = 3
-"""The most lines of a note; titles are never shortened."""
+"""The largest number of lines of a note; titles are never shortened."""
 PAPER, BOX, INK, FAINT = (44, 47, 53), (54, 57, 64), (240, 240, 240), (165, 168, 175)
 
 Font = ImageFont.ImageFont | ImageFont.FreeTypeFont
@@ -26,17 +26,17 @@ class Panel:
     """One picture on a sheet, or an empty place for it."""
 
     titles: tuple[str, ...]
-    """The lines below the picture that say what it shows."""
+    """The lines below the picture that describe it."""
     note: str
-    """The fainter text below them that says what drew it."""
+    """The fainter text below them that names the device."""
     image: Image.Image | None
     """``None`` if there is no picture."""
     problem: str = ""
     """Two or three words that say why there is no picture; they are written in its place."""
     numbers: NDArray[np.float64] | None = None
-    """What the image shows, of shape (height, width, 4): linear, and not limited to 0..1."""
+    """The image's numbers, of shape (height, width, 4): linear, and not limited to 0..1."""
     lanes: int = 4
-    """How many lanes of the numbers the render target has."""
+    """The number of lanes that the render target has."""
 
 
 def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image.Image:
@@ -69,7 +69,7 @@ def sheet(panels: Sequence[Panel], columns: int, size: tuple[int, int]) -> Image
 
 
 def _extent(panel: Panel, size: tuple[int, int]) -> tuple[int, int]:
-    """How wide and how high a panel's picture is, or its empty place."""
+    """The width and the height of a panel's picture, or of its empty place."""
     return size if panel.image is None else panel.image.size
 
 

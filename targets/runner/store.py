@@ -1,4 +1,4 @@
-"""Keeps results that are costly to compute, in files named after all that they depend on.
+"""Keeps results that are costly to compute, in files whose names are digests of their ingredients.
 
 It exists besides ``compiler/cache.py`` because these results decide whether tests pass: names have
 160 bits instead of 64, so that no two agree by accident. Because there are many results, those that
@@ -25,7 +25,7 @@ LIMIT = 1 << 30
 KEPT = 0.75
 """The part of the limit that remains after deleting, so that not every write has to delete."""
 CHECK_EVERY = 1 << 26
-"""After how many written bytes a process examines the whole folder again."""
+"""The number of written bytes after which a process examines the whole folder again."""
 
 _DIGEST_SIZE = 20
 _COMPRESSION = 1
@@ -37,7 +37,7 @@ def digest(*ingredients: str | bytes) -> str:
     else."""
     total = blake2b(digest_size=_DIGEST_SIZE)
     for item in ingredients:
-        # Names of files may have bytes that are no text, for which Python has surrogates.
+        # File names may have bytes that are no text, which Python decodes to surrogates.
         data = item.encode("utf-8", "surrogatepass") if isinstance(item, str) else item
         total.update(len(data).to_bytes(8, "little"))
         total.update(data)
@@ -68,7 +68,7 @@ class Store:
     def __init__(self, name: str, limit: int = LIMIT) -> None:
         """The store called ``name`` in Burnish's cache folder; ``limit`` is in bytes.
 
-        A store with the limit 0 keeps nothing, and what is in its folder stays as it is.
+        A store with the limit 0 keeps nothing, and leaves the files in its folder as they are.
         """
         self.folder = Path(private_folder()) / name
         self._limit = limit
@@ -104,7 +104,7 @@ class Store:
         _UNCHECKED[self.folder] = unchecked + len(compressed)
 
     def prune(self) -> None:
-        """If there is more than the limit, delete what has not been used for longest."""
+        """Delete the files that have not been used for longest, if the store is above its limit."""
         files = sorted(self._files(), reverse=True)
         if sum(size for _, size, _ in files) <= self._limit:
             return
@@ -119,8 +119,7 @@ class Store:
         return self.folder / name[:2] / name[2:]
 
     def _files(self) -> Iterator[tuple[int, int, Path]]:
-        """When each file was last used, its size and its path; includes files of killed
-        processes."""
+        """The time of last use, size and path of each file; includes files of killed processes."""
         with suppress(OSError):
             for folder, _ in private_files(str(self.folder)):
                 with suppress(OSError):

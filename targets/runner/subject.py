@@ -1,4 +1,4 @@
-"""The type of what is drawn: a compiled material, as ``burnish.compile`` returns it."""
+"""The type of everything that is drawn: a compiled material, as ``burnish.compile`` returns it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Subject(Protocol):
 
     @property
     def lacking(self) -> Mapping[str, str]:
-        """For profiles without texts, the reason."""
+        """The reason for each profile that has no texts."""
 
     @property
     def reflection(self) -> Reflection:
@@ -31,7 +31,7 @@ class Subject(Protocol):
 
     @property
     def shader(self) -> Shader:
-        """The shader before the passes: what the material means."""
+        """The shader before the passes, as the material means it."""
 
     def emitted(self, profile: str) -> Shader:
         """The shader that the texts for a profile compute, which the reference bounds."""

@@ -1,4 +1,4 @@
-"""The table of checkers: which tools each one needs, and how it has a text checked.
+"""The table of checkers: the tools that each one needs, and the function that checks a text.
 
 ``Toolchain`` looks a job's checker up here; ``Profile.checkers`` names those of a profile.
 """
@@ -30,15 +30,16 @@ DXC_PROFILES = {
     "comp": "cs_6_0",
 }  # fmt: skip
 MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
-"""Apple's own compiler is not available here; its language has only ever been checked by clang."""
+"""The folder with declarations of Metal. Apple's own compiler is not available here; clang is the
+only one that has ever checked these texts."""
 MSL_ENTRIES = {
     "vert": r"vertex \w+ {name}\(",
     "frag": r"fragment \w+ {name}\(",
     "comp": r"kernel void {name}\(",
 }
-"""How entry points are defined there."""
+"""The definitions of entry points in Metal, as patterns by stage."""
 SHOWN = 60
-"""How many characters of a directive are shown that is refused."""
+"""The number of characters that are shown of a refused directive."""
 NAGA_NO_ENTRY = "Unable to find the entry point"
 
 
@@ -53,11 +54,11 @@ class Checker:
     batch: int = 1
     """The largest number of jobs that one call of ``check`` takes."""
     together: int = 1
-    """How many jobs one call takes even where others could be made at the same time."""
+    """The number of jobs for one call, even if others could be done at the same time."""
     has_directives: bool = True
-    """Whether its language has directives, of which texts may have only those that are emitted."""
+    """True if the language has directives. Its texts may have only those that Burnish emits."""
     headers: tuple[str, ...] = ()
-    """What a text may include."""
+    """The headers that a text may include."""
 
     def refusal(self, job: Job) -> Verdict | None:
         """The verdict on a text that no compiler may have; ``None`` for other texts."""

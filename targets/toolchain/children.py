@@ -40,10 +40,11 @@ class Child:
         seconds: int | None = None,
         group: bool = False,
     ) -> None:
-        """Start it by its absolute path; its standard output is a pipe. Raises ``OSError``.
+        """Start a program by its absolute path; its standard output is a pipe. Raises ``OSError``.
 
-        It runs in ``folder``, which has to be a private one, and may take so many ``seconds`` of a
-        processor's time. A program whose own children would stay behind is ended as a ``group``.
+        The program runs in ``folder``, which has to be a private one, and may take so many
+        ``seconds`` of a processor's time. A program whose own children would stay behind is ended
+        as a ``group``.
         """
         if not os.path.isabs(command[0]):  # noqa: PTH117 - it is no Path
             raise FileNotFoundError(f"{command[0]} is no absolute path")
@@ -65,11 +66,11 @@ class Child:
 
     @property
     def pid(self) -> int:
-        """Its number."""
+        """The number (PID) of the process."""
         return self.process.pid
 
     def kill(self) -> None:
-        """End it at once, and what is left of its group; it may have ended already."""
+        """Kill the program, and the rest of its group; it may have ended already."""
         if self._group and self.process.poll() is None:
             with suppress(ProcessLookupError):
                 os.killpg(self.process.pid, signal.SIGKILL)
@@ -77,7 +78,7 @@ class Child:
         self._lifeline.cut()
 
     def bury(self) -> None:
-        """Kill it if it runs, wait for its end, and close the pipes."""
+        """Kill the program if it runs, wait for its end, and close the pipes."""
         self.kill()
         self.process.wait()
         for stream in (self.process.stdin, self.process.stdout, self.process.stderr):
@@ -88,7 +89,7 @@ class Child:
 
 
 class Family:
-    """The children of one owner, who may end all of them from any thread."""
+    """The child processes of one owner, who may end all of them from any thread."""
 
     def __init__(self) -> None:
         self._living: set[Child] = set()
@@ -96,19 +97,19 @@ class Family:
         self._closed = False
 
     def adopt(self, child: Child) -> None:
-        """Add a child that was just started; if all were ended meanwhile, it is ended as well."""
+        """Add a child that was just started; end it if the family was closed meanwhile."""
         with self._lock:
             self._living.add(child)
             if self._closed:
                 child.kill()
 
     def dismiss(self, child: Child) -> None:
-        """Leave out a child that has ended."""
+        """Remove a child that has ended."""
         with self._lock:
             self._living.discard(child)
 
     def close(self) -> None:
-        """End all of them. Whoever waits for one of them, is told that it was killed."""
+        """End all children. Callers that wait for one of them are told that it was killed."""
         with self._lock:
             self._closed = True
             for child in self._living:

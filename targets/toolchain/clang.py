@@ -22,7 +22,7 @@ from .verdicts import accepted_unless_error, undone
 _OPTIONS = (
     "-x", "c++", "-std=c++14", "-fsyntax-only", "-nostdinc", "-Wno-unknown-attributes",
     "-fno-crash-diagnostics",  # would leave files
-    # What a text converts it has to say.
+    # Implicit conversions are errors: a text has to state its conversions.
     "-Werror=float-conversion", "-Werror=implicit-int-float-conversion", "-Werror=sign-conversion",
 )  # fmt: skip
 _ATTRIBUTES = re.compile(r"\[\[(.*?)\]\]")
@@ -33,10 +33,10 @@ _COMMENT = re.compile("//.*")
 def check_against(
     declarations: Path, entries: Mapping[str, str]
 ) -> Callable[[Job, Toolbox], Verdict]:
-    """A checker of texts against what the folder ``declarations`` holds.
+    """A checker that compiles texts against the declarations in a folder.
 
-    ``entries`` has, by stage, what a line begins with in which an entry point is defined: a regular
-    expression, in which ``{name}`` is what the entry point is called.
+    ``entries`` has, by stage, the beginning of a line that defines an entry point: a regular
+    expression, in which ``{name}`` stands for the name of the entry point.
     """
 
     def check(job: Job, toolbox: Toolbox) -> Verdict:
@@ -60,19 +60,19 @@ def check_against(
 
 
 def headers_in(declarations: Path) -> tuple[str, ...]:
-    """What texts may include that are checked against the folder ``declarations``."""
+    """The headers that texts may include that are checked against the folder ``declarations``."""
     return tuple(sorted(header.stem for header in declarations.glob("*.h")))
 
 
 def _known(declarations: Path) -> dict[str, bool]:
-    """By attribute, whether it has an argument."""
+    """The known attributes; by attribute, True if it has an argument."""
     lines = (declarations / "attributes.txt").read_text(encoding="utf-8").splitlines()
     rows = [line for line in lines if line and not line.startswith("#")]
     return {row.partition("(")[0]: "(" in row for row in rows}
 
 
 def _wrong_attributes(text: str, known: dict[str, bool]) -> Iterator[Message]:
-    """Attributes that there are not: clang ignores all that it does not know itself."""
+    """Attributes that do not exist: clang ignores all that it does not know itself."""
     for number, line in enumerate(text.splitlines(), start=1):
         for found in _ATTRIBUTES.finditer(_COMMENT.sub("", line)):
             for attribute in found[1].split(","):
@@ -83,7 +83,7 @@ def _wrong_attributes(text: str, known: dict[str, bool]) -> Iterator[Message]:
 
 
 def _lack_of_entry(job: Job, form: str) -> Iterator[Message]:
-    """The words that make a function an entry point are nothing to clang."""
+    """The message about a missing entry point, as clang ignores the words that define one."""
     if not re.search(f"^{form.format(name=job.entry)}", job.text, re.MULTILINE):
         said = f"there is no {job.stage} entry point named '{job.entry}'"
         yield Message("error", None, None, said)

@@ -4,9 +4,9 @@ A text may come from a file, such as the plan of a frame. There, ``#include`` wo
 read any other file, or wait for a pipe for ever, and a few lines of ``#define`` can stand for more
 code than fits into memory.
 
-Compilers differ in what they take for a comment, a string or the end of a line. So this looks for
-whatever some compiler could take for the beginning of a directive, even within a comment, where
-Burnish has nothing like it.
+Compilers differ about the ends of comments, strings and lines. So this module looks for anything
+that some compiler could take for the beginning of a directive, even within a comment, if Burnish
+emits nothing like it.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from collections.abc import Iterator, Sequence
 
 _BEGINNING = re.compile(r"#|%:|\?\?=")
 _SPLICE = re.compile(r"(\\|\?\?/)\s*$")
-"""The end of a line that goes on in the next one; some compilers allow spaces there."""
+"""The end of a line that continues in the next one; some compilers allow spaces there."""
 _SEEN = re.compile(r"[\x21-\x7e]")
 _HARMLESS = re.compile(r"#(version|line|extension)\b")
-"""What Burnish emits; but there are extensions with which texts include files."""
+"""The directives that Burnish emits. There are extensions with which texts include files."""
 
 
 def foreign_directive(text: str, headers: Sequence[str] = ()) -> tuple[int, str] | None:
-    """The line of the first directive that Burnish does not emit, and the directive; or ``None``.
+    """The first directive that Burnish does not emit, with its line; or ``None``.
 
-    ``headers`` are what may be included.
+    ``headers`` are those that may be included.
     """
     includes = {f"#include <{header}>" for header in headers}
     for number, line in _lines(text):
@@ -37,8 +37,10 @@ def foreign_directive(text: str, headers: Sequence[str] = ()) -> tuple[int, str]
 
 
 def _foreign(line: str) -> Iterator[int]:
-    """Where directives begin of a kind that Burnish does not emit. A line may be very long, and
-    have many beginnings."""
+    """The beginnings of directives that Burnish does not emit.
+
+    A line may be very long, and have many beginnings.
+    """
     last_include = line.lower().rfind("include")
     for start in _beginnings(line):
         found = _HARMLESS.match(line, start)
@@ -47,7 +49,7 @@ def _foreign(line: str) -> Iterator[int]:
 
 
 def _beginnings(line: str) -> Iterator[int]:
-    """Where directives may begin: behind nothing that is seen, or behind the end of a comment."""
+    """The places where directives may begin: after blanks only, or after the end of a comment."""
     seen = _SEEN.search(line)
     first = seen.start() if seen else 0
     closed = line.find("*/")
@@ -57,7 +59,7 @@ def _beginnings(line: str) -> Iterator[int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
-    """The numbered lines, as they are and, where they go on in others, joined with these."""
+    """The numbered lines as they are, and joined with the next ones where they continue."""
     joined, first = "", 1
     for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1):
         yield number, line

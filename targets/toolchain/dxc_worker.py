@@ -80,7 +80,7 @@ class Compiler:
             raise RuntimeError(f"DxcCreateInstance failed: {failure & 0xFFFFFFFF:#x}")
 
     def compile(self, text: str, arguments: list[str]) -> tuple[bool, bytes, str]:
-        """Whether DXC accepted the text, the object file, and DXC's messages."""
+        """Compile a text: returns True if DXC accepted it, the object file, and DXC's messages."""
         words = (ctypes.c_wchar_p * len(arguments))(*arguments)
         count = ctypes.c_uint32(len(arguments))
         no_includes = ctypes.c_void_p()
@@ -122,7 +122,7 @@ def answer(compiler: Compiler, request: dict[str, Any]) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Answer requests until the input ends. Whatever the library prints goes to standard error."""
+    """Answer requests until the input ends; the library's own output goes to standard error."""
     with os.fdopen(os.dup(1), "w") as answers:
         os.dup2(2, 1)
         compiler = Compiler(sys.argv[1])

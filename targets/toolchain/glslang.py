@@ -30,8 +30,8 @@ APPENDIX_A: Mapping[str, int] = {
     "MaxVaryingVectors": 8,
     "MaxDrawBuffers": 1,
 }
-"""What Appendix A of the specification of GLSL ES 1.00 lets devices leave out, and what its section
-7.4 promises of their resources."""
+"""The features that devices may leave out by Appendix A of the specification of GLSL ES 1.00, and
+the resources that its section 7.4 promises."""
 _TO_VULKAN = ("-V", "--target-env", "vulkan1.1")
 
 
@@ -52,7 +52,7 @@ def check_hlsl(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
 def _each_program(
     jobs: Sequence[Job], toolbox: Toolbox, language: tuple[str, ...]
 ) -> list[Verdict]:
-    """Compile to SPIR-V, a program at a time; ``language`` are arguments that say what it is.
+    """Compile to SPIR-V, a program at a time; ``language`` are arguments that name the language.
 
     Before the text, glslang reads the declarations of all functions that the language has, which
     takes far longer. So the stages of a program share a process, which answers for all of them if
@@ -121,11 +121,10 @@ def _verdict(job: Job, outcome: Outcome) -> Verdict:
 def check_glsl(
     jobs: Sequence[Job], toolbox: Toolbox, limits: Mapping[str, int] | None = None
 ) -> list[Verdict]:
-    """Check GLSL for OpenGL and OpenGL ES, all jobs in one process; ``limits`` are resources of
-    devices that differ from glslang's own, by its names.
+    """Check GLSL for OpenGL and OpenGL ES, all jobs in one process.
 
-    If the process crashes, or its answers cannot be assigned to jobs, each job gets its own
-    process.
+    ``limits`` are resources of devices that differ from glslang's own, by its names. If the process
+    crashes, or its answers cannot be assigned to jobs, each job gets its own process.
     """
     files = [f"{number}.{job.stage}" for number, job in enumerate(jobs)]
     with tempfile.TemporaryDirectory() as name:
@@ -143,7 +142,7 @@ def check_glsl(
 
 
 def check_webgl1(jobs: Sequence[Job], toolbox: Toolbox) -> list[Verdict]:
-    """Check GLSL ES 1.00, as a device has it that leaves out all that it may."""
+    """Check GLSL ES 1.00 for a device that leaves out everything that it may leave out."""
     return check_glsl(jobs, toolbox, APPENDIX_A)
 
 

@@ -45,7 +45,8 @@ DXC_ARCHIVE_HASH = "sha256:5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e9915
 DXC_MEMBER = "compushady/backends/libdxcompiler_{machine}.so.3.7"
 SETUPTOOLS = "setuptools==84.2.1"
 SETUPTOOLS_HASH = "sha256:ca140b45d5325a9478f880e351484f62fef15f336462e449ca0c03c873d589c2"
-"""With what pip asks a source archive for its name, which it does even if it only downloads it."""
+"""The package by which pip asks a source archive for its name, even if it only downloads the
+archive."""
 
 NAGA_CRATE = "naga-cli"
 NAGA_HASH = "45283c11b8b1da1936214eefc9caf9c1bc74ae5c090023eaea84ba317a194c8c"
@@ -59,24 +60,25 @@ NPM_PACKAGES = {
     "typescript": "typescript",
     "json-schema-to-typescript": "json-schema-to-typescript",
 }
-"""The package of npm that a tool is."""
+"""The packages of npm, by the tool that each of them is."""
 
 PATIENCE = 1800.0
-"""How many seconds one command may take, and how long one run waits for another. On a slow machine,
+"""The seconds that one command may take, and that one run waits for another. On a slow machine,
 cargo takes ten minutes for naga."""
 GRACE = 10.0
-"""How many seconds a command may take to end, once it was asked to; then it is killed."""
+"""The seconds that a command may take to end once it was asked to; then it is killed."""
 PAUSE = 0.1
-"""After how many seconds a run looks again whether another one has ended."""
+"""The seconds after which a run looks again for the end of another one."""
 APT_LOCK_SECONDS = 300
 NETWORK_SECONDS = 60
-"""How long a download may stand still before it is tried again or given up."""
+"""The seconds that a download may stand still before it is tried again or given up."""
 NETWORK_SETTINGS = {
     "CARGO_HTTP_TIMEOUT": f"{NETWORK_SECONDS}",
     "NPM_CONFIG_FETCH_TIMEOUT": f"{NETWORK_SECONDS * 1000}",
     "PIP_DEFAULT_TIMEOUT": f"{NETWORK_SECONDS}",
 }
-"""The same for the programs that have a variable for it, unless somebody has set it."""
+"""Variables that set this time for programs that have one; they are not set if somebody has set
+them."""
 
 
 class InstallError(Exception):
@@ -101,9 +103,7 @@ def main(names: Sequence[str]) -> int:
 
 
 def _ensure(tool: Tool) -> bool:
-    """Install a tool unless it is installed; prints the progress, and returns whether it is there
-    now.
-    """
+    """Install a tool unless it is installed: prints the progress; True if it is there now."""
     if _is_there(tool):
         return True
     started = time.monotonic()
@@ -120,7 +120,7 @@ def _ensure(tool: Tool) -> bool:
 
 
 def _is_there(tool: Tool) -> bool:
-    """Whether a tool needs no installing. One with a pinned version must be in the cache itself."""
+    """True if a tool need not be installed. A pinned version must be in the cache itself."""
     pinned = isinstance(tool.source, OwnInstaller)
     state = judge(tool, tool.find_installed() if pinned else tool.find())
     if state.problem is None:
@@ -130,7 +130,7 @@ def _is_there(tool: Tool) -> bool:
 
 @contextmanager
 def _lock() -> Iterator[None]:
-    """Let only one process at a time install, and remove what interrupted processes have left."""
+    """Let only one process at a time install, and remove files of interrupted processes."""
     folder = cache_folder()
     with suppress(NotADirectoryError, FileExistsError):
         folder.parent.mkdir(parents=True, exist_ok=True)
@@ -148,7 +148,7 @@ def _lock() -> Iterator[None]:
 
 
 def _wait_for_others(file: TextIO) -> None:
-    """Lock a file, once no other run has it any more."""
+    """Lock a file, waiting until no other run has locked it."""
     import fcntl  # which Windows lacks
 
     give_up = time.monotonic() + PATIENCE
@@ -247,12 +247,12 @@ def _check_crate(lock: Path, version: str) -> None:
 
 
 def npm_lock(tool: str) -> Path:
-    """The packages that a tool consists of, with their digests; ``npm ci`` insists on all of it."""
+    """The packages of a tool, with their digests; ``npm ci`` insists on all of them."""
     return Path(__file__).with_name(f"{tool}-lock.json")
 
 
 def _npm(tool: str, version: str, folder: Path) -> None:
-    """Install what a tool's lock lists; npm refuses whatever has another digest than there."""
+    """Install the packages of a tool's lock; npm refuses packages with another digest."""
     wanted = {"dependencies": {NPM_PACKAGES[tool]: version}}
     (folder / "package.json").write_text(json.dumps(wanted), "utf-8")
     shutil.copyfile(npm_lock(tool), folder / "package-lock.json")
@@ -263,8 +263,8 @@ def _npm(tool: str, version: str, folder: Path) -> None:
 def _pip_dxc(_version: str, folder: Path) -> None:
     """Take DXC out of the source archive of a Python package that contains it, without a build.
 
-    Even of what it only downloads, pip runs the part that tells what it is, with setuptools. So
-    this, too, is of a known digest, and nothing else is fetched for it.
+    Even for a download, pip runs the part of the archive that states its name, with setuptools. So
+    setuptools has a known digest, too, and nothing else is fetched for it.
     """
     pip = (sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input")
     with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=cache_folder()) as name:
@@ -338,7 +338,7 @@ def _run(*command: str, environment: Mapping[str, str] = MappingProxyType({})) -
 
 
 def _ended(process: subprocess.Popen[str]) -> str:
-    """Ask a command and all that it has started to end, or kill them; returns what it has said."""
+    """Ask a command and its children to end, or kill them; returns their output."""
     for number in (signal.SIGTERM, signal.SIGKILL):
         with suppress(ProcessLookupError):
             os.killpg(process.pid, number)

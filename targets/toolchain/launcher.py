@@ -19,7 +19,7 @@ from threading import Thread
 ROOT = Path(__file__).parents[2]
 """The folder of the package."""
 PAUSE = 0.5
-"""After how many seconds it is looked again whether the parent is alive."""
+"""The seconds between two looks at whether the parent is alive."""
 
 
 def main() -> None:
@@ -33,7 +33,7 @@ def main() -> None:
 
 
 def _end_with(parent: int) -> None:
-    """End this process once its parent has ended; another one then has adopted it.
+    """End this process once its parent has ended, which is when another process has adopted it.
 
     Linux does that by itself, see ``lifeline.py``. Windows tells nobody.
     """

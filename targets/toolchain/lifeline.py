@@ -31,7 +31,7 @@ class Lifeline:
             self._held = open(writing, "wb", buffering=0)  # noqa: PTH123, SIM115 - for close
 
     def tie(self, process: int, *, group: bool) -> None:
-        """Have the end of this process kill a started one, or the whole group that it leads."""
+        """Let the end of this process kill a started one, or the whole group that it leads."""
         if sys.platform == "linux":
             import fcntl
 

@@ -1,4 +1,4 @@
-"""How much memory, time and space a program may take that Burnish starts: one row for each kind.
+"""Limits of memory, time and space for the programs that Burnish starts: one row for each kind.
 
 A text of a thousand bytes can make a compiler take all memory of a machine, or write without end.
 The kernel enforces these limits, on Linux only: other systems have no way to limit a process that
@@ -22,7 +22,7 @@ GB = 10**9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What each process of a program may take; whatever it starts has the same limits."""
+    """Limits of each process of a program; the processes that it starts have the same limits."""
 
     memory: int
     """Bytes of memory that it may write to, whether or not it ever does. Address space that is only
@@ -32,12 +32,12 @@ class Limits:
     output: int
     """Bytes of its output that are read before it is stopped."""
     of: str = ""
-    """Which programs these are, for the manual."""
+    """The programs that have these limits, for the manual."""
     draws: bool = False
-    """Whether it may take more if ``--budget memory`` allows more to be drawn."""
+    """True if the program may take more if ``--budget memory`` allows more to be drawn."""
 
     def scaled(self) -> Limits:
-        """These limits, as far as they were raised."""
+        """The limits, raised as far as the budget of memory was raised."""
         raised = allowed(_BUDGET) / LIMITS[_BUDGET].most if self.draws else 1
         if raised <= 1:
             return self
@@ -48,38 +48,40 @@ class Limits:
 
 
 _BUDGET = "memory"
-"""The row of what is drawn at the same time."""
+"""The row of the budget for everything that is drawn at the same time."""
 
 COMPILERS = Limits(memory=GB, file=64 * MB, output=64 * MB, of="a compiler")
-"""Programs that are given one text."""
+"""Limits of programs that get one text."""
 ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB, of="a program that says its version")
-"""Programs that only say their version, browsers among them."""
+"""Limits of programs that only print their version, browsers among them."""
 WORKERS = Limits(
     memory=4 * GB, file=2 * GB, output=2 * GB, draws=True,
     of="a driver, or a process that draws with the reference",
 )  # fmt: skip
-"""Drivers, the reference and the gallery. What is drawn may take a gigabyte, and there are a few
-copies of it until it has been sent."""
+"""Limits of drivers, the reference and the gallery. Pictures may take a gigabyte, and there are a
+few copies of them until they have been sent."""
 BROWSERS = Limits(
     memory=8 * GB, file=2 * GB, output=2 * GB, draws=True, of="each process of the browser"
 )
-"""A browser's pages map 4 GB at once for objects of JavaScript, and use a small part of it."""
+"""Limits of browsers. A browser's pages map 4 GB at once for objects of JavaScript, and use a small
+part of it."""
 
 EVERY_LIMIT = (COMPILERS, ASKED, WORKERS, BROWSERS)
-"""All rows."""
+"""All rows of limits."""
 
 _NO_MEMORY = re.compile(
     r"bad_alloc|out of memory|memory allocation of \d+ bytes failed|MemoryError"
     r"|Cannot allocate memory|0x8007000e",
     re.IGNORECASE,
 )
-"""What programs say when they are given no more memory."""
+"""The messages of programs that are given no more memory."""
 
 
 def limit(process: int, limits: Limits, seconds: int | None) -> None:
     """Set the limits of a process that was just started, and its processor time if given.
 
-    Ending late is what the caller prevents; the processor's time is for when the caller has died.
+    The caller stops a process that ends late; the processor's time is for the case that the caller
+    has died.
     """
     if sys.platform != "linux":
         return
@@ -93,7 +95,7 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
     if seconds is not None:
         rows[resource.RLIMIT_CPU] = seconds
     for kind, most in rows.items():
-        # It may have ended already, and the user's own limits may be lower.
+        # The process may have ended already, and the user's own limits may be lower.
         with suppress(ProcessLookupError):
             _, hard = resource.prlimit(process, kind)
             within = most if hard == resource.RLIM_INFINITY else min(most, hard)
@@ -101,9 +103,9 @@ def limit(process: int, limits: Limits, seconds: int | None) -> None:
 
 
 def exhausted(log: str, limits: Limits) -> str:
-    """What is to be said of a program that has failed, if it got no more memory.
+    """The message about a program that failed since it got no more memory; else empty.
 
-    That is all there is to say, instead of where in the program it was noticed.
+    The message replaces the program's own ones, which only say where the lack was noticed.
     """
     if not _NO_MEMORY.search(log):
         return ""

@@ -14,7 +14,7 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 _GLSLANG = re.compile(r"(ERROR|WARNING): (?:([^:\s]+):(\d+): )?(.*)")
 _GLSLANG_HLSL = re.compile(r"(\S.*)\((\d+)\): error at column (\d+), (.*)")
 _GLSLANG_FATAL = "Entry point not found"
-"""For HLSL, glslang only warns in this case, and then compiles nothing."""
+"""The warning with which glslang compiles nothing: for HLSL, it only warns."""
 _GLSLANG_NOISE = re.compile(
     r"\d+ compilation errors\.|'' : compilation terminated|'image_format' : unrecognized attribute"
 )
@@ -23,7 +23,8 @@ _CLANG = re.compile(r"(?:(\S.*?):(\d+):(?:(\d+):)? )?(?:fatal )?(error|warning):
 _DXC_NOISE = re.compile(
     r"DXIL\.dll not found|validation errors$|unknown attribute 'format_\w+' ignored"
 )
-"""An image has two attributes with its format, one that DXC reads and one that glslang reads."""
+"""Messages that mean nothing here. An image has two attributes with its format, one that DXC reads
+and one that glslang reads."""
 
 _NAGA_HEAD = re.compile(r"(error|warning): (.*)")
 _NAGA_PLACE = re.compile(r"\s*┌─ .*:(\d+):(\d+)$")
@@ -49,11 +50,11 @@ def _glslang_messages(log: str) -> Iterator[Message]:
 
 
 def read_dxc(log: str) -> tuple[Message, ...]:
-    """Parse what DXC prints, which is made of clang; its DXIL validator has no columns.
+    """Parse the output of DXC, which is based on clang; its DXIL validator has no columns.
 
     The warning that there is no DXIL.dll is left out: it means that nothing is signed, which is not
-    an error of the shader. The validator itself is part of the library and runs. What DXC says of
-    attributes for glslang is left out as well.
+    an error of the shader. The validator itself is part of the library and runs. Messages about
+    attributes for glslang are left out as well.
     """
     return tuple(each for each in read_clang(log) if not _DXC_NOISE.match(each.text))
 

@@ -1,4 +1,4 @@
-"""Reads from SPIR-V where compilers put the members of uniform blocks, for the layout tests.
+"""Reads the layout of uniform blocks from the SPIR-V of compilers, for the layout tests.
 
 This reader and the one in ``dxil_offsets`` return bytes, by block and by member. A nested struct's
 members are named ``light.colour``. ``lights[]`` is not an offset but the stride of the array

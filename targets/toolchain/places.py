@@ -68,7 +68,7 @@ class FolderFiles(Place):
     """Files that only the installer provides."""
 
     files: tuple[str, ...]
-    """Relative to the installer's folder."""
+    """The paths of the files, relative to the installer's folder."""
 
     def inside(self, folder: Path) -> Paths | None:
         return _all_files(folder / file for file in self.files)
@@ -107,21 +107,21 @@ class PythonPackage(Place):
 
 
 def libraries(name: str) -> tuple[str, ...]:
-    """Where Debian, Fedora and Arch have a shared library, for ``SystemFiles``."""
+    """The paths at which Debian, Fedora and Arch have a shared library, for ``SystemFiles``."""
     return tuple(
         f"{folder}/{name}" for folder in ("usr/lib/{machine}-linux-gnu", "usr/lib64", "usr/lib")
     )
 
 
 def vulkan_files(name: str) -> tuple[str, ...]:
-    """Where systems have a file that registers a driver or a layer with the Vulkan loader."""
+    """The paths at which systems register a driver or a layer with the Vulkan loader."""
     return tuple(f"{folder}/vulkan/{name}" for folder in ("usr/share", "usr/local/share", "etc"))
 
 
 def is_trusted(folder: Path) -> bool:
-    """Whether a folder is there, and nobody but this user and root can put a program into it.
+    """True if a folder exists, and only this user and root can put a program into it.
 
-    It may be a link, but not one that somebody else could turn to another folder.
+    A folder may be a link, but not one that somebody else could turn to another folder.
     """
     try:
         link, status = folder.lstat(), folder.stat()

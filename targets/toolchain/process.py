@@ -22,26 +22,27 @@ Ending = Literal["ended", "crashed", "timeout"]
 RUST_PANIC = 101
 """The exit code of a Rust program that panicked. No other tool here uses it."""
 BY_SIGNAL = 128
-"""Above this, an exit code is of a program whose child was killed by a signal, as of clang."""
+"""The number above which an exit code means that a signal killed the program's child, as of
+clang."""
 PART = 1 << 16
-"""How many bytes of a program's output are read at once."""
+"""The number of bytes that are read at once from a program's output."""
 SPARE = 5
-"""How many seconds of processor time a program may have beyond its time limit."""
+"""The seconds of processor time that a program may have beyond its time limit."""
 END_LIMIT = 10.0
-"""How many seconds are waited for the end of a pipe whose program was killed."""
+"""The seconds to wait for the end of a pipe whose program was killed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a program ended and what it wrote."""
+    """The end of a program, and its output."""
 
     ending: Ending
     code: int
     """The exit code: negative for a signal, 0 if the program never ended by itself."""
     output: bytes
-    """Its standard output."""
+    """The program's standard output."""
     log: str
-    """Its standard output, followed by its standard error, as text."""
+    """The program's standard output, followed by its standard error, as text."""
 
 
 def run(
@@ -56,7 +57,7 @@ def run(
     """Run a program to its end, or kill it after ``time_limit`` seconds.
 
     A program that cannot be started counts as crashed: the tool is broken, not the shader.
-    ``folder`` is a private one; without it, the program runs where nothing is. Whoever owns the
+    ``folder`` is a private one; without it, the program runs where nothing is. The owner of the
     ``family`` may end the program meanwhile, from another thread.
     """
     name = arguments[0]
@@ -77,7 +78,7 @@ def run(
 
 @contextmanager
 def _input(data: bytes) -> Iterator[int | IO[bytes]]:
-    """What a program reads: a file, so that nobody has to wait until it is read."""
+    """The standard input of a program: a file, so that nobody has to wait until it is read."""
     if not data:
         yield subprocess.DEVNULL
         return
@@ -88,7 +89,7 @@ def _input(data: bytes) -> Iterator[int | IO[bytes]]:
 
 
 def _outcome(name: str, child: Child, limits: Limits, time_limit: float) -> Outcome:
-    """Read what a program writes until it ends, its time is up, or it has written too much."""
+    """Read a program's output until it ends, its time is up, or the output is too long."""
     deadline = time.monotonic() + time_limit
     readers = [_Reader(child, stream, limits.output) for stream in _outputs(child)]
     for reader in readers:
@@ -125,7 +126,7 @@ def _exit_code(child: Child, deadline: float) -> int | None:
 
 
 class _Reader(Thread):
-    """Reads one of a program's outputs, and kills the program if there is no end of it."""
+    """Reads one of a program's outputs, and kills the program if the output is too long."""
 
     def __init__(self, child: Child, stream: IO[bytes], most: int) -> None:
         super().__init__(daemon=True)
@@ -144,7 +145,7 @@ class _Reader(Thread):
 
 
 def crashed(code: int) -> bool:
-    """Whether an exit code means that the program crashed instead of answering."""
+    """True if an exit code means that the program crashed instead of answering."""
     return code < 0 or code == RUST_PANIC or code > BY_SIGNAL
 
 

@@ -18,7 +18,7 @@ MAGIC = 0x07230203
 HEADER_WORDS = 5
 
 OPTIMISE_LIMIT = 60.0
-"""After how many seconds spirv-opt is stopped."""
+"""The seconds after which spirv-opt is stopped."""
 
 
 class Op(IntEnum):

@@ -1,4 +1,4 @@
-"""What a program that Burnish starts sees of its surroundings, and where programs are looked for.
+"""The environment and the folder of programs that Burnish starts, and where it looks for programs.
 
 The current folder may be somebody else's: a repository that was cloned, an archive that was
 unpacked. Nothing that lies there may become code or configuration of a program that is started. So
@@ -45,7 +45,7 @@ def search_path() -> str:
 
 
 def environment() -> dict[str, str]:
-    """The environment for programs: the user's, without what leads to the current folder.
+    """The environment for programs: the user's, without paths that lead to the current folder.
 
     Variables of Python are for the Python that runs Burnish. Other relative paths, such as those of
     ``LD_LIBRARY_PATH`` and ``NODE_PATH``, lead nowhere from the folder in which programs run.
@@ -57,8 +57,8 @@ def environment() -> dict[str, str]:
 def python_worker(module: str, *arguments: str) -> list[str]:
     """The command that runs a module of Burnish in a Python of its own.
 
-    It is the same Burnish that runs here, wherever that was found, beside the packages that the
-    same Python has installed. What else the user names in ``PYTHONPATH`` comes after all of these.
+    It is the same Burnish that runs here, wherever that was found, with the packages that the same
+    Python has installed. Other entries of the user's ``PYTHONPATH`` come after all of these.
     """
     flags = "-EP"
     if not site.ENABLE_USER_SITE:
@@ -74,7 +74,7 @@ def _search_path() -> Iterator[str]:
 
 
 def _absolute(folders: str) -> Iterator[str]:
-    """The absolute ones of a list of folders that are not the current one."""
+    """The absolute folders of a list, without the current one."""
     for folder in folders.split(os.pathsep):
         if os.path.isabs(folder) and not _is_current(folder):  # noqa: PTH117 - of the host's kind
             yield folder

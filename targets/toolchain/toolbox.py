@@ -15,7 +15,7 @@ HERE = Path(__file__).parent
 
 
 class Toolbox:
-    """What the ``check`` functions of checkers use to run tools."""
+    """Runs tools for the ``check`` functions of checkers."""
 
     def __init__(self, parallel: int, time_limit: float) -> None:
         self.time_limit = time_limit
@@ -43,7 +43,7 @@ class Toolbox:
         )
 
     def close(self) -> None:
-        """End all tools and workers. Whoever waits for one of them is told that it was killed."""
+        """End all tools and workers. Callers that wait for one are told that it was killed."""
         self._running.close()
         self.dxc.close()
         self.tint.close()

@@ -65,11 +65,11 @@ class Tool:
     name: str
     purpose: str
     place: Place
-    """Where to look for its files."""
+    """The places to look for its files."""
     version: Version
     """Reads the version from its files."""
     source: Source
-    """Where to get it from."""
+    """The source to get it from."""
     minimum: tuple[int, ...] = ()
     """The oldest version that works; empty if any does."""
 
@@ -200,7 +200,7 @@ TOOLS: tuple[Tool, ...] = (
         source=Debian(("mesa-vulkan-drivers", "libvulkan1")),
         minimum=(22, 3),  # the oldest that was tried
     ),
-    # It has no version of its own: it is built with the browser.
+    # The driver has no version of its own: it is built with the browser.
     Tool(
         name="swiftshader",
         purpose="Chromium's Vulkan driver that draws on the CPU",

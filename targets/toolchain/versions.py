@@ -16,11 +16,11 @@ from .process import run
 Version = Callable[[Paths], str | None]
 
 VERSION_LIMIT = 20.0
-"""How many seconds a tool may take to print its version."""
+"""The seconds that a tool may take to print its version."""
 
 
 def says(option: str, pattern: str) -> Version:
-    """Read it from the output of the first file, which is a program."""
+    """Read the version from the output of the first file, which is a program."""
 
     def version(paths: Paths) -> str | None:
         return _said([str(paths[0]), option], pattern)
@@ -29,7 +29,7 @@ def says(option: str, pattern: str) -> Version:
 
 
 def browser_beside(programs: tuple[str, ...]) -> Version:
-    """Read it from the output of the browser in whose folder the first file is."""
+    """Read the version from the output of the browser in whose folder the first file is."""
 
     def version(paths: Paths) -> str | None:
         beside = (paths[0].parent / name for name in programs)
@@ -40,12 +40,12 @@ def browser_beside(programs: tuple[str, ...]) -> Version:
 
 
 def refuses_sandbox() -> bool:
-    """Whether a browser of Chromium's family certainly does not start with its sandbox: as root."""
+    """True if Chromium certainly does not start with its sandbox: as root."""
     return os.name == "posix" and os.geteuid() == 0
 
 
 def written_in(number: int, pattern: bytes) -> Version:
-    """Find it in the binary with this index; searching megabytes takes milliseconds."""
+    """Find the version in the binary with this index; searching megabytes takes milliseconds."""
 
     def version(paths: Paths) -> str | None:
         with (
@@ -59,7 +59,7 @@ def written_in(number: int, pattern: bytes) -> Version:
 
 
 def stated(*keys: str) -> Version:
-    """Read it from the first file, a JSON document, under nested ``keys``."""
+    """Read the version from the first file, a JSON document, under nested ``keys``."""
 
     def version(paths: Paths) -> str | None:
         value = json.loads(paths[0].read_text("utf-8"))
@@ -71,12 +71,12 @@ def stated(*keys: str) -> Version:
 
 
 def in_folder_name(paths: Paths) -> str | None:
-    """Read it from the name of the cache folder: ``dxc-3.7`` contains 3.7."""
+    """Read the version from the name of the cache folder: ``dxc-3.7`` contains 3.7."""
     return paths[0].parent.name.partition("-")[2]
 
 
 def of_python_package(name: str) -> Version:
-    """Read it from the metadata of an installed Python package."""
+    """Read the version from the metadata of an installed Python package."""
     return lambda _paths: installed_version(name)
 
 

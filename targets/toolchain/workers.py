@@ -23,10 +23,10 @@ from .limits import COMPILERS, Limits, exhausted, in_words
 from .process import Ending, how_it_crashed
 
 LOG_TAIL = 20_000
-"""How many bytes of a dead child's output are kept."""
+"""The bytes of a dead child's output that are kept."""
 
 END_LIMIT = 10.0
-"""How many seconds a child may go on after it has closed its output."""
+"""The seconds that a child may go on after it has closed its output."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Answer:
     reply: Mapping[str, Any]
     """The child's answer; empty unless the ending is ``ended``."""
     log: str
-    """Why there is no answer."""
+    """The reason why there is no answer."""
 
 
 class Worker:
@@ -51,7 +51,7 @@ class Worker:
         self._errors: IO[bytes] | None = None
         self._closed = False
         self._lock = Lock()
-        """Held while a request is answered, and while the child is taken leave of."""
+        """Held while a request is answered, and while the child is ended."""
 
     def ask(self, request: Mapping[str, Any], time_limit: float) -> Answer:
         """Send one request and wait at most ``time_limit`` seconds for its answer."""
@@ -104,7 +104,7 @@ class Worker:
         return self._child
 
     def _post_mortem(self, ending: Ending, reason: str) -> Answer:
-        """Why there is no answer, without a ``reason`` by the way in which the child has ended."""
+        """The reason why there is no answer; by default, the way in which the child has ended."""
         assert self._child is not None and self._errors is not None
         if reason:
             self._child.kill()

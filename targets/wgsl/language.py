@@ -126,13 +126,16 @@ INPUTS = {
 
 
 def divides(facts: tuple[Fact, ...]) -> bool:
-    """Integers by anything. (By a constant 0 it is an error; but constants need no profile.)"""
+    """True for integers, whatever the divisor.
+
+    A constant 0 is an error; but constants need no profile.
+    """
     dividend, divisor = facts
     return dividend.kind != "float" or divisor.excludes_zero
 
 
 def leaves_remainder(facts: tuple[Fact, ...]) -> bool:
-    """A `uint` likewise; the remainder of an `int` has the sign of the dividend."""
+    """True for a `uint`; the remainder of an `int` has the sign of the dividend."""
     dividend, divisor = facts
     if dividend.kind == "uint":
         return True
@@ -155,7 +158,7 @@ WEBGPU = Profile(
     draws_edges=False,
     blends_floats=False,
     single_file=True,
-    # Tint takes 127 nested statements, of which each loop and each branch is two.
+    # Tint accepts 127 nested statements; each loop and each branch counts as two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
     checkers=("naga", "tint"),
 )

@@ -1,1 +1,1 @@
-"""The graph of a frame: its steps, what they leave to each other, and where that is kept."""
+"""The graph of a frame: its steps, the results that they pass on, and where these are kept."""

@@ -38,7 +38,7 @@ EVERYWHERE = "size"
 
 
 def frame_picture(frame: CompiledFrame) -> FramePicture:
-    """The steps of a frame, what the host gives and gets, and how long everything is needed."""
+    """The steps of a frame, the host's inputs and outputs, and the lives of results."""
     return _Builder(frame).picture()
 
 
@@ -99,7 +99,7 @@ class _Builder:
         return box
 
     def _does(self, step: DrawStep | RunStep) -> Iterator[str]:
-        """What a step does, as lines of its box."""
+        """The actions of a step, as lines of its box."""
         if isinstance(step, RunStep):
             yield self._shader(step.use.shader)
             return
@@ -118,7 +118,7 @@ class _Builder:
         return name.removeprefix(f"{self._plan.frame}.")
 
     def _repeated(self, steps: Sequence[PlanStep]) -> str:
-        """For what the steps of one equation are repeated; empty if there is only one."""
+        """The reason why the steps of an equation are repeated; empty if there is only one."""
         if len(steps) == 1:
             return ""
         drawn = [step.attachments[0] for step in steps if step.attachments]
@@ -136,7 +136,7 @@ class _Builder:
         return "faces" if of == {"cube"} else "layers"
 
     def _read(self, step: PlanStep, box: Box) -> None:
-        """Add the arrows from what a step reads, and notes of what the frame sets."""
+        """Add the arrows from a step's inputs, and notes of the values that the frame sets."""
         for drawn in step.draws:
             if drawn.models is not None:
                 self._arrow("given", self._given_models(drawn.models), box)
@@ -146,7 +146,7 @@ class _Builder:
             self._input(row.name, row.source, box)
         for target in step.attachments:
             if target.over is not None:
-                # Where others need what was there, it has been copied to where this step draws.
+                # If others need the old contents, these were copied to where the step draws.
                 copied = target.result in self._makers
                 over = target.result if copied else target.over
                 self._arrow_from(over, box.key, "over")
@@ -173,7 +173,7 @@ class _Builder:
                 self._arrow_from(source.result, box.key, "read")
 
     def _leave(self, step: PlanStep, box: Box, within: str) -> None:
-        """Add what a step leaves, as rows of its box."""
+        """Add the results of a step, as rows of its box."""
         prefix = f"{within}." if within else ""
         for target in step.attachments:
             what = self._texture(target.texture)
@@ -189,7 +189,10 @@ class _Builder:
     def _port(
         self, box: Box, result: str, name: str, what: str, texture: int | None, mark: MarkKind
     ) -> None:
-        """What several steps of a box leave by one name is one row: that of the last of them."""
+        """Add a row for a result to a box, or replace the row of the same name.
+
+        If several steps of a box leave results by one name, the row is that of the last of them.
+        """
         row = next((r for r in self._plan.results if r.name == result), None)
         place = "" if row is None else _place(row.source)
         port = Port(result, name, what, texture, mark, place)
@@ -261,7 +264,7 @@ class _Builder:
         return box
 
     def _loops(self) -> None:
-        """Add the arrows from what is left to what the next frame finds."""
+        """Add the arrows from the last frame's results to the steps that read them."""
         for kept in self._plan.kept:
             target = f"previous {kept.result}"
             if target in self._host:
@@ -273,13 +276,13 @@ class _Builder:
         self._arrows[Arrow(source, box.key, kind)] = None
 
     def _arrow_from(self, result: str, target: str, kind: ArrowKind) -> None:
-        """An arrow from what a step leaves; none within a box, whose steps follow each other."""
+        """An arrow from a result of a step; none within a box, whose steps follow each other."""
         maker, port = self._makers[result]
         if maker != target:
             self._arrows[Arrow(maker, target, kind, port)] = None
 
     def _number(self, value: int) -> str:
-        """How a number is computed, in short."""
+        """The computation of a number, in short."""
         node = self._values[value]
         text = self._formulas.text(node)
         return f"{node.type}(…)" if "…" in text else text
@@ -313,25 +316,29 @@ class _Group(NamedTuple):
     """The steps of one equation, with the copies between them.
 
     A repeated equation has steps with numbers, such as ``soft.0``, which may have steps of their
-    own, ``soft.0.source``; the last turn has no number.
+    own, ``soft.0.source``; the last repetition has no number.
     """
 
     name: str
     steps: list[PlanStep]
 
     def within(self, step: PlanStep) -> str:
-        """The name of a step within a turn of the equation; empty for the turn itself."""
+        """The name of a step within a repetition of the equation; empty for the latter itself."""
         parts = step.name.removeprefix(self.name).strip(".").split(".")
         return ".".join(part for part in parts if not re.fullmatch(r"(level)?\d+", part))
 
 
 _NUMBERED = re.compile(r"(.+?)\.(level)?\d+(\.|$)")
-"""The name of one of several steps; the first group is what all of them have in common."""
+"""A pattern of the name of one of several steps; the first group is the part that all have in
+common."""
 
 
 def _groups(steps: Sequence[PlanStep]) -> Iterator[_Group]:
-    """The steps of each equation; a copy belongs to the step behind it, if that is not the first
-    one of its equation, and otherwise stands alone."""
+    """The steps of each equation.
+
+    A copy belongs to the step behind it, if that is not the first one of its equation, and
+    otherwise stands alone.
+    """
     repeated = {found[1] for step in steps if (found := _NUMBERED.match(step.name))}
     group = _Group("", [])
     copies: list[PlanStep] = []

@@ -10,7 +10,7 @@ from .model import STEPS, Arrow, Box, FramePicture
 
 
 def written(picture: FramePicture) -> str:
-    """A digraph: each step is a box, with what it leaves beside it."""
+    """A digraph: each step is a box, with its results beside it."""
     lines = [
         f"digraph {quoted(picture.title)} {{",
         f"  label={quoted(f'{picture.title}: {picture.shared}')}; labelloc=t; rankdir=LR;",

@@ -11,14 +11,14 @@ from .model import MARKS, Column, FramePicture, Life, MarkKind, Row
 
 CELL, HEIGHT, BAR = 30.0, 26.0, 18.0
 LONG = 8
-"""Of an equation with more steps than this, those in the middle are left out."""
+"""The number of an equation's steps above which those in the middle are left out."""
 BEFORE, AFTER = 4, 2
-"""How many of its first and last steps are shown then."""
+"""The numbers of its first and last steps that are shown then."""
 SLOPE = math.radians(45)
 LONGEST = 26
 """The most letters of a step's name."""
 HOLDS = 64
-"""The most letters of the names of what a texture holds."""
+"""The most letters of the names of a texture's results."""
 TITLE = 26.0
 
 
@@ -94,15 +94,17 @@ class _Lanes:
         yield text(self._right + 30, middle + 4, cut(row.holds, HOLDS), TEXT_SIZE, FAINT) + "</g>"
 
     def _is_left_out(self, life: Life) -> bool:
-        """Whether all steps that need a result are among those that are not shown."""
+        """True if all steps that need a result are among those that are not shown."""
         first, last = self._place[life.first], self._place[life.last]
         return first == last and self._shown[first] is None
 
     def _bar(
         self, life: Life, later: Sequence[Life], middle: float, color: str, opacity: float
     ) -> str:
-        """How long a result is needed; where the next one begins in the step in which it ends, the
-        two meet in the middle."""
+        """The bar of a result, from its first to its last step.
+
+        If the next result begins in the step in which this one ends, the bars meet in the middle.
+        """
         begin = 0.0 if life.before else CELL * self._place[life.first] + 4
         end = CELL * (self._place[life.last] + 1) - 4
         if later and later[0].first == life.last:
@@ -124,7 +126,7 @@ class _Lanes:
 
 
 def drawn_mark(mark: MarkKind, x: float, y: float) -> str:
-    """What a step does with a texture, as a small shape."""
+    """The small shape for a step's use of a texture."""
     if mark == "read":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#ffffff" stroke="{INK}"/>'
     if mark == "dropped":
@@ -139,8 +141,10 @@ def drawn_mark(mark: MarkKind, x: float, y: float) -> str:
 
 
 def _columns(columns: Sequence[Column]) -> tuple[list[Column | None], dict[int, int]]:
-    """The columns to show, of which ``None`` stands for several that are left out; and for each
-    step the place of its column."""
+    """The columns to show, and for each step the position of its column.
+
+    ``None`` stands for several columns that are left out.
+    """
     sizes: dict[str, int] = {}
     for column in columns:
         sizes[column.group] = sizes.get(column.group, 0) + 1

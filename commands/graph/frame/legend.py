@@ -13,7 +13,7 @@ SWATCH, GAP, LINE = 22.0, 15.0, 22.0
 
 
 def legend(picture: FramePicture, width: float) -> Iterator[tuple[str, float, float]]:
-    """Its entries in rows, each with its place."""
+    """The entries in rows, each with its position."""
     x = y = 0.0
     for swatch, words in _entries(picture):
         length = SWATCH + 7 + width_of(words, TEXT_SIZE) + GAP

@@ -23,14 +23,14 @@ TEXTURES = (
     "#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#e15759", "#3d9a94", "#c9a227", "#9c755f",
     "#d37295", "#6b7fd7", "#7f8c3a", "#5b6570",
 )  # fmt: skip
-"""The colours of textures; if there are more of these, colours come again."""
+"""The colours of textures; they repeat if there are more textures."""
 BUFFER = "#23808f"
 ONCE = "4 3"
-"""The dashes around what is not there in every frame."""
+"""The dashes around things that do not exist in every frame."""
 
 
 class Look(NamedTuple):
-    """How an arrow is drawn."""
+    """The colour and the line of an arrow."""
 
     words: str
     width: float

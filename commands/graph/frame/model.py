@@ -37,49 +37,49 @@ MARKS: dict[MarkKind, str] = {
     "dropped": "drawn to, and then dropped",
     "read": "read",
 }
-"""What a step does with a texture, in the order of the legend."""
+"""The uses of a texture in a step, in the order of the legend."""
 LETTERS: dict[MarkKind, str] = {
     "cleared": "C", "drawn over": "O", "written": "W", "dropped": "D", "read": "r",
 }  # fmt: skip
-"""The same as letters, for texts."""
+"""The letters for these uses, for texts."""
 
 
 @dataclass(slots=True)
 class Port:
-    """What a step leaves: a row of its box."""
+    """A row of a box: a result that the step leaves."""
 
     key: str
     """The result's name: ``step.target``."""
     name: str
     what: str
-    """Its format, size and layers; of a buffer, its type."""
+    """The format, size and layers of a texture, or the type of a buffer."""
     texture: int | None
-    """The number of the texture that has it; ``None`` for buffers."""
+    """The number of the texture with the result; ``None`` for buffers."""
     mark: MarkKind
     place: str
 
 
 @dataclass(slots=True)
 class Box:
-    """A step, or several that one equation repeats; or what the host gives or gets."""
+    """A step, or several that one equation repeats; or an input or output of the host."""
 
     key: str
     kind: Kind
     name: str
     lines: list[str] = field(default_factory=list)
-    """What stands below the name."""
+    """The lines below the name."""
     repeated: str = ""
-    """How often, and for what, the step is repeated."""
+    """The number of repetitions of the step, and their reason."""
     only_first: bool = False
-    """Whether it is done in the first frame only."""
+    """True if the step is done in the first frame only."""
     notes: list[str] = field(default_factory=list)
-    """What is set by the frame, and where it is written."""
+    """The values that the frame sets, and where they are written."""
     ports: list[Port] = field(default_factory=list)
 
 
 ArrowKind = Literal["given", "read", "over", "initial", "back"]
-"""Whether something is given by the host; read; drawn over; read in the first frame only; or read
-in the next frame."""
+"""The kind of dependence: given by the host; read; drawn over; read in the first frame only; or
+read in the next frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,31 +105,31 @@ class Column:
 
 @dataclass(slots=True)
 class Life:
-    """From which column to which a result is needed."""
+    """The columns from which to which a result is needed."""
 
     result: str
     first: int
     last: int
     before: bool = False
-    """Whether the last frame left it."""
+    """True if the last frame left the result."""
     after: bool = False
-    """Whether the host or the next frame needs it."""
+    """True if the host or the next frame needs the result."""
 
 
 @dataclass(slots=True)
 class Row:
-    """A texture, or a buffer, with what it holds one after the other."""
+    """A texture, or a buffer, with its results one after the other."""
 
     title: str
     what: str
     texture: int | None
     lives: list[Life] = field(default_factory=list)
     marks: dict[int, MarkKind] = field(default_factory=dict)
-    """What the steps do with it, by their columns."""
+    """The uses of the texture by the steps, by their columns."""
 
     @property
     def holds(self) -> str:
-        """The names of what it holds."""
+        """The names of the results."""
         lives = sorted(self.lives, key=lambda life: (life.first, life.last))
         names = (f"{life.result}{' of the last frame' * life.before}" for life in lives)
         return ", ".join(dict.fromkeys(names))
@@ -148,7 +148,7 @@ class FramePicture:
 
     @property
     def shared(self) -> str:
-        """How many textures hold how many results."""
+        """The number of textures, and of the results in them."""
         textures = [row for row in self.rows if row.texture is not None]
         found = {life.result for row in textures for life in row.lives}
         before = sum(all(life.before for life in row.lives) for row in textures)

@@ -25,11 +25,11 @@ from .model import STEPS, Arrow, Box, FramePicture, Port
 
 MARGIN = 24.0
 HEAD, LINE, ROW = 25.0, 14.0, 19.0
-"""The heights of a box's name, of a line below it, and of a row of what it leaves."""
+"""The heights of a box's name, of a line below it, and of the row of a result."""
 STACK = 4.0
-"""How far the boxes behind a repeated step stand out."""
+"""The distance by which the boxes behind a repeated step stand out."""
 LANE = 12.0
-"""How far the arrows to the next frame are apart."""
+"""The distance between the arrows to the next frame."""
 NARROWEST = 620.0
 
 
@@ -65,7 +65,7 @@ def _moved(shapes: Iterator[str] | list[str], x: float, y: float) -> Iterator[st
 
 
 class _Flow:
-    """The steps, and what the host gives and gets, from left to right."""
+    """The steps, and the host's inputs and outputs, from left to right."""
 
     def __init__(self, picture: FramePicture) -> None:
         self._picture = picture
@@ -75,7 +75,7 @@ class _Flow:
         sizes = {box.key: _size(box) for box in picture.boxes}
         self._layout: Layout = laid_out(sizes, dict.fromkeys(forward))
         self._edges: dict[int, float] = {}
-        """Where the widest box of each column ends: before it, arrows run straight."""
+        """The ends of the widest boxes of each column: before them, arrows run straight."""
         for item in self._layout.items.values():
             edge = self._edges.get(item.column, 0.0)
             self._edges[item.column] = max(edge, item.x + item.width)
@@ -126,7 +126,7 @@ class _Flow:
         return _titled(stroke(path, x, y, self._color(arrow), look.width), words, look.dash)
 
     def _loop(self, arrow: Arrow, number: int) -> str:
-        """An arrow back to the left, below all boxes: to what the next frame finds."""
+        """An arrow back to the left, below all boxes: to the contents that the next frame finds."""
         source, target = self._layout.items[arrow.source], self._layout.items[arrow.target]
         start, end = self._start(arrow), target.middle
         right = self._edges[source.column] + 8 + 5 * number
@@ -153,7 +153,7 @@ def _inner(box: Box, item: Item) -> float:
 
 
 def _lines(box: Box) -> list[str]:
-    """What stands below a box's name."""
+    """The lines below a box's name."""
     found = [cut(line) for line in box.lines]
     if box.repeated:
         found.append(f"× {box.repeated}")
@@ -163,7 +163,7 @@ def _lines(box: Box) -> list[str]:
 
 
 def _head(box: Box) -> float:
-    """The height of a box down to what it leaves."""
+    """The height of a box above the rows of its results."""
     return HEAD + LINE * len(_lines(box)) + (6 if box.ports else 2)
 
 
@@ -213,7 +213,7 @@ def _rectangle(
 
 
 def _ports(box: Box, item: Item, width: float) -> Iterator[str]:
-    """What a step leaves: a row each, with the colour of its texture."""
+    """The results of a step: one row each, with the colour of its texture."""
     top = item.y + _head(box)
     yield (
         f'<rect x="{item.x + 1:.1f}" y="{top - 1:.1f}" width="{width - 2:.1f}" '

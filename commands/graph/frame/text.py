@@ -8,7 +8,7 @@ from .model import KINDS, LETTERS, MARKS, STEPS, Arrow, Box, FramePicture, Row
 
 
 def written(picture: FramePicture) -> str:
-    """All of it."""
+    """The whole text."""
     lines = [picture.title, *picture.doc.splitlines()]
     lines += ["", "from the host", *_host(picture)]
     lines += ["", "steps"]
@@ -36,7 +36,7 @@ def _outputs(picture: FramePicture) -> Iterator[str]:
 
 
 def _step(box: Box, picture: FramePicture) -> Iterator[str]:
-    """A step, or several: how it is done, what it reads, and what it leaves."""
+    """A step, or several: how it is done, its inputs, and its results."""
     often = f" × {box.repeated}" if box.repeated else ""
     first = ", in the first frame only" if box.only_first else ""
     place, *given = box.notes or [""]
@@ -63,7 +63,7 @@ def _into(box: Box, picture: FramePicture) -> list[Arrow]:
 
 
 def _table(picture: FramePicture) -> Iterator[str]:
-    """A row for each texture, a letter for what each step does with it."""
+    """A row for each texture, with a letter for each step's use of it."""
     heads = [row.title for row in picture.rows]
     width = max(map(len, [*heads, ""])) + 2
     whats = max((len(row.what) for row in picture.rows), default=0) + 2

@@ -1,4 +1,4 @@
-"""Finds what happens to each texture of a frame from step to step; ``build.py`` calls it."""
+"""Finds the uses and results of each texture of a frame, step by step; ``build.py`` calls it."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ from .model import Column, Life, MarkKind, Row
 def time_line(
     plan: FramePlan, groups: Sequence[int], what: Callable[[FrameTextureRow], str]
 ) -> tuple[list[Column], list[Row]]:
-    """The steps of a plan, and its textures and buffers; ``groups`` says how many steps each
-    equation has, and ``what`` describes a texture."""
+    """The steps of a plan, and its textures and buffers.
+
+    ``groups`` has the number of steps of each equation, and ``what`` describes a texture.
+    """
     columns = [
         Column(number, "copy" if step.kind == "copy" else step.name, step.only_first)
         for number, step in enumerate(plan.steps)
@@ -52,7 +54,7 @@ def time_line(
 
 
 def _mark(plan: FramePlan, textures: Sequence[Row], buffers: Mapping[str, Row]) -> None:
-    """Say in the rows what each step does with them; of several things, the first counts."""
+    """Mark the steps' uses in the rows; the first of several uses counts."""
     for number, step in enumerate(plan.steps):
         for texture, result, mark in _touched(step):
             row = buffers.get(result) if texture is None else textures[texture]
@@ -61,7 +63,7 @@ def _mark(plan: FramePlan, textures: Sequence[Row], buffers: Mapping[str, Row]) 
 
 
 def _touched(step: PlanStep) -> Iterator[tuple[int | None, str, MarkKind]]:
-    """The texture, the result, and what is done with it."""
+    """The texture, the result, and the use of them."""
     if isinstance(step, CopyStep):
         yield step.into.texture, step.into.result, "written"
         yield step.copied.texture, step.copied.result, "read"
@@ -77,7 +79,7 @@ def _touched(step: PlanStep) -> Iterator[tuple[int | None, str, MarkKind]]:
 
 
 def mark_of(target: AttachmentRow) -> MarkKind:
-    """What a pass does with a texture that it draws to; one of depths may have stencils, too."""
+    """The use of an attachment by a render pass; one of depths may have stencil values, too."""
     stencil = target.stencil
     if not (target.store or (stencil is not None and stencil.store)):
         return "dropped"

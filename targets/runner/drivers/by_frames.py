@@ -41,13 +41,13 @@ class DrawsByFrames(ABC):
 
     @abstractmethod
     def draw_frame(self, job: FrameJob) -> Found:
-        """What the job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
 
     def accept_job(self, job: Job) -> None:  # noqa: B027
         """Raise ``DriverError`` if the device cannot draw a job that is consistent."""
 
     def accept_kernel(self, job: KernelJob) -> None:  # noqa: B027
-        """The same of a job that runs a kernel."""
+        """Raise ``DriverError`` if the device cannot run a kernel job that is consistent."""
 
     def draw(self, job: Job) -> Sequence[Picture]:
         """A picture for each draw of the job. Raises ``DriverError``."""
@@ -61,7 +61,7 @@ class DrawsByFrames(ABC):
         ]
 
     def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
+        """Do a kernel job: returns what each dispatch writes. Raises ``DriverError``."""
         check_kernel(job)
         self.accept_kernel(job)
         found = self.draw_frame(frame_of_dispatches(job))
@@ -103,16 +103,16 @@ class _Canvas:
     """Textures of one size, to which draws with a pipeline draw in turn."""
 
     read: tuple[int, ...]
-    """The numbers of those that are read back."""
+    """The numbers of the textures that are read back."""
     drawn: tuple[int, ...]
-    """The numbers of the targets: others, if these have several samples."""
+    """The numbers of the render targets: other textures if the targets have several samples."""
     depth: int
     use: TextureUse = "undefined"
-    """Of those that are read, before the next draw."""
+    """The use of the textures that are read back, before the next draw."""
 
     @classmethod
     def of(cls, pipeline: Pipeline, size: tuple[int, int], textures: list[FrameTexture]) -> _Canvas:
-        """Those that a pipeline needs, which are added to ``textures``."""
+        """The textures that a pipeline needs, which are added to ``textures``."""
         if pipeline.layers and pipeline.samples > 1:
             raise DriverError("targets with layers have one sample for each pixel")
         one = FrameTexture("r8unorm", *size)
@@ -127,7 +127,7 @@ class _Canvas:
         return cls(numbers[:count], numbers[-count:] if count else (), len(textures) - 1)
 
     def steps(self, pipeline: Pipeline, draw: Draw) -> Iterator[FrameStep]:
-        """A draw, and the reading of what it has drawn."""
+        """The steps that draw, and read the targets back."""
         is_first = self.use == "undefined"
         several = [number for number in self.drawn if number not in self.read]
         barriers = [Barrier(number, self.use, "target") for number in self.read]
@@ -155,7 +155,7 @@ class _Canvas:
 
 
 def _alone(draw: Draw) -> FrameDraw:
-    """A draw that brings along all that it reads."""
+    """A draw that carries all textures and buffers that it reads."""
     return FrameDraw(0, (OWN,) * len(draw.textures), (OWN,) * len(draw.buffers), draw=draw)
 
 
@@ -168,7 +168,7 @@ def _picture(pipeline: Pipeline, draw: Draw, found: Sequence[FrameTexels]) -> Pi
 
 
 def _turned_over(found: FrameTexels) -> bytes:
-    """Texels whose first row is the bottom one, from the top."""
+    """Texels whose first row is the bottom one, turned so that the top row comes first."""
     rows = np.frombuffer(found.texels, np.uint8).reshape(found.layers, found.height, -1)
     return rows[:, ::-1].tobytes()
 
@@ -196,7 +196,7 @@ def frame_of_dispatches(job: KernelJob) -> FrameJob:
 
 
 def _numbered(slots: Sequence[BufferSlot], first: int) -> Iterator[int]:
-    """For each storage buffer of a pipeline, the number of the frame's that stands for it."""
+    """For each storage buffer of a pipeline, the number of the frame's buffer for it."""
     for slot in slots:
         yield first if slot.written else OWN
         first += slot.written

@@ -1,4 +1,4 @@
-"""Jobs that capture vertices instead of drawing, and what a driver answers."""
+"""Jobs that capture vertices instead of drawing, and the answers of drivers."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from .pipeline import Pipeline
 
 @dataclass(frozen=True, slots=True)
 class CaptureJob:
-    """A pipeline with a stream output, and what to capture with it."""
+    """A pipeline with a stream output, and the draws whose vertices it captures."""
 
     pipeline: Pipeline
     draws: tuple[Draw, ...]
     """The sizes of their pictures do not matter."""
     most: tuple[int, ...]
-    """Of each draw, how many vertices it captures at most."""
+    """The largest number of vertices that each draw captures."""
 
 
 @dataclass(frozen=True, slots=True)
 class Captured:
-    """What was captured by one draw."""
+    """The vertices that one draw has captured."""
 
     count: int
     """The number of vertices."""
     data: bytes
-    """All of them, without gaps."""
+    """The bytes of all vertices, without gaps."""

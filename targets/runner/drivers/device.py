@@ -1,4 +1,4 @@
-"""What drivers say of themselves, and how they say that they could not draw."""
+"""The description that a driver gives of its device, and the error of a driver that cannot draw."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Device:
     version: str
     """The driver's version, for example ``Mesa 22.3.6``."""
     subpixel_bits: int
-    """To how many binary places of a pixel vertices are snapped."""
+    """The binary places of a pixel to which vertices are snapped."""
     subtexel_bits: int
     """The binary places of a linear filter's weights; 0 if the API does not tell."""
     mip_bits: int

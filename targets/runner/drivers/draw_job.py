@@ -1,4 +1,4 @@
-"""Jobs and pictures: what a driver is asked to draw, and its answer, as plain data for every API.
+"""Jobs and pictures: the work for a driver, and its answer, as plain data for every API.
 
 A job is one pipeline and several draws with it, because making a pipeline takes a driver much
 longer than drawing. ``runner.py`` sends jobs; names have already been resolved to bindings, and
@@ -26,28 +26,27 @@ class Draw:
     vertices: tuple[bytes, ...]
     """For each of ``Pipeline.inputs``, the values of all vertices or of all instances."""
     indices: bytes
-    """A uint32 for each corner of each primitive; the first one's vertex is the provoking one.
-
-    Empty where there is nothing to draw, such as patches of level 0: the targets are only
+    """A uint32 for each corner of each primitive; the vertex of the first corner is the provoking
+    one. Empty if there is nothing to draw, such as patches of level 0: the targets are only
     cleared."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     clear: tuple[tuple[float, float, float, float], ...]
-    """One colour for each target."""
+    """The clear colours, one for each target."""
     instance_count: int = 1
     buffers: tuple[bytes, ...] = ()
     """The contents of all storage buffers, in the pipeline's order."""
     clear_depth: float = 1.0
     blend_constant: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-    """What the factor ``constant`` means, in all targets."""
+    """The colour of the blend factor ``constant``, for all targets."""
     layers: tuple[tuple[bytes, ...], ...] = ()
-    """For each layer of the picture, what stands in place of ``blocks``, if every layer is a draw
+    """For each layer of the picture, the contents that replace ``blocks``, if every layer is a draw
     of its own. Drivers get these draws one by one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """A pipeline and what to draw with it."""
+    """A pipeline, and the draws with it."""
 
     pipeline: Pipeline
     draws: tuple[Draw, ...]
@@ -59,7 +58,7 @@ class Picture:
 
     width: int
     height: int
-    """All rows: those of the first layer come first."""
+    """The number of all rows: those of the first layer come first."""
     targets: tuple[bytes, ...]
     """For each target float32 RGBA, row by row from the top; lanes that the format lacks are 0, 0,
     1."""

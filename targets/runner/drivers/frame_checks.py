@@ -33,7 +33,7 @@ def check_frame(job: FrameJob) -> None:
 
 
 def _check_numbers(job: FrameJob, step: FrameStep) -> None:
-    """Everything that a step names is there."""
+    """Check that everything that a step names exists."""
     drawn_to = [each.texture for each in step.drawn_to]
     drawn_to += [each.resolve.texture for each in step.targets if each.resolve is not None]
     named = [*(each.texture for each in step.barriers), *drawn_to, *step.images, *step.copied]
@@ -53,7 +53,7 @@ def _all_in(what: str, numbers: Sequence[int], there: Sequence[object]) -> None:
 
 
 def _check_captures(job: FrameJob, step: FrameStep) -> None:
-    """What captures has one draw, whose pipeline does so, and nothing to draw to."""
+    """Check that a step that captures has one draw with a stream output, and no targets."""
     if step.captures is None:
         return
     streams = [job.pipelines[each.pipeline].stream_output for each in step.draws]
@@ -62,7 +62,7 @@ def _check_captures(job: FrameJob, step: FrameStep) -> None:
 
 
 def _check_attachments(job: FrameJob, step: FrameStep) -> None:
-    """All that a step draws to, or copies, exists and has one size."""
+    """Check that everything that a step draws to, or copies, exists and has one size."""
     for attachment in step.drawn_to:
         made = job.textures[attachment.texture]
         last = attachment.layer + attachment.layers
@@ -90,7 +90,7 @@ def _check_attachments(job: FrameJob, step: FrameStep) -> None:
 
 
 def _check_resolve(job: FrameJob, target: Attachment) -> None:
-    """What gets the mean of the samples has the format and the size of what is drawn to."""
+    """Check that a resolve target has the attachment's format and size, and one sample."""
     if target.resolve is None:
         return
     drawn, resolve = job.textures[target.texture], target.resolve
@@ -112,7 +112,7 @@ def _size(texture: FrameTexture, level: int) -> tuple[int, int]:
 
 
 def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
-    """A draw fits its pipeline."""
+    """Check that a draw fits its pipeline."""
     pipeline = job.pipelines[drawn.pipeline]
     if pipeline.stencil is not None:
         depths = None if step.depth is None else job.textures[step.depth.texture]
@@ -141,7 +141,7 @@ def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
 
 
 def _own(pipeline: Pipeline, drawn: FrameDraw) -> Pipeline:
-    """The pipeline as if it had only what the draw brings along."""
+    """The pipeline as if it read only what the draw carries."""
     textures = zip(pipeline.textures, drawn.textures, strict=True)
     buffers = zip(pipeline.buffers, drawn.buffers, strict=True)
     return replace(

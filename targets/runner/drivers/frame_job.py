@@ -1,9 +1,9 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. Where the
-``Job`` of ``draw_job.py`` has one pipeline, and each draw a picture of its own, a frame job has as
-many as it likes, and its steps draw into textures that later steps read. Only what is asked for
-comes back.
+``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. The ``Job``
+of ``draw_job.py`` has one pipeline, and a picture for each draw. A frame job has any number of
+pipelines, and its steps draw into textures that later steps read. Only requested results are read
+back.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from .pipeline import Pipeline
 from .render_state import DepthFormat, TargetFormat
 
 TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""What a texture is used as; at first it has no contents."""
+"""The use of a texture between two barriers; before the first one it has no contents."""
 
 BufferUse = Literal["undefined", "written", "read"]
-"""What a storage buffer is used as; at first it has what ``FrameBuffer`` says."""
+"""The use of a storage buffer between two barriers. Its first contents are in ``FrameBuffer``."""
 
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
@@ -29,7 +29,7 @@ Area = tuple[int, int, int, int]
 BLACK = (0.0, 0.0, 0.0, 0.0)
 
 OWN = -1
-"""In place of the number of a texture or a buffer: one that the draw brings along."""
+"""Stands for a texture or a buffer that the draw itself carries, in place of a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,33 +40,33 @@ class FrameTexture:
     width: int
     height: int
     layers: int = 1
-    """How many; 6 of a cube."""
+    """The number of layers; 6 for a cube."""
     levels: int = 1
     dimension: Literal["2d", "2d_array", "cube"] = "2d"
     is_black: bool = False
-    """Whether it is read before a step draws to it: it is transparent black then, or as far away as
-    can be."""
+    """True if the texture is read before a step draws to it: it then starts transparent black or,
+    with depths, at the far plane."""
     samples: int = 1
-    """How many each texel has. A texture with several has one layer and one level, and nobody reads
-    it."""
+    """The number of samples of each texel. A texture with several has one layer and one level, and
+    no shader reads it."""
     memory: int | None = None
-    """Of textures with the same number, no step needs two, so they may lie in the same memory: when
-    a barrier takes one of them from ``undefined``, the others lose their contents."""
+    """The number of the memory that the texture shares with others, as no step needs two of them:
+    when a barrier takes one of them from ``undefined``, the others lose their contents."""
 
     @property
     def is_depth(self) -> bool:
-        """Whether it holds depths."""
+        """True if the texture holds depths."""
         return self.format.startswith("depth")
 
     @property
     def has_stencil(self) -> bool:
-        """Whether it holds stencil values beside them."""
+        """True if the texture holds stencil values beside the depths."""
         return self.format.endswith("stencil8")
 
 
 @dataclass(frozen=True, slots=True)
 class Barrier:
-    """From here on, a texture is used in another way."""
+    """A barrier for a texture: from here on, it is used in another way."""
 
     texture: int
     before: TextureUse
@@ -75,7 +75,7 @@ class Barrier:
 
 @dataclass(frozen=True, slots=True)
 class BufferBarrier:
-    """From here on, a storage buffer is used in another way."""
+    """A barrier for a storage buffer: from here on, it is used in another way."""
 
     buffer: int
     before: BufferUse
@@ -84,7 +84,7 @@ class BufferBarrier:
 
 @dataclass(frozen=True, slots=True)
 class Resolve:
-    """Where the mean of each texel's samples is written behind a step."""
+    """A resolve target: gets the mean of each texel's samples at the end of a step."""
 
     texture: int
     layer: int = 0
@@ -93,23 +93,23 @@ class Resolve:
 
 @dataclass(frozen=True, slots=True)
 class Attachment:
-    """What a target, or the depths, are drawn to."""
+    """An attachment of a render pass: a colour target, or the depths."""
 
     texture: int
     layer: int = 0
     layers: int = 1
-    """To how many layers a geometry stage draws at once, from ``layer`` on."""
+    """The number of layers to which a geometry stage draws at once, from ``layer`` on."""
     level: int = 0
     loads: bool = False
-    """Whether what is there is kept; else it is cleared."""
+    """The load operation: True keeps the contents, False clears them."""
     stores: bool = True
     stores_stencil: bool = True
-    """Whether the stencil values are kept, where there are any. They are loaded where depths are,
-    and else cleared to 0."""
+    """The store operation of the stencil values, if there are any: True keeps them. They are loaded
+    if the depths are, and otherwise cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
-    """A colour; of depths, the first number."""
+    """The clear colour; for depths, the first number."""
     resolve: Resolve | None = None
-    """``None`` where nobody reads the means, or there are no samples."""
+    """Where the means of the samples go. ``None``: no step reads them, or there is one sample."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,59 +118,62 @@ class FrameDraw:
 
     pipeline: int
     textures: tuple[int, ...]
-    """For each texture of the pipeline the number of one of the frame's; ``OWN`` for the next one
-    of the draw's own."""
+    """For each texture of the pipeline, the number of one of the frame's textures; ``OWN`` stands
+    for the next one of the draw's own textures."""
     buffers: tuple[int, ...]
-    """Likewise for its storage buffers, and those of the frame."""
+    """The same for the pipeline's storage buffers and the frame's buffers."""
     draw: Draw | None = None
     dispatch: Dispatch | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class FrameStep:
-    """Something that the device does: it draws, runs a kernel, copies a texture, or brings texels
-    back; or nothing but to wait at barriers."""
+    """One action of the device: a render pass, a kernel, a copy of a texture, or a read-back.
+
+    A step may also do nothing but wait at barriers.
+    """
 
     barriers: tuple[Barrier, ...] = ()
     targets: tuple[Attachment, ...] = ()
     depth: Attachment | None = None
     draws: tuple[FrameDraw, ...] = ()
-    """In one render pass; of a kernel, only one."""
+    """The draws of one render pass; of a kernel, a single dispatch."""
     viewport: Area | None = None
-    """Into which part of the targets the clip volume is drawn; ``None``: into all of it. Nothing is
+    """The part of the targets to which the clip volume is mapped; ``None``: all of it. Nothing is
     drawn outside of it."""
     scissor: Area | None = None
-    """To which part of the targets is drawn, likewise."""
+    """The part of the targets to which fragments are written; ``None``: all of it."""
     blend_constant: tuple[float, float, float, float] = BLACK
-    """What the factor ``constant`` means in all of them."""
+    """The colour of the blend factor ``constant``, for all targets."""
     images: tuple[int, ...] = ()
     """The textures that a kernel writes, in the order of its pipeline."""
     groups: Sides = (0, 0, 0)
-    """How many work groups a kernel runs in."""
+    """The numbers of work groups that a kernel runs in."""
     copied: tuple[int, ...] = ()
-    """From which texture to which other one, if it is a copy."""
+    """For a copy, the numbers of the source and of the destination."""
     read: tuple[int, ...] = ()
     """The textures whose first level is read back."""
     buffer_barriers: tuple[BufferBarrier, ...] = ()
     read_buffers: tuple[int, ...] = ()
     """The buffers that are read back."""
     captures: int | None = None
-    """How many vertices its draw captures at most, which has a stream output and no targets."""
+    """The largest number of vertices that the step's draw captures, which has a stream output and
+    no targets."""
 
     @property
     def drawn_to(self) -> tuple[Attachment, ...]:
-        """All that it draws to, its depths last."""
+        """All attachments of the step; the depths come last."""
         return self.targets if self.depth is None else (*self.targets, self.depth)
 
     def areas(self, width: int, height: int) -> tuple[Area, Area]:
-        """The viewport in targets of this size, and all that is drawn to."""
+        """The viewport in targets of this size, and the part of them that is drawn to."""
         whole = (0, 0, width, height)
         viewport = whole if self.viewport is None else self.viewport
         return viewport, _common(viewport, whole if self.scissor is None else self.scissor, whole)
 
 
 def _common(*areas: Area) -> Area:
-    """What lies in all areas."""
+    """The intersection of all areas."""
     left, top = max(area[0] for area in areas), max(area[1] for area in areas)
     right = min(area[0] + area[2] for area in areas)
     bottom = min(area[1] + area[3] for area in areas)
@@ -184,21 +187,21 @@ class FrameBuffer:
     """A storage buffer that the job makes."""
 
     words: int
-    """How many words of four bytes it has."""
+    """The number of words of four bytes."""
     initial: int = 0
-    """What each of them is at first."""
+    """The first value of each word."""
     data: bytes = b""
-    """Instead of both: what it holds at first."""
+    """The first contents, instead of ``words`` and ``initial``."""
 
     @property
     def contents(self) -> bytes:
-        """What it holds at first."""
+        """The buffer's first contents."""
         return self.data or self.initial.to_bytes(4, "little") * self.words
 
 
 @dataclass(frozen=True, slots=True)
 class FrameJob:
-    """Steps in order, and what they share."""
+    """Steps in order, and the resources that they share."""
 
     textures: tuple[FrameTexture, ...]
     buffers: tuple[FrameBuffer, ...]
@@ -208,7 +211,7 @@ class FrameJob:
 
 @dataclass(frozen=True, slots=True)
 class FrameTexels:
-    """What was read back of a texture's first level."""
+    """The texels of a texture's first level, read back."""
 
     width: int
     height: int
@@ -220,7 +223,7 @@ class FrameTexels:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What a frame job has read back, step by step."""
+    """The results of a frame job: all that it has read back, step by step."""
 
     texels: tuple[FrameTexels, ...] = ()
     buffers: tuple[bytes, ...] = ()
@@ -228,5 +231,5 @@ class Found:
 
 
 def groups_of(pipeline: Pipeline, dispatch: Dispatch, work_group: Sides) -> Sides:
-    """How many work groups a dispatch takes."""
+    """The numbers of work groups of a dispatch."""
     return KernelJob(pipeline, work_group, (dispatch,)).groups(dispatch)

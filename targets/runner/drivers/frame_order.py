@@ -1,7 +1,8 @@
-"""Checks the order of a frame job: what each step uses is there, and has been waited for.
+"""Checks the order of a frame job: a step uses only what is ready, and has waited for it.
 
-Some mistakes nothing else finds. OpenGL waits by itself, so that a missing barrier shows only with
-other drivers, and what a device holds at first is often, but not always, what one hopes for.
+Nothing else finds some of these mistakes. OpenGL waits by itself, so that a missing barrier shows
+only with other drivers, and the first contents of a device's memory are often, but not always, what
+one hopes for.
 """
 
 from __future__ import annotations
@@ -73,16 +74,16 @@ def _check_buffers(job: FrameJob, buffers: list[_Buffer], step: FrameStep) -> No
 
 
 class _Buffer:
-    """What is known of a storage buffer between two steps."""
+    """The state of a storage buffer between two steps, as the checks follow it."""
 
     def __init__(self, name: str) -> None:
         self._name = name
         self._use: BufferUse = "undefined"
         self._is_changed = False
-        """Whether it was written since the last barrier."""
+        """True if the buffer was written since the last barrier."""
 
     def wait(self, before: BufferUse, after: BufferUse) -> None:
-        """A barrier."""
+        """Pass a barrier."""
         if before != self._use:
             raise DriverError(
                 f"a barrier takes {self._name} from {before!r}, but its use is {self._use!r}"
@@ -91,7 +92,7 @@ class _Buffer:
         self._is_changed = False
 
     def be_used(self, use: BufferUse) -> None:
-        """A kernel writes it, or a shader reads it."""
+        """Let a kernel write the buffer, or a shader read it."""
         if use != self._use:
             raise DriverError(f"{self._name} is used as {use!r}, but its use is {self._use!r}")
         if self._is_changed:
@@ -102,7 +103,7 @@ class _Buffer:
 
 
 class _Texture:
-    """What is known of a texture between two steps."""
+    """The state of a texture between two steps, as the checks follow it."""
 
     def __init__(self, job: FrameJob, number: int) -> None:
         made = job.textures[number]
@@ -116,12 +117,12 @@ class _Texture:
         """The parts that were written since the last barrier."""
 
     def lose(self) -> None:
-        """Another texture takes the memory, or this one begins anew."""
+        """Lose the contents: another texture takes the memory, or this one begins anew."""
         self._use = "undefined"
         self._held.clear()
 
     def wait(self, before: TextureUse, after: TextureUse) -> None:
-        """A barrier."""
+        """Pass a barrier."""
         if before != self._use:
             raise DriverError(
                 f"a barrier takes {self._name} from {before!r}, but its use is {self._use!r}"
@@ -130,18 +131,18 @@ class _Texture:
         self._changed.clear()
 
     def read(self, use: TextureUse, levels: int | None = None) -> None:
-        """A shader, a copy or the host reads its first levels, or all of them."""
+        """Let a shader, a copy or the host read the first levels, or all of them."""
         self._check_use(use)
         self._check_contents(self._parts(levels))
 
     def write(self, use: TextureUse) -> None:
-        """A kernel or a copy writes all of it."""
+        """Let a kernel or a copy write the whole texture."""
         self._check_use(use)
         self._change(self._parts())
         self._held.update(self._parts())
 
     def draw(self, attachment: Attachment, use: TextureUse) -> None:
-        """A step draws to some of it."""
+        """Let a step draw to a part of the texture."""
         self._check_use(use)
         first = attachment.layer
         parts = [(first + layer, attachment.level) for layer in range(attachment.layers)]
@@ -154,14 +155,14 @@ class _Texture:
             self._held.difference_update(parts)
 
     def resolve(self, resolve: Resolve) -> None:
-        """A step writes the means of samples to some of it."""
+        """Let a step write the means of samples to a part of the texture."""
         self._check_use("target")
         parts = [(resolve.layer, resolve.level)]
         self._change(parts)
         self._held.update(parts)
 
     def _parts(self, levels: int | None = None) -> Iterator[Part]:
-        """Those of the first levels, or all."""
+        """The parts of the texture: of the first ``levels``, or of all levels."""
         for level in range(self._levels if levels is None else levels):
             for layer in range(self._layers):
                 yield layer, level

@@ -1,4 +1,4 @@
-"""Jobs that run kernels, and what a driver answers."""
+"""Jobs that run kernels, and the answers of drivers."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ Sides = tuple[int, int, int]
 
 @dataclass(frozen=True, slots=True)
 class Dispatch:
-    """One run of a kernel: the bytes for every slot, and how many elements it computes."""
+    """One run of a kernel: the bytes for every slot, and the number of elements."""
 
     extent: Sides
-    """The elements along x, y and z; a buffer's stand along x. Of images, the width, the height and
+    """The elements along x, y and z. Those of buffers lie along x; images have width, height and
     1."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
     buffers: tuple[bytes, ...]
-    """What all storage buffers hold before it, in the pipeline's order: also those that it
-    writes."""
+    """The contents of all storage buffers before the dispatch, in the pipeline's order. Those that
+    the kernel writes are among them."""
 
 
 @dataclass(frozen=True, slots=True)
 class KernelJob:
-    """A pipeline with a kernel as its only stage, and what to compute with it."""
+    """A pipeline with a kernel as its only stage, and its dispatches."""
 
     pipeline: Pipeline
     work_group: Sides
@@ -35,7 +35,7 @@ class KernelJob:
     dispatches: tuple[Dispatch, ...]
 
     def groups(self, dispatch: Dispatch) -> Sides:
-        """How many work groups a dispatch takes along x, y and z."""
+        """The numbers of work groups of a dispatch along x, y and z."""
         x, y, z = (
             -(-length // side)
             for length, side in zip(dispatch.extent, self.work_group, strict=True)
@@ -45,7 +45,7 @@ class KernelJob:
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """What a dispatch has written: all bytes of each buffer that the pipeline writes, in order."""
+    """The output of a dispatch: all bytes of each buffer that the pipeline writes, in order."""
 
     buffers: tuple[bytes, ...]
     images: tuple[bytes, ...] = ()

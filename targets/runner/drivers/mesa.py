@@ -1,4 +1,4 @@
-"""What Mesa's drivers for the CPU are told. Workers that may use them set it when they start."""
+"""Settings of Mesa's drivers for the CPU. Workers that may use them set them when they start."""
 
 from __future__ import annotations
 

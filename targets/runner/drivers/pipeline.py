@@ -1,6 +1,6 @@
-"""Pipelines as data: the texts of the stages, what they read and write, and all state.
+"""Pipelines as data: the texts of the stages, their inputs and outputs, and all state.
 
-``binding.py`` makes one of a program and its reflection. Names are resolved to bindings here.
+``binding.py`` makes one from a program and its reflection. Names are resolved to bindings here.
 """
 
 from __future__ import annotations
@@ -33,13 +33,14 @@ StepMode = Literal["vertex", "instance"]
 """When an attribute advances to its next value."""
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
-"""What the vertices are, in turn. Triangles and lines are drawn as they are; all others need a
-geometry stage, and patches need the stages of tessellation instead."""
+"""The primitive topology. Triangles and lines are drawn as they are; all others need a geometry
+stage, and patches need the tessellation stages instead."""
 
 CORNERS: Mapping[Primitive, int] = {
     "point": 1, "line": 2, "triangle": 3, "line_adjacency": 4, "triangle_adjacency": 6,
 }  # fmt: skip
-"""How many vertices each of them has, but for patches: a pipeline says how many theirs have."""
+"""The number of vertices of each primitive. Patches are not among them: a pipeline states their
+number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +57,7 @@ class VertexInput:
     """A vertex attribute of the pipeline; each has a buffer of its own."""
 
     identifier: str
-    """Its name in the text."""
+    """The attribute's name in the text."""
     location: int
     format: VertexFormat
     step: StepMode = "vertex"
@@ -67,23 +68,24 @@ class CapturedOutput:
     """An output of the last stage that a stream output writes."""
 
     identifier: str
-    """Its name in the text; OpenGL finds it by that where the text does not say its place."""
+    """The output's name in the text. OpenGL finds the output by it if the text does not say its
+    offset."""
     location: int
     offset: int
-    """In bytes, from where a vertex begins."""
+    """The offset in bytes from the beginning of a vertex."""
 
 
 @dataclass(frozen=True, slots=True)
 class StreamOutput:
-    """How vertices are captured instead of drawing."""
+    """The stream output of a pipeline: captures vertices instead of drawing."""
 
     outputs: tuple[CapturedOutput, ...]
     stride: int
     """The bytes from one vertex to the next."""
     primitive: Literal["point", "line", "triangle"]
-    """What the captured vertices are, in turn."""
+    """The primitives that the captured vertices form."""
     in_text: bool
-    """Whether the text says where its outputs go."""
+    """True if the text says where its outputs are captured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,53 +93,54 @@ class Pipeline:
     """The state that all draws of a job share."""
 
     stages: Mapping[str, Code]
-    """By the names of the stages, in pipeline order."""
+    """The codes by the names of the stages, in pipeline order."""
     inputs: tuple[VertexInput, ...]
     blocks: tuple[BlockSlot, ...]
     textures: tuple[TextureSlot, ...]
     targets: tuple[RenderTarget, ...]
-    """In the order of their locations."""
+    """The render targets, in the order of their locations."""
     layers: int = 0
-    """How many layers each target has, if a geometry stage draws to all of them; 0: none."""
+    """The number of layers of each target, if a geometry stage draws to all of them; 0: none."""
     primitive: Primitive = "triangle"
     patch_points: int = 0
-    """How many vertices each patch has, where that is what the vertices are."""
+    """The number of vertices of each patch, if the primitives are patches."""
     cull: Cull = "none"
     fill: Fill = "faces"
     samples: int = 1
-    """How many samples each pixel has of all that is drawn to; targets are resolved then."""
+    """The number of samples of each pixel, in all attachments; the targets are then resolved."""
     depth_compare: Compare = "less"
-    """What the depth test lets through, where there are depths."""
+    """The comparison that a fragment has to pass in the depth test, if there are depths."""
     depth_write: bool = True
     depth_bias: DepthBias = NO_BIAS
     stencil: Stencil | None = None
-    """``None`` where there is no stencil test, and no stencil values are needed."""
+    """The stencil test; ``None`` if there is none, and no stencil values are needed."""
     flip_y: bool = False
-    """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
+    """True if the text negates clip y; a Vulkan driver chooses its viewport by it."""
     front_face: Winding = "ccw"
     """The winding to set as front, in the API's own terms."""
     first_row: Literal["top", "bottom"] = "top"
-    """Which row of the picture comes first in the framebuffer's memory."""
+    """The row of the picture that comes first in the framebuffer's memory."""
     buffers: tuple[BufferSlot, ...] = ()
     images: tuple[ImageSlot, ...] = ()
     host_uniforms: tuple[str, ...] = ()
     """Single float uniforms that get the picture's height (the reflection's ``host_uniforms``)."""
     clip_control: tuple[str, ...] = ()
-    """What ``glClipControl`` is given (the reflection's ``clip_control``); empty: OpenGL's own."""
+    """The arguments of ``glClipControl`` (the reflection's ``clip_control``). Empty: OpenGL's
+    defaults."""
     stream_output: StreamOutput | None = None
-    """Where vertices are captured; then there are no targets."""
+    """The stream output; if there is one, there are no targets."""
 
     @property
     def corners(self) -> int:
-        """How many vertices each primitive has."""
+        """The number of vertices of each primitive."""
         return self.patch_points or CORNERS[self.primitive]
 
     @property
     def depth_format(self) -> DepthFormat:
-        """What depths it needs, if it has its own."""
+        """The format of the depth attachment, if the pipeline has one."""
         return "depth32float" if self.stencil is None else "depth32float-stencil8"
 
     @property
     def has_bias(self) -> bool:
-        """Whether depths are moved: only those of triangles are."""
+        """True if depths have a bias, which only those of triangles can have."""
         return self.depth_bias != NO_BIAS and self.primitive != "line"

@@ -1,6 +1,6 @@
 """Converts the texels of a render target to float32 RGBA, as ``Picture`` has them.
 
-Every driver calls it for what it reads back.
+Every driver calls this module for the texels that it reads back.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What no text of a pipeline says: which triangles are drawn, blending, depths, stencils."""
+"""The fixed state of a pipeline, which no shader text has: culling, blending, depth, stencil."""
 
 from __future__ import annotations
 
@@ -10,37 +10,38 @@ TargetFormat = Literal[
     "r16float", "rg16float", "rgba16float",
 ]  # fmt: skip
 DepthFormat = Literal["depth32float", "depth32float-stencil8"]
-"""Of the depths that are drawn to, and of the stencil values beside them."""
+"""The format of the depth attachment, and of the stencil values in it."""
 
 Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
-"""How the reference, or the depth of a fragment, on the left, is compared with a depth."""
+"""The comparison of a reference, or of a fragment's depth (the left side), with a depth (the
+right)."""
 
 Cull = Literal["none", "back", "front"]
-"""Which triangles are not drawn."""
+"""The triangles that are culled."""
 
 Winding = Literal["ccw", "cw"]
-"""How the corners of a front go around."""
+"""The winding of a front face's corners."""
 
 Fill = Literal["faces", "lines"]
-"""What is drawn of triangles: all of them, or their edges."""
+"""The fill mode of triangles: whole faces, or their edges."""
 
 Factor = Literal[
     "zero", "one", "src", "one_minus_src", "src_alpha", "one_minus_src_alpha", "dst",
     "one_minus_dst", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated", "constant",
     "one_minus_constant",
 ]  # fmt: skip
-"""By what a side is multiplied when colours are blended: the source is what is drawn, the
-destination what is there."""
+"""The factor of a side when colours are blended: the source is the fragment, and the destination
+the contents of the target."""
 
 Operation = Literal["add", "subtract", "reverse_subtract", "min", "max"]
-"""How the two products are joined; ``min`` and ``max`` have factors of ``one``."""
+"""The operation on both products; ``min`` and ``max`` have factors of ``one``."""
 
 
 @dataclass(frozen=True, slots=True)
 class BlendEquation:
-    """What is kept of two colours, or of two alphas."""
+    """The blending of two colours, or of two alphas."""
 
     source: Factor = "one"
     destination: Factor = "zero"
@@ -49,7 +50,7 @@ class BlendEquation:
 
 @dataclass(frozen=True, slots=True)
 class Blend:
-    """How a target is blended."""
+    """The blend state of a target."""
 
     color: BlendEquation
     alpha: BlendEquation
@@ -64,25 +65,25 @@ class RenderTarget:
 
     format: TargetFormat
     blend: Blend | None = None
-    """``None`` where what is drawn takes the place of what is there."""
+    """The blend state; ``None`` if fragments replace the contents."""
     mask: str = ALL_LANES
-    """Which lanes are written: some of these letters, or ``none``."""
+    """The lanes that are written: some of these letters, or ``none``."""
 
     def writes(self, lane: str) -> bool:
-        """Whether a lane is written."""
+        """True if a lane is written."""
         return self.mask != "none" and lane in self.mask
 
 
 @dataclass(frozen=True, slots=True)
 class DepthBias:
-    """How far triangles are moved away from the eye before the depth test."""
+    """The depth bias: moves triangles away from the eye before the depth test."""
 
     constant: int = 0
-    """In steps of the format."""
+    """The constant part, in steps of the format."""
     slope: float = 0.0
-    """In times of what the depth changes from one pixel to the next."""
+    """The slope's part, as a factor of the depth's change from one pixel to the next."""
     clamp: float = 0.0
-    """How far both together move at most; 0: any distance."""
+    """The largest bias of both parts together; 0: there is no limit."""
 
 
 NO_BIAS = DepthBias()
@@ -91,19 +92,20 @@ StencilOperation = Literal[
     "keep", "zero", "replace", "invert",
     "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
 ]  # fmt: skip
-"""What becomes of a stencil value."""
+"""The operation on a stencil value."""
 
 
 @dataclass(frozen=True, slots=True)
 class StencilSide:
-    """The stencil test of triangles of which one side is seen, and what becomes of the values."""
+    """The stencil test, and the operations, for triangles that show one of their sides."""
 
     compare: Compare = "always"
-    """How the reference, on the left, has to compare with the value, both masked."""
+    """The comparison of the reference, on the left, with the value, both masked."""
     fail: StencilOperation = "keep"
     depth_fail: StencilOperation = "keep"
     passed: StencilOperation = "keep"
-    """Where the test fails, where only the depth test does, and where neither does."""
+    """The operation if both tests pass. ``fail`` is that of a failed stencil test, and
+    ``depth_fail`` that of a failed depth test."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ from .kernel_job import KernelJob, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
-"""After how many seconds a request ends the process. The sender waits for less time; so this
+"""The seconds after which a request ends the process. The sender waits for less time; so this
 happens only if the sender has died, which a driver that hangs does not notice."""
 
 
@@ -36,7 +36,7 @@ class Driver(Protocol):
         """A picture for each draw of the job. Raises ``DriverError``."""
 
     def compute(self, job: KernelJob) -> Sequence[Written]:
-        """What each dispatch of the job writes. Raises ``DriverError``."""
+        """Do a kernel job: returns what each dispatch writes. Raises ``DriverError``."""
 
     def capture(self, job: CaptureJob) -> Sequence[Captured]:
         """The vertices that each draw of the job captures. Raises ``DriverError``."""
@@ -47,7 +47,7 @@ class FrameDriver(Protocol):
     """A driver that draws frames, too."""
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What the job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
 
 
 @runtime_checkable
@@ -55,8 +55,10 @@ class PackageDriver(Protocol):
     """A driver that draws packages of frames."""
 
     def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:
-        """What the outputs show that a request names, frame after frame. Raises
-        ``DriverError``."""
+        """Draw frames of a package: returns the texels of each output that the request names.
+
+        They come frame after frame. Raises ``DriverError``.
+        """
 
 
 def serve(driver: Driver) -> None:

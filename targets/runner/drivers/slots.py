@@ -1,4 +1,4 @@
-"""What a pipeline reads and writes besides vertices and targets, and where each is bound."""
+"""The bindings of a pipeline: its blocks, buffers, images and textures, and where each is bound."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ Filter = Literal["linear", "nearest"]
 Mip = Literal["linear", "nearest", "none"]
 Wrap = Literal["repeat", "clamp", "mirror"]
 Sampling = Literal["filtering", "non-filtering", "comparison"]
-"""How a shader uses a sampler."""
+"""The use of a sampler by a shader."""
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a block, texture or sampler is bound."""
+    """The binding of a block, buffer, texture or sampler."""
 
     identifier: str
-    """Its name in the text; OpenGL binds by it."""
+    """The name in the text; OpenGL binds by it."""
     group: int | None
     """The descriptor set or bind group; ``None`` if it is bound by name."""
     binding: int | None
@@ -28,12 +28,12 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class UniformSlot:
-    """A uniform on its own, which has the value of a member of a block."""
+    """A loose uniform, which has the value of a member of a block."""
 
     identifier: str
-    """Its name in the text."""
+    """The uniform's name in the text."""
     offset: int
-    """The byte of the block where its value begins."""
+    """The byte of the block at which the value begins."""
     size: int
 
 
@@ -43,9 +43,9 @@ class BlockSlot:
 
     place: Place
     size: int
-    """The number of bytes."""
+    """The block's size in bytes."""
     uniforms: tuple[UniformSlot, ...] = ()
-    """What the text has instead, if it has no blocks."""
+    """The loose uniforms that replace the block, if the text has no blocks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class BufferSlot:
     stride: int
     """The number of bytes from one element to the next."""
     written: bool = False
-    """Whether a kernel writes it; all others are only read."""
+    """True if a kernel writes the buffer; all others are only read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,14 +73,14 @@ class TextureSlot:
 
     texture: Place
     sampler: Place | None
-    """``None`` if texture and sampler are one object, bound at ``texture``, or if there is no
-    sampler."""
+    """The sampler's binding; ``None`` if texture and sampler are one object, bound at ``texture``,
+    or if there is no sampler."""
     filter: Filter = "linear"
     mip: Mip = "linear"
     wrap: Wrap = "repeat"
     compare: Compare | None = None
-    """How the sampler compares a reference with depths; ``None`` if it does not."""
+    """The comparison of a reference with depths; ``None`` if the sampler does not compare."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"
-    """``None`` if texels are only loaded, without a sampler."""
+    """The use of the sampler; ``None`` if texels are only loaded, without a sampler."""

@@ -12,7 +12,7 @@ TextureFormat = Literal[
 ]  # fmt: skip
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
-"""What a shader reads from a texture; ``unfilterable-float`` promises that it never filters."""
+"""The sample type of a texture; a shader never filters an ``unfilterable-float``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class Texel:
     """The memory layout of a ``TextureFormat``."""
 
     lanes: int
-    """1 or 4; if it is 1, a shader reads 0, 0, 1 for the others."""
+    """The number of lanes, 1 or 4. If it is 1, a shader reads 0, 0, 1 for the others."""
     kind: Literal["u1", "<u4", "<i4", "<f4"]
     """The type of a lane, as NumPy spells it."""
     sample: Sample
@@ -61,4 +61,5 @@ class Image:
     levels: tuple[bytes, ...]
     dimension: Dimension = "2d"
     depth: int = 1
-    """Layers, faces, or slices of the first level, which are halved like the sides."""
+    """The number of layers or faces, or of the slices of the first level, which are halved like the
+    sides."""

@@ -1,4 +1,4 @@
-"""A pipeline in the words of WebGPU: descriptors of its state, and what is bound where.
+"""A pipeline in the words of WebGPU: descriptors of its state, and its bind groups.
 
 The driver of wgpu makes pipelines with them. Keys are written with underscores, as Python's library
 for WebGPU has them; ``for_pages`` writes them as web pages do, for packages of frames and for the
@@ -21,11 +21,11 @@ from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 
 DEPTH = "depth32float"
 FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
-"""What not every device can blend."""
+"""The formats of render targets that not every device can blend."""
 VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
 DRAWN, COMPUTED = 0x3, 0x4
-"""The bits of GPUShaderStage: of both stages that draw, and of kernels."""
+"""The bits of GPUShaderStage: of the two stages that draw, and of kernels."""
 _LANES = {"r": 0x1, "g": 0x2, "b": 0x4, "a": 0x8}
 """The bits of GPUColorWrite."""
 _ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat"}
@@ -33,8 +33,7 @@ _ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirro
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """What is bound at one place: a block, a buffer, an image, a texture, or the sampler of a
-    texture."""
+    """One entry of a bind group: a block, buffer, image or texture, or the sampler of a texture."""
 
     slot: BlockSlot | BufferSlot | ImageSlot | TextureSlot
     number: int
@@ -43,7 +42,7 @@ class Bound:
 
 
 Groups = list[dict[int, Bound]]
-"""What is bound, by group and binding."""
+"""The bind groups: the entries by binding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +56,7 @@ class Buffer:
 
 
 def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
-    """What vertices are, and which triangles are drawn."""
+    """The primitive state: topology, culling and winding."""
     return {
         "topology": f"{pipeline.primitive}-list",
         "cull_mode": pipeline.cull,
@@ -66,8 +65,10 @@ def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
 
 
 def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
-    """The tests of depths and of stencil values, but for the format. The words of a pipeline are
-    WebGPU's, with other dashes."""
+    """The tests of depths and of stencil values, without the format.
+
+    The words of a pipeline are WebGPU's, with other dashes.
+    """
     state: dict[str, Any] = {
         "depth_write_enabled": pipeline.depth_write,
         "depth_compare": _word(pipeline.depth_compare),
@@ -103,7 +104,7 @@ def _stencil_side(side: StencilSide) -> Mapping[str, str]:
 
 
 def color_target(target: RenderTarget) -> Mapping[str, Any]:
-    """How a target is blended, and which of its lanes are written."""
+    """The format, the blend state and the write mask of a target."""
     mask = sum(bit for lane, bit in _LANES.items() if target.writes(lane))
     state = {"format": target.format, "write_mask": mask}
     if (blend := target.blend) is None:
@@ -171,7 +172,7 @@ def interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
 
 
 def bound(pipeline: Pipeline) -> Groups:
-    """What is bound where, with an empty group for each unused number."""
+    """The bind groups of a pipeline, with an empty one for each unused number."""
     groups: Groups = []
 
     def add(group: int | None, binding: int | None, what: Bound) -> None:
@@ -194,14 +195,14 @@ def bound(pipeline: Pipeline) -> Groups:
 
 
 def layout_entries(group: Mapping[int, Bound], visibility: int) -> list[Mapping[str, Any]]:
-    """An explicit layout: ``auto`` would leave out what the shaders do not use."""
+    """An explicit layout: ``auto`` would leave out bindings that the shaders do not use."""
     return [{"binding": at, "visibility": visibility, **_entry(what)} for at, what in group.items()]
 
 
 def _entry(what: Bound) -> Mapping[str, Any]:
     slot = what.slot
     if isinstance(slot, BlockSlot):
-        # A block that is larger in the shader than here is an error.
+        # WebGPU reports an error if the block is larger in the shader than here.
         return {"buffer": {"type": "uniform", "min_binding_size": slot.size}}
     if isinstance(slot, BufferSlot):
         kind = "storage" if slot.written else "read-only-storage"
@@ -216,12 +217,14 @@ def _entry(what: Bound) -> Mapping[str, Any]:
 # --- for web pages -------------------------------------------------------------------------------
 
 Names = Mapping[type, Sequence[str]]
-"""What the slots of each class are called, in the order of the pipeline."""
+"""The names of the slots of each class, in the order of the pipeline."""
 
 
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
-    """The descriptors of a pipeline, and what is bound in its groups, as a page hands them to the
-    browser: see ``WebGPUPipeline`` in ``web_host/documents.py``."""
+    """The descriptors and bindings of a pipeline, as a page hands them to the browser.
+
+    See ``WebGPUPipeline`` in ``web_host/documents.py``.
+    """
     found: dict[str, Any] = _camel({
         "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],
         "buffers": [buffer_layout(each) for each in vertex_buffers(pipeline.inputs)],
@@ -248,7 +251,7 @@ def _named_slots(
 
 
 def _camel(value: Any) -> Any:
-    """The same with keys as JavaScript has them."""
+    """The value with keys in JavaScript's spelling."""
     if isinstance(value, Mapping):
         return {_camel_word(key): _camel(each) for key, each in value.items()}
     return [_camel(each) for each in value] if isinstance(value, list | tuple) else value

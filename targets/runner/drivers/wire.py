@@ -34,7 +34,7 @@ def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
 
 
 _hints: Callable[[type], Mapping[str, Any]] = cache(typing.get_type_hints)
-"""The types of a record's fields. A job has many records of few classes, so they are kept."""
+"""The types of a record's fields. They are kept, as a job has many records of few classes."""
 
 
 def _read(hint: Any, value: Any) -> Any:

@@ -1,8 +1,8 @@
 """Draws a frame with the reference: step by step, in double precision.
 
-What a step leaves is a texture or a buffer with bounds, if bounds are asked for: between which
-numbers those of a device are. Of a pixel that is undecided, these contain all that a device may
-have drawn there, so that what reads it is as uncertain as it should be.
+A step leaves textures or buffers, with bounds if these are asked for: the range of a device's
+values. The bounds of an undecided pixel contain everything that a device may have drawn there, so
+that later steps, which read it, are as uncertain as they should be.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ Progress = Callable[[float], None]
 
 
 class Inputs(NamedTuple):
-    """Of what the reference draws."""
+    """The values that the reference draws with."""
 
     shader: Shader
     values: Mapping[str, Any]
@@ -66,21 +66,20 @@ class ReferenceFrames:
 
     host: FrameHost
     rules: RasterRules = field(default_factory=lambda: RasterRules(1, 1))
-    """But for the sizes, which are those of the steps."""
+    """The rules of the pictures, without the sizes, which are those of the steps."""
     errors: Errors | None = None
     shader_of: Callable[[int], Shader] | None = None
-    """What the shader of a number computes, if that is not what it means: what a profile's text
-    does."""
+    """The shader of a number as it is computed, if that is not the meant one: a profile's text."""
     frames: int = 0
-    """How many have been drawn."""
+    """The number of frames that have been drawn."""
     textures: dict[int, Drawn] = field(default_factory=dict)
     places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
-    """By the name of the result."""
+    """The buffers, by the name of the result."""
     counted: Counted = frozenset()
-    """The rare rules on which it hangs what has been drawn so far."""
+    """The rare rules on which the pictures so far depend."""
     told: Progress | None = None
-    """What is told how much of the present step, layer and draw is done."""
+    """Called with the finished share of the present step, layer and draw."""
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -91,8 +90,10 @@ class ReferenceFrames:
             self._draw_all(plan, progress, is_first=is_first)
 
     def _size(self) -> int:
-        """How many bytes the textures of the frame take, as far as their sizes are known yet; those
-        of kernels are when these have run."""
+        """The bytes of the frame's textures, as far as their sizes are known yet.
+
+        Sizes of textures that kernels write are known when the kernels have run.
+        """
         sizes = 0
         for number, row in enumerate(self.host.plan.textures):
             if row.size.value is not None:
@@ -113,7 +114,7 @@ class ReferenceFrames:
         self.frames += 1
 
     def output(self, name: str) -> Drawn:
-        """What an output of the last frame shows."""
+        """The texture that an output of the last frame shows."""
         texture = self.host.plan.output_texture(name)
         assert texture is not None, "it is no buffer"
         return self.textures[texture]
@@ -121,7 +122,7 @@ class ReferenceFrames:
     # --- steps -----------------------------------------------------------------------------------
 
     def _keep(self) -> None:
-        """Make the textures that the first frame finds as the last one would have left them."""
+        """Make the textures that the first frame reads, as the last frame would have left them."""
         for row in self.host.plan.kept:
             previous = row.previous
             if previous is not None and previous not in self.textures:
@@ -213,7 +214,7 @@ class ReferenceFrames:
     def _onto(
         self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
     ) -> None:
-        """Draw on a canvas; where a shader draws each layer by itself, this one."""
+        """Draw on a canvas; ``layer`` is for shaders that draw each layer by itself."""
         drawn = self._drawn_of(draw, layer)
         draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
@@ -221,7 +222,7 @@ class ReferenceFrames:
         )  # fmt: skip
 
     def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
-        """Of what a draw is drawn; where a shader draws each layer by itself, this one."""
+        """The inputs of a draw; ``layer`` is for shaders that draw each layer by itself."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         shader = drawable(self._shader(draw.shader))
         written = self._give_buffers(state.instance, draw)
@@ -238,7 +239,7 @@ class ReferenceFrames:
         return found
 
     def _give_buffers(self, instance: Instance, draw: FrameDraw) -> Mapping[str, Contents]:
-        """Give an instance the buffers that steps have written, whose contents are returned."""
+        """Give an instance the buffers that steps have written; returns their contents."""
         written = {
             name: self.buffers[read.result]
             for name, read in draw.reads.items()
@@ -284,7 +285,7 @@ def _as_pass(step: RunStep) -> DrawStep:
 
 
 def _part_of(progress: Progress | None, number: int, total: int) -> Progress | None:
-    """What is told of one of several parts of the work, as what is told of all of it."""
+    """The progress of one of several parts of the work, as progress of all of it."""
     if progress is None:
         return None
     return lambda share: progress((number + share) / total)

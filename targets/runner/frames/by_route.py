@@ -1,4 +1,4 @@
-"""Draws a frame with a driver: makes a frame job of the plan, and reads what comes back.
+"""Draws a frame with a driver: makes a frame job of the plan, and returns what is read back.
 
 All frames that are asked for are steps of one job, so that textures which one frame leaves for the
 next stay on the device.
@@ -56,11 +56,11 @@ Floats = NDArray[np.float64]
 
 DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
-"""Bytes."""
+"""The bytes of a word."""
 
 
 def lacking(subject: FrameSubject, route: Route) -> str | None:
-    """What a route lacks to draw a frame, or ``None``."""
+    """The feature that a route lacks to draw a frame, or ``None``."""
     every = (shader.lacking.get(route.profile) for shader in subject.shaders)
     return next(filter(None, every), None)
 
@@ -81,7 +81,7 @@ def draw_frames(
 def frame_job(
     host: FrameHost, route: Route, codes: Sequence[Codes], outputs: Sequence[str], count: int
 ) -> FrameJob:
-    """What a driver is asked to do for some frames, and to bring back these outputs of each.
+    """The job of a driver that draws some frames, and reads these outputs of each back.
 
     ``codes`` are those of the plan's shaders.
     """
@@ -93,19 +93,19 @@ def frame_job(
 
 
 def array_of(texels: FrameTexels) -> Floats:
-    """What came back of a texture: (layers, height, width, 4)."""
+    """The texels of a texture that was read back: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
 
 
 @dataclass(slots=True)
 class _Textures:
-    """The textures of the job, and which of them a texture of the plan is at the moment."""
+    """The textures of the job, and the present texture of the job for each of the plan."""
 
     made: list[FrameTexture] = field(default_factory=list)
     uses: list[TextureUse] = field(default_factory=list)
     at: dict[int, int] = field(default_factory=dict)
-    """By the plan's numbers."""
+    """The present textures, by the plan's numbers."""
 
 
 class _Job:
@@ -121,10 +121,10 @@ class _Job:
         self._buffers: list[FrameBuffer] = []
         self._buffer_of: dict[str, int] = {}
         self._bytes = Tally("memory", f"the buffers and textures of {host.plan.frame} take")
-        """What kernels write, whose sizes are known when they are run; ``_shared_memory`` counts
-        all other textures."""
+        """Bytes of the buffers and textures that kernels write: their sizes are known when the
+        kernels are run. ``_shared_memory`` counts all other textures."""
         self._memory: dict[int, int] = {}
-        """For textures of the plan that take turns in the same memory, a number of the latter."""
+        """For textures of the plan that share memory in turn, the number of that memory."""
         self._steps: list[FrameStep] = []
 
     def add_frame(self, number: int) -> None:
@@ -147,7 +147,7 @@ class _Job:
             self._exchange(row)
 
     def add_reading(self, outputs: Sequence[str]) -> None:
-        """Have these outputs brought back."""
+        """Read these outputs back."""
         read = [self._output(name) for name in outputs]
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
@@ -217,7 +217,7 @@ class _Job:
                 return self._drawn(step, is_first)
 
     def _wait_at(self, place: PlanStep | WaitingRow, is_first: bool) -> None:
-        """Wait where nothing is done: at the end, and in place of a step of the first frame."""
+        """Wait at barriers without a step: at the end, or in place of a step of the first frame."""
         barriers = self._barriers(place, is_first)
         buffers = self._buffer_barriers(place, is_first)
         if barriers or buffers:
@@ -231,7 +231,7 @@ class _Job:
             number = self._texture(row.texture)
             before, after = self._use(row.before), self._use(row.after)
             if before == "undefined" and self._textures.made[number].memory is None:
-                # The last frame may still read what it left there.
+                # The last frame may still read the contents that it left there.
                 before = self._textures.uses[number]
             found.append(Barrier(number, before, after))
             self._textures.uses[number] = after
@@ -240,7 +240,7 @@ class _Job:
     def _buffer_barriers(
         self, place: PlanStep | WaitingRow, is_first: bool
     ) -> tuple[BufferBarrier, ...]:
-        """What is waited for of the job's own buffers; a kernel's have been made."""
+        """The barriers of the job's own buffers; a kernel's buffers have been made."""
         return tuple(
             BufferBarrier(self._buffer_of[row.result], row.before, row.after)
             for row in place.buffer_barriers
@@ -320,13 +320,15 @@ class _Job:
         return [row.name for row in rows if row.stages]
 
     def _buffers_of(self, shader: int) -> list[str]:
-        """Likewise its storage buffers."""
+        """The names of the storage buffers that a shader reads."""
         rows = self._host.shaders[shader].reflection.buffers
         return [row.name for row in rows if row.stages]
 
     def _tell_counts(self, draw: HostDraw) -> None:
-        """Tell a shader how many elements there are in the buffers that kernels have written. The
-        zeros stay here: the shader reads the job's own buffer."""
+        """Set a shader's counts of elements in the buffers that kernels have written.
+
+        The zeros in these elements stay here: the shader reads the job's own buffer.
+        """
         for name, read in draw.reads.items():
             if read.texture is None:
                 words = self._buffers[self._buffer_of[read.result]].words
@@ -387,7 +389,7 @@ class _Job:
         )  # fmt: skip
 
     def _written(self, step: PlanStep, dispatch: Dispatch, first: int) -> list[int]:
-        """The job's buffers for what a kernel writes; each run has new ones."""
+        """The job's buffers for a kernel's results; each run has new ones."""
         found = []
         for row, data in zip(step.buffers, dispatch.buffers[first:], strict=True):
             self._bytes.add(len(data))
@@ -400,7 +402,7 @@ class _Job:
     def _run_as_pass(
         self, draw: HostDraw, barriers: tuple[Barrier, ...], images: tuple[int, ...]
     ) -> FrameStep:
-        """A kernel over images where these are drawn."""
+        """A kernel over images, on routes that draw these."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
 
@@ -413,9 +415,11 @@ def _texture_of(plan: FramePlan, output: str) -> int:
 
 
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
-    """Two steps that draw to the same attachments, as one render pass: it begins as the first one
-    does, and leaves what the second one leaves. What this resolves to is ready from the beginning.
-    They stay two if their settings differ."""
+    """Two steps that draw to the same attachments, as one render pass if that is possible.
+
+    The pass begins as the first step does, and leaves what the second one leaves. Its resolve
+    targets are ready from the beginning. The steps stay two if their settings differ.
+    """
     settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
     if settings[0] != settings[1]:
         return [before, step]
@@ -433,8 +437,10 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
 
 
 def _shared_memory(host: FrameHost) -> dict[int, int]:
-    """A number for each texture that takes turns with others. Sizes that a kernel says are known
-    too late."""
+    """A number of memory for each texture that shares it with others in turn.
+
+    Sizes that a kernel determines are known too late.
+    """
     rows = host.plan.textures
     known = [number for number, row in enumerate(rows) if row.size.value is not None]
     needed = {number: bytes_of(rows[number], host.size_of(number)) for number in known}
@@ -446,7 +452,7 @@ def _shared_memory(host: FrameHost) -> dict[int, int]:
 
 
 def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:
-    """What the plan's images are, which kernels write: some routes draw them in a pass."""
+    """The use of the plan's images that kernels write: some routes draw them in a pass."""
     drawn = any(
         has_images(shader.reflection) and not made.images
         for shader, made in zip(host.shaders, pipelines, strict=True)

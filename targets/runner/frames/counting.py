@@ -1,4 +1,4 @@
-"""Counts what the textures of a frame take that routes draw, before anything is drawn.
+"""Counts the memory of a frame's textures for routes, before anything is drawn.
 
 The reference counts its own, which are larger, in ``by_reference.py``.
 """
@@ -12,9 +12,9 @@ from .memory import bytes_of, taking_turns, total
 
 
 def check_textures(host: FrameHost, frames: int) -> None:
-    """Raise ``BudgetError`` if a frame needs too much memory, or the outputs of so many of them.
+    """Raise ``BudgetError`` if a frame, or the outputs of all frames, need too much memory.
 
-    What a kernel says the size of is known too late, and not among these.
+    Textures whose size a kernel determines are not counted: their size is known too late.
     """
     rows = host.plan.textures
     sizes = {

@@ -1,7 +1,7 @@
-"""The textures of a frame that the reference draws, with the bounds of what a device has in them.
+"""The textures of a frame that the reference draws, with the bounds of a device's values.
 
-``by_reference.py`` makes and reads them. ``load`` puts on a canvas what a step finds there, and
-``store`` keeps what it leaves.
+``by_reference.py`` makes and reads them. ``load`` puts the contents that a step finds on a canvas,
+and ``store`` keeps those that it leaves.
 """
 
 from __future__ import annotations
@@ -35,35 +35,40 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 DEPTHS, STENCILS = "depth", "stencil8"
-"""What the formats of depths begin with, and end with if there are stencil values."""
+"""The beginning of depth formats, and their ending if there are stencil values."""
 _BESIDE = 20
-"""Bytes of each texel besides its lanes: what is undecided, stencil values, and faces."""
+"""Bytes of each texel besides its lanes: the undecided mark, stencil values, and faces."""
 _ENDS = 3
-"""A value, and between which numbers that of a device is."""
+"""The numbers for each value: the value itself, and the bounds of a device's value."""
 
 
 @dataclass(eq=False, slots=True)
 class Drawn:
-    """A texture while a frame is drawn. If its texels have several samples, these stand one behind
-    the other in the row, as if it were so many times as wide."""
+    """A texture while a frame is drawn.
+
+    If its texels have several samples, these follow each other in the row, as if the row were
+    several times as wide.
+    """
 
     format: str
     dimension: str
     levels: list[Floats]
-    """Of each level (3, layers, height, width, lanes): values, and their lower and upper ends."""
+    """For each level (3, layers, height, width, lanes): values, and their lower and upper
+    bounds."""
     undecided: list[Bools]
-    """Of each level (layers, height, width): the pixels that hang on rounding."""
+    """For each level (layers, height, width): the pixels that depend on rounding."""
     stencil: list[NDArray[np.int64]]
-    """Of each level (layers, height, width): the values beside depths; empty if there are none."""
+    """For each level (layers, height, width): the stencil values; empty if there are none."""
     stencil_unsure: list[Bools]
-    """Likewise: where a device may have another one."""
+    """For each level (layers, height, width): True where a device may have another stencil
+    value."""
     faces: list[NDArray[np.int64]]
-    """Of each level of depths (layers, height, width): of which face each is, by the number of its
-    place; empty if there are none."""
+    """For each level of depths (layers, height, width): the face of each depth, by the number of
+    its place; empty if there are none."""
 
     @classmethod
     def empty(cls, row: FrameTextureRow, size: tuple[int, int]) -> Drawn:
-        """Transparent black, or as far away as can be."""
+        """A cleared texture: transparent black, or depths at the far plane."""
         lanes, value = (1, 1.0) if row.format.startswith(DEPTHS) else (4, 0.0)
         levels = []
         for level in range(row.levels):
@@ -80,7 +85,7 @@ class Drawn:
 
     @property
     def lanes(self) -> int:
-        """How many lanes its format has."""
+        """The number of lanes of the texture's format."""
         return 1 if self.format.startswith(DEPTHS) else formats.lanes_of(self.format)
 
     def texels(self) -> Texels:
@@ -102,7 +107,7 @@ class Drawn:
 
 
 def size_of_drawn(row: FrameTextureRow, size: tuple[int, int]) -> int:
-    """How many bytes a texture of a plan takes, with its levels and what is noted beside it."""
+    """The bytes of a plan's texture, with its levels and the marks beside them."""
     width, height = size
     texels = sum(halved(width, level) * halved(height, level) for level in range(row.levels))
     lanes = 1 if row.format.startswith(DEPTHS) else 4
@@ -110,14 +115,14 @@ def size_of_drawn(row: FrameTextureRow, size: tuple[int, int]) -> int:
 
 
 Textures = Mapping[int, Drawn]
-"""All of a frame, by their numbers in the plan."""
+"""All textures of a frame, by their numbers in the plan."""
 
 
-# --- what a step finds ---------------------------------------------------------------------------
+# --- contents before a step ----------------------------------------------------------------------
 
 
 def load(canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, textures: Textures) -> None:
-    """Put what is there before on a canvas, and what undecided samples of it may be."""
+    """Put the contents of attachments on a canvas, with the range of undecided samples."""
     for number, target in enumerate(step.targets):
         if target.load == "load":
             there = _samples(target, layer, textures)
@@ -147,19 +152,19 @@ def _load_stencil(canvas: Canvas, depth: AttachmentRow, layer: int, textures: Te
 
 
 def _samples(target: AttachmentRow, layer: int, textures: Textures) -> Floats:
-    """What is there of a layer and level: (3, samples, lanes)."""
+    """The contents of a layer and level: (3, samples, lanes)."""
     texture, at, level = _place(target, layer)
     found = textures[texture].levels[level][:, at]
     return found.reshape(_ENDS, -1, found.shape[-1])
 
 
-# --- what a step leaves --------------------------------------------------------------------------
+# --- contents after a step -----------------------------------------------------------------------
 
 
 def store(
     canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, rules: RasterRules, textures: Textures
 ) -> None:
-    """Keep what was drawn: all samples and, where the plan resolves them, their means."""
+    """Keep the samples that were drawn and, where the plan resolves them, their means."""
     picture = expected_on(canvas, rules, hulls=hulls)
     undecided = canvas.undecided | canvas.shaky
     for number, target in enumerate(step.targets):
@@ -187,7 +192,7 @@ def store(
 def _keep(
     place: tuple[int, int, int], ends: Iterable[Floats], undecided: Bools, textures: Textures
 ) -> None:
-    """Keep values and their ends, of samples in the order of the texture's rows."""
+    """Keep values and their bounds, of samples in the order of the texture's rows."""
     texture, at, level = place
     drawn = textures[texture]
     has_depths = drawn.format.startswith(DEPTHS)

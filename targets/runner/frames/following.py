@@ -1,9 +1,8 @@
-"""Draws a frame with the reference, and finds out how one pixel of an output came about.
+"""Draws a frame with the reference, and finds the origin of one pixel of an output.
 
-``conform --explain`` asks for it. The pixel is what the last step has left there that drew to its
-texture, as copies of the texture have it as well. To say which of the things that this step reads
-carry the error, the step is drawn once more for each of them, as if its texels or elements were
-exact.
+``conform --explain`` asks for it. The pixel was left by the last step that drew to its texture, or
+to a texture that was copied to it. To find the inputs of this step that carry the error, the step
+is drawn once more for each of them, as if its texels or elements were exact.
 """
 
 from __future__ import annotations
@@ -26,35 +25,35 @@ from .drawn import DEPTHS, Drawn
 from .host import FrameDraw
 
 BEFORE = "what was there before"
-"""Stands for what a step finds in its own textures."""
+"""The name for contents that a step finds in its own textures."""
 
 
 @dataclass(frozen=True, slots=True)
 class Carried:
-    """Something that a step reads which other steps have made."""
+    """An input of a step that other steps have made."""
 
     name: str
-    """What the step's shader calls it; empty for ``BEFORE``."""
+    """The name of the input in the step's shader; empty for ``BEFORE``."""
     result: str
-    """What has made it: ``step.target``."""
+    """The source of the contents: ``step.target``."""
     apart: float
-    """How far the pixel's bounds would be apart if it were exact."""
+    """The distance of the pixel's bounds if this input were exact."""
 
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """How a pixel came about."""
+    """The origin of a pixel."""
 
     step: str
     apart: float
-    """How far its bounds are apart, in the lane where they are farthest."""
+    """The distance of the pixel's bounds, in the lane where it is the largest."""
     carried: tuple[Carried, ...]
-    """What the step reads, that which carries most first."""
+    """The inputs of the step; the one that carries most error comes first."""
     alone: float
-    """How far they would be apart if all that it reads were exact."""
+    """The distance of the bounds if all inputs of the step were exact."""
     explanation: Explanation | None
-    """Why the shader makes errors; ``None`` where the step has only cleared the pixel, and for
-    depths, which no shader of fragments computes."""
+    """The reasons for the shader's errors; ``None`` if the step has only cleared the pixel, and for
+    depths, which no fragment shader computes."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -65,24 +64,24 @@ class _Layer:
     draws: list[FrameDraw]
     layer: int
     before: Mapping[int, Drawn]
-    """What was in the textures to which it draws."""
+    """The contents of the textures to which the step draws, before it draws."""
 
 
 @dataclass(slots=True)
 class FollowedFrames(ReferenceFrames):
-    """Frames of which one pixel of a texture is followed, with the rounding of a device."""
+    """Frames in which one pixel of a texture is followed, with the rounding of a device."""
 
     texture: int = 0
-    """What the output shows, before the frame ends."""
+    """The number of the texture that the output shows, before the frame ends."""
     layer: int = 0
     pixel: tuple[int, int] = (0, 0)
-    """Its column and its row in the first level."""
+    """The pixel's column and row in the first level."""
     made: dict[int, Made] = field(default_factory=dict)
-    """By texture: how the pixel came about that it has now."""
+    """By texture: the origin of the pixel's present value."""
 
     @property
     def found(self) -> Made | None:
-        """How the pixel of the last frame came about; ``None`` if no step has made it."""
+        """The origin of the pixel in the last frame; ``None`` if no step has made it."""
         previous = {row.texture: row.previous for row in self.host.plan.kept}
         return self.made.get(previous.get(self.texture) or self.texture)
 
@@ -108,7 +107,7 @@ class FollowedFrames(ReferenceFrames):
             self._follow(_Layer(step, draws, layer, before), target)
 
     def _followed(self, step: DrawStep, layer: int) -> Iterator[AttachmentRow]:
-        """What a step draws to that has the pixel."""
+        """The attachments of a step that contain the pixel."""
         wanted = self._same_textures()
         for target in step.attachments:
             for place in target.places:
@@ -130,7 +129,7 @@ class FollowedFrames(ReferenceFrames):
     # --- one step --------------------------------------------------------------------------------
 
     def _follow(self, drawn: _Layer, target: AttachmentRow) -> None:
-        """Note how a step has made the pixel, unless it has left that as it was."""
+        """Note the origin of the pixel, unless a step has left the pixel as it was."""
         place = target.places[-1].texture
         explanation = self._explanation(drawn, target)
         is_depth = self.textures[place].format.startswith(DEPTHS)
@@ -151,14 +150,14 @@ class FollowedFrames(ReferenceFrames):
         )  # fmt: skip
 
     def _apart(self, texture: int) -> float:
-        """How far the pixel's bounds are apart in a texture."""
+        """The distance of the pixel's bounds in a texture."""
         x, y = self.pixel
         _, low, high = self.textures[texture].levels[0][:, self.layer, y, x]
         apart = high - low
         return float(np.where(np.isnan(apart), np.inf, apart).max())
 
     def _apart_without(self, drawn: _Layer, texture: int, exact: Collection[str]) -> float:
-        """How far they would be apart if these results were exact."""
+        """The distance of the pixel's bounds if these results were exact."""
         textures, buffers, counted = self.textures, self.buffers, self.counted
         reads = [read for draw in drawn.draws for read in draw.reads.values()]
         over = _exact if BEFORE in exact else Drawn.copy
@@ -182,7 +181,7 @@ class FollowedFrames(ReferenceFrames):
             self.textures, self.buffers, self.counted = textures, buffers, counted
 
     def _explanation(self, drawn: _Layer, target: AttachmentRow) -> Explanation | None:
-        """Why the shader of that draw makes errors which the pixel shows."""
+        """The reasons why that draw's shader makes errors which the pixel shows."""
         targets = drawn.step.targets
         if target not in targets or self.errors is None:
             return None

@@ -1,4 +1,4 @@
-"""The host's side of a plan: values that are set by name, sizes, and what every step draws.
+"""The host's side of a plan: values that are set by name, sizes, and the draws of every step.
 
 The reference and the drivers execute the same ``FrameDraw`` records, so that a plan is read in one
 place.
@@ -47,14 +47,14 @@ from .settings import StepState, cleared, step_state
 from .sizes import Size, checked_size, drawn_size
 
 NUMBERS = 1 << 24
-"""How many frames are told apart: then `number` is 0 again."""
+"""The number of frames that are told apart: after it, `number` is 0 again."""
 
 MOST_VERTICES = 1 << 24
-"""That a step draws without models: as many as float32 can tell apart."""
+"""The largest number of vertices of a step without models: as many as float32 can tell apart."""
 
 
 class PlannedFrame(Protocol):
-    """All of a frame that is needed to execute its plan."""
+    """The parts of a frame that are needed to execute its plan."""
 
     @property
     def name(self) -> str:
@@ -62,7 +62,7 @@ class PlannedFrame(Protocol):
 
     @property
     def plan(self) -> FramePlan:
-        """What a host does."""
+        """The plan that a host executes."""
 
     @property
     def shaders(self) -> Sequence[Subject]:
@@ -74,22 +74,22 @@ class FrameSubject(PlannedFrame, Protocol):
 
     @property
     def plan_of_reference(self) -> FramePlan:
-        """What the reference does: a plan of its own, in which results share nothing."""
+        """The plan that the reference executes: one of its own, in which results share nothing."""
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
-    """Whether something compiled is a frame."""
+    """True if something compiled is a frame."""
     return not is_shader(subject)
 
 
 def is_shader(subject: Subject | FrameSubject) -> TypeGuard[Subject]:
-    """Whether something compiled is a material or a kernel, and no frame."""
+    """True if something compiled is a material or a kernel, and no frame."""
     return hasattr(subject, "files")
 
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """Where a texture or a buffer of a shader comes from, if a step has made it."""
+    """The source of a shader's texture or buffer that a step has made."""
 
     result: str
     texture: int | None
@@ -102,10 +102,10 @@ class FrameDraw:
 
     shader: int
     state: SceneState
-    """What is drawn; its instance has the values that the host knows. What steps have made is not
-    among its textures and buffers."""
+    """The state of the draw; its instance has the values that the host knows. Results of steps are
+    not among its textures and buffers."""
     reads: Mapping[str, Read]
-    """By the shader's name for a texture or a buffer."""
+    """The sources, by the shader's name for a texture or a buffer."""
 
 
 def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
@@ -119,17 +119,17 @@ def bare_mesh(count: int, primitive: str = "triangle") -> Mesh:
 
 
 KERNEL = bare_mesh(3)
-"""What is drawn where a kernel is drawn: all pixels of a texture."""
+"""The mesh of a kernel that is drawn: it covers all pixels of a texture."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Onto:
-    """What a step draws to."""
+    """The targets of a step."""
 
     size: tuple[int, int]
     """The width and height of its targets."""
     seen: tuple[int, int]
-    """Those of what a camera sees: of the viewport."""
+    """The width and height of the viewport, which a camera fills."""
 
 
 class FrameHost:
@@ -144,36 +144,39 @@ class FrameHost:
         self.scenery = scenery
         what = f"a frame of {plan.frame} takes"
         self._steps, self._vertices = Tally("steps", what), Tally("vertices", what)
-        """What one frame takes beside its models: what the host computes and sets, and what is
-        drawn without any."""
+        """The cost of one frame beside its models: values that the host computes and sets, and
+        draws without models."""
         self.values = HostValues(FrameDeclarations(plan), self._steps)
         self.size = size
-        """The width and height of what the frame draws, as far as it says no other size."""
+        """The width and height of the frame's targets, unless the frame states another size."""
         width, height = size
         scenery.scene.apply(self.values, width / height)
         self.given: frozenset[str] = frozenset()
-        """The names of what has been set; a scene leaves that alone."""
+        """The names that have been set; a scene leaves their values alone."""
         self.size = size
-        """Of what is shown: width and height."""
+        """The width and height of the outputs."""
         self._tell("size", size)
         self.instances = [Instance(shader.reflection, self._steps) for shader in self.shaders]
-        """For each shader the values of its materials that are the same for all models."""
+        """For each shader, the values of its materials that are the same for all models."""
         self._costs = [_cost(shader.reflection) for shader in self.shaders]
         self._lights_by_name = {row.name: row for row in plan.lights}
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
     def unused_lamps(self) -> list[str]:
-        """The names of the lights in the scene for which the frame's rig has no place."""
+        """The names of the lights in the scene for which the frame's rig has no entry."""
         return [lamp.name for lamp in self.scenery.scene.unused_lamps(self.values)]
 
     def set_text(self, name: str, text: str) -> None:
-        """Set something of the frame; or else of all shaders that have it, such as a material's
-        parameter. Raises ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does."""
+        """Set a value of the frame; or else of all shaders that have it.
+
+        A material's parameter is an example. Raises ``ParameterError`` and ``PictureError``, as
+        ``Instance.set_text`` does.
+        """
         self._set(name, lambda instance: instance.set_text(name, text))
 
     def set(self, name: str, value: object) -> None:
-        """The same for a value that ``Instance.set`` takes. Raises ``ParameterError``."""
+        """Set a value in the form that ``Instance.set`` takes. Raises ``ParameterError``."""
         self._set(name, lambda instance: instance.set(name, value))
 
     def _set(self, name: str, act: Callable[[HostValues], None]) -> None:
@@ -192,7 +195,7 @@ class FrameHost:
             raise UnknownParameterError(name, self._unknown(name))
 
     def _unknown(self, name: str) -> str:
-        """What to say of a name that neither the frame nor a shader has."""
+        """The message about a name that neither the frame nor a shader has."""
         declared = [each.declared for each in (self.values, *self.instances)]
         names = [
             row.name
@@ -205,13 +208,13 @@ class FrameHost:
         return f"there is no parameter `{name}`: {hint}"
 
     def begin(self, drawn: int) -> None:
-        """Tell the frame how many were drawn before it. To be called before its first step."""
+        """Set the number of frames before this one. To be called before the frame's first step."""
         self._steps.begin()
         self._vertices.begin()
         self._tell("number", drawn % NUMBERS)
 
     def _tell(self, name: str, value: object) -> None:
-        """Set what hosts tell every frame, unless this one says it itself or it has been set."""
+        """Set a value that hosts give every frame, unless it was set or is declared otherwise."""
         for own, role in value_roles(self.plan).items():
             if role == name and own not in self.given:
                 self.values.set(own, value)
@@ -219,8 +222,10 @@ class FrameHost:
     # --- numbers ---------------------------------------------------------------------------------
 
     def number(self, value: int) -> Any:
-        """One of the plan's values, in the form in which an instance takes it. Raises
-        ``MissingValuesError``, and ``PlanError`` for steps that compute nothing of its type."""
+        """One of the plan's values, in the form in which an instance takes it.
+
+        Raises ``MissingValuesError``, and ``PlanError`` for steps that compute nothing of its type.
+        """
         row, where = self.plan.values[value], f"{self.plan.frame}, value {value}"
         try:
             found = self.values.evaluated(row.steps)
@@ -243,7 +248,7 @@ class FrameHost:
         return checked_size(row, width, height)
 
     def _extent(self, step: str) -> tuple[int, int]:
-        """The size of what a kernel writes. Raises ``PlanError`` before the kernel is run."""
+        """The size of a kernel's results. Raises ``PlanError`` before the kernel is run."""
         if step not in self._kernels:
             raise PlanError(
                 f"the size of what `{step}` writes is needed before it is run: give its parameters "
@@ -252,23 +257,25 @@ class FrameHost:
         return self._kernels[step].image_size()
 
     def drawn_size(self, step: PlanStep) -> Size:
-        """The size of all that a step draws to. Raises ``PlanError`` where its targets differ."""
+        """The size of a step's attachments. Raises ``PlanError`` if they differ."""
         sizes = {row.texture: self.size_of(row.texture) for row in step.attachments}
         return drawn_size(self.plan, step, sizes)
 
     def state_of(self, step: DrawStep) -> StepState:
-        """What a step sets for all that it draws. Raises ``PlanError`` for a viewport that is not
-        within its targets."""
+        """The state that a step sets for all its draws.
+
+        Raises ``PlanError`` for a viewport that is not within the step's targets.
+        """
         return step_state(self.plan, step, self.drawn_size(step), self.number)
 
     def clear_of(self, target: AttachmentRow) -> Color:
-        """What a target is cleared to; of depths, the first number."""
+        """The clear value of a target; for depths, the first number."""
         return cleared(self.plan, target, self.number)
 
     # --- draws -----------------------------------------------------------------------------------
 
     def draws(self, step: DrawStep, *, is_first: bool) -> Iterator[FrameDraw]:
-        """All draws of a step that draws, one behind the other."""
+        """All draws of a step, in order."""
         state = self.state_of(step)
         size = self.drawn_size(step)
         onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
@@ -298,8 +305,10 @@ class FrameHost:
         return tuple((entry, number) for number in range(count))
 
     def _light(self, entry: str) -> LightRow:
-        """The row of an entry of the rig. Plans, and shaders, put the rig's name before it where it
-        is that of something else as well."""
+        """The row of an entry of the rig.
+
+        Plans, and shaders, put the rig's name before it if something else has that name as well.
+        """
         found = self._lights_by_name.get(entry)
         return found or self._lights_by_name[f"{self.plan.rig}.{entry}"]
 
@@ -330,8 +339,10 @@ class FrameHost:
             yield self._one(uses[model.material], model, model.mesh, light, onto, is_first)
 
     def _vertex_count(self, value: int) -> int:
-        """How many vertices a step draws without models. Raises ``PlanError`` for numbers that
-        nobody means."""
+        """The number of vertices of a step that draws without models.
+
+        Raises ``PlanError`` for numbers that make no sense.
+        """
         count = int(self.number(value))
         if not 0 <= count <= MOST_VERTICES:
             raise PlanError(f"a step would draw {count} vertices; it can draw 0 to {MOST_VERTICES}")
@@ -359,7 +370,7 @@ class FrameHost:
         return FrameDraw(use.shader, drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
-        """Give a shader the lights of the frame; of a single one, that of its entry."""
+        """Give a shader the lights of the frame; or the single light of an entry."""
         for row in instance.reflection.lights:
             entry = row.name.removeprefix(f"{instance.reflection.rig}.")
             own = self._light(entry)
@@ -376,7 +387,7 @@ class FrameHost:
                     instance.take(row.count, self.values, own.count)
 
     def _give(self, instance: Instance, use: UseRow, is_first: bool) -> dict[str, Read]:
-        """Give a shader what the frame sets; what steps have made is returned."""
+        """Give a shader the values that the frame sets; returns the sources made by steps."""
         reads = {}
         for row in use.inputs:
             name, source = row.name, row.source
@@ -406,18 +417,18 @@ class FrameHost:
 
 
 _GIVEN = ("parameters", "derived", "lights", "buffers", "textures", "vertex_inputs", "targets")
-"""What a draw has to be given, by the tables of a reflection."""
+"""The values that a draw has to be given, as tables of a reflection."""
 
 
 def _cost(reflection: Reflection) -> int:
-    """How many things are set for a draw of a shader: rows, and the lanes of its parameters."""
+    """The number of things that are set for a draw: rows, and the lanes of the parameters."""
     lanes = sum(row.size for row in reflection.parameters) // LANE
     return lanes + sum(len(getattr(reflection, table)) for table in _GIVEN)
 
 
 @dataclass(frozen=True, slots=True)
 class FrameDeclarations:
-    """What a host sets of a frame, in the form in which it sets the values of a shader."""
+    """The declarations of a frame, in the form of a shader's, so that a host can set its values."""
 
     plan: FramePlan
 

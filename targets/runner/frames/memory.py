@@ -1,4 +1,4 @@
-"""Which textures of a frame may lie in the same memory, although they differ in format and size.
+"""Finds textures of a frame that may share memory although they differ in format and size.
 
 Results that are alike share a texture, as the plan says. Beyond this, two textures can take turns
 if no step needs both: the plan says from which step to which it needs each result. How large
@@ -18,14 +18,14 @@ from .checks.rows import drawn_to, written
 from .sizes import Size
 
 MOST_TRIED = 64
-"""In how many groups a place is looked for, so that many textures do not take long."""
+"""The most groups that are tried for a texture, so that many textures do not take long."""
 
 DEPTH_BYTES: Mapping[str, int] = {"depth32f": 4, "depth32f_stencil8": 8}
-"""Of a texel."""
+"""The bytes of a texel of depths."""
 
 
 def bytes_of(texture: FrameTextureRow, size: Size) -> int:
-    """How much memory a texture needs at least."""
+    """The least memory that a texture needs, in bytes."""
     width, height = size
     texels = sum(halved(width, level) * halved(height, level) for level in range(texture.levels))
     samples = texels * texture.layers * texture.samples
@@ -40,15 +40,15 @@ def _texel_bytes(format_: str) -> int:
 
 
 def taking_turns(plan: FramePlan, needed: Mapping[int, int]) -> list[list[int]]:
-    """The textures of a plan in groups of which each needs the memory of its largest texture.
+    """The textures of a plan in groups; each group needs the memory of its largest texture.
 
-    ``needed`` says how many bytes each takes; textures that it leaves out are alone, as those are
+    ``needed`` has the bytes of each texture; textures that it leaves out are alone, as those are
     that later frames read.
     """
     spans, lasting = _spans(plan), _lasting(plan)
     groups: list[list[int]] = []
     taken: list[list[tuple[int, int]]] = []
-    """Of each group the spans of its textures, in order: none of them meet."""
+    """For each group the spans of its textures, in order; none of them overlap."""
     for texture in sorted(needed, key=lambda each: -needed[each]):
         if texture in lasting:
             continue
@@ -83,7 +83,7 @@ def _spans(plan: FramePlan) -> dict[int, tuple[int, int]]:
             add(row.texture, row.first, row.last)
     begin = 0
     for number, step in enumerate(plan.steps):
-        # What a render pass resolves to has its memory when the pass begins.
+        # Resolve targets have their memory when the render pass begins.
         begin = begin if isinstance(step, DrawStep) and step.continues else number
         for texture in drawn_to(step):
             add(texture, begin, number)
@@ -98,7 +98,7 @@ def _lasting(plan: FramePlan) -> set[int | None]:
 
 
 def _fits(span: tuple[int, int], others: Sequence[tuple[int, int]]) -> bool:
-    """Whether a span meets none of those that are in order and meet none of each other."""
+    """True if a span overlaps none of the ``others``, which are sorted and do not overlap."""
     at = bisect(others, span)
     begins_later = at == 0 or others[at - 1][1] < span[0]
     return begins_later and (at == len(others) or span[1] < others[at][0])

@@ -1,4 +1,4 @@
-"""Checks the type of what the steps of a plan's value have computed: ``FrameHost`` asks for it."""
+"""Checks the types of a plan's computed values: ``FrameHost`` calls it."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ import re
 _VECTOR = re.compile(r"[iub]?vec([234])")
 _SCALARS = ("float", "int", "uint", "bool")
 _WHOLE = ("i", "u")
-"""What the types of whole numbers begin with."""
+"""The first letters of the types of whole numbers."""
 
 
 def is_of(value: object, representation: str) -> bool:
-    """Whether a value is a number, or a vector of numbers, where its type says so. What matrices
-    and arrays consist of is checked where a shader gets them."""
+    """True if a value is a number, or a vector of numbers, if its type is one.
+
+    The elements of matrices and arrays are checked where a shader gets them.
+    """
     vector = _VECTOR.fullmatch(representation)
     fits = _is_whole if representation.startswith(_WHOLE) else _is_number
     if vector:

@@ -33,10 +33,10 @@ from .host import PlannedFrame
 D = TypeVar("D")
 
 DOCUMENTS: Mapping[type, str] = {FramePlan: "plan", Reflection: "reflection"}
-"""What messages call documents."""
+"""The names of documents in messages."""
 
 ENDING = ".plan.json"
-"""What the names of plans end with."""
+"""The ending of the file names of plans."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class StoredText:
 
 @dataclass(frozen=True, slots=True)
 class StoredShader:
-    """A shader with its reflection; what the source means is not known."""
+    """A shader with its reflection; its meaning, which the source has, is not known."""
 
     name: str
     reflection: Reflection
@@ -63,11 +63,11 @@ class StoredShader:
 
     @property
     def shader(self) -> Shader:
-        """Only a source has it. Raises ``PlanError``."""
+        """Raise ``PlanError``: only a source has the shader."""
         return _without_source(self.name)
 
     def emitted(self, profile: str) -> Shader:
-        """Only a source has it, for any ``profile``. Raises ``PlanError``."""
+        """Raise ``PlanError``: only a source has the shader of a ``profile``."""
         return _without_source(f"{self.name} for {profile}")
 
 
@@ -81,7 +81,7 @@ class StoredFrame:
 
 
 def is_plan(path: Path) -> bool:
-    """Whether a file is called like a plan."""
+    """True if a file has the name of a plan."""
     return path.name.endswith(ENDING)
 
 
@@ -98,10 +98,12 @@ def read_frame(path: Path, profiles: Sequence[str]) -> StoredFrame:
 
 @contextmanager
 def told_contradictions(frame: PlannedFrame) -> Iterator[None]:
-    """Raise ``PlanError`` for what fails inside the ``with`` block because the files of a frame say
-    things that their schemas allow and that cannot all be true, such as steps of a value that add a
-    matrix to a number. A frame that Burnish itself has compiled says no such things: what fails
-    there is a bug, and raised as it is."""
+    """Raise ``PlanError`` for failures inside the ``with`` block that the frame's files cause.
+
+    Files may contradict themselves although their schemas allow it, such as steps of a value that
+    add a matrix to a number. A frame that Burnish itself has compiled does not: its failures are
+    bugs, and raised as they are.
+    """
     try:
         yield
     except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, struct.error,
@@ -123,10 +125,10 @@ class _Reader:
         self._quota = Quota(self._files)
         self._bytes = 0
         self._shaders: dict[str, str] = {}
-        """By the files of their reflections, the shaders that have been read."""
+        """The shaders that have been read, by the files of their reflections."""
 
     def plan(self) -> FramePlan:
-        """The plan, which has the shape of one."""
+        """The plan, which follows its schema."""
         name = self._path.name
         found = read_json(self._data(self._path, links=True), f"`{name}`", self._quota)
         if not isinstance(found, dict) or FramePlan.VERSION not in found:

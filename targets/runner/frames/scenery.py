@@ -1,4 +1,4 @@
-"""What a frame draws: models with materials, seen by a camera.
+"""The scene of a frame: models with materials, seen by a camera.
 
 ``burnish render`` makes a ``Scenery`` of built-in meshes, or by ``staging.py`` of a file.
 """
@@ -18,24 +18,24 @@ from ..meshes import MESHES, Mesh
 from ..scene import Scene
 
 WHOLE = "scene"
-"""What the frame calls all models of a scene; any other name is a tag."""
+"""The frame's name for all models of a scene; any other name is a tag."""
 
 Rows = tuple[tuple[float, ...], ...]
 """A matrix, row by row."""
 
 FLOOR = "floor"
-"""By this name a frame asks for what lies below the others."""
+"""The name of the models below all others."""
 
 _APART = 2.2
-"""How far the middles of models are apart that stand in a row."""
+"""The distance between the middles of models that stand in a row."""
 _SIDE = 3.0
-"""How much further than the models the floor reaches, to all sides."""
+"""The distance by which the floor reaches beyond the models, to all sides."""
 _MARGIN = 1.05
-"""How much more than a ball a camera sees that looks at it."""
+"""The factor by which a camera sees more than the ball that it looks at."""
 _NEAR = 0.05
-"""Where it begins to see, as a share of the distance to the ball's middle."""
+"""The near plane, as a share of the distance to the ball's middle."""
 _FURTHER = 4.0
-"""How far behind the ball's middle it sees, in radii."""
+"""The distance of the far plane behind the ball's middle, in radii."""
 _VIEW = (0.25, 0.45, 1.0)
 """The direction from the models to the camera."""
 
@@ -49,7 +49,7 @@ class Model:
     placement: Rows
     """The rows of the transform from object to world space."""
     look: Look = PLAIN
-    """What a file says about its surface."""
+    """The surface of the model as a file describes it."""
     tags: frozenset[str] = frozenset()
     bones: Matrix | None = None
     """The transform of each bone; ``None`` for the bones of the meshes here."""
@@ -63,7 +63,7 @@ class Scenery:
     scene: Scene = field(default_factory=Scene)
 
     def tagged(self, name: str) -> tuple[Model, ...]:
-        """The models that a frame calls by a name, in the order in which they are drawn."""
+        """The models of a name in the frame, in the order in which they are drawn."""
         return tuple(m for m in self.models if name == WHOLE or name in m.tags)
 
 
@@ -116,5 +116,5 @@ def _moved(by: Vector) -> Rows:
 
 
 def _lying(half: float, height: float) -> Rows:
-    """Where a square that faces +z comes to lie so that it faces +y."""
+    """The transform that turns a square that faces +z, so that it faces +y."""
     return (half, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0, height), (0.0, -half, 0.0, 0.0), (0, 0, 0, 1.0)

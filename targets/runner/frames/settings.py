@@ -1,4 +1,4 @@
-"""What a step sets for all that it draws: the part of its targets, what is cleared, and to what.
+"""Values that a step sets for all its draws: viewport, scissor, blend constant and clears.
 
 ``FrameHost`` asks for it, for the reference and for drivers.
 """
@@ -17,25 +17,27 @@ from .checks.rows import fail
 from .sizes import Size
 
 FAR: Color = (1.0, 0.0, 0.0, 0.0)
-"""What depths are cleared to, in the first number, where nothing else is said."""
+"""The clear value of depths, in the first number, if the plan has none."""
 
 Number = Callable[[int], Any]
-"""The value of a plan that has a number."""
+"""Returns the value of a plan with a number."""
 
 
 @dataclass(frozen=True, slots=True)
 class StepState:
-    """What a step sets."""
+    """The dynamic state of a step."""
 
     viewport: Area | None
     scissor: Area | None
-    """``None``: the whole of the targets."""
+    """The scissor; ``None``: the whole of the targets."""
     blend_constant: Color
 
 
 def step_state(plan: FramePlan, step: DrawStep, size: Size, number: Number) -> StepState:
-    """What a step sets that draws to targets of a size. Raises ``PlanError`` for a viewport that
-    is not within these."""
+    """The state of a step whose targets have this size.
+
+    Raises ``PlanError`` for a viewport that is not within these.
+    """
     viewport, scissor = (
         None if value is None else _area(number(value)) for value in (step.viewport, step.scissor)
     )
@@ -46,7 +48,7 @@ def step_state(plan: FramePlan, step: DrawStep, size: Size, number: Number) -> S
 
 
 def cleared(plan: FramePlan, target: AttachmentRow, number: Number) -> Color:
-    """What a target is cleared to; of depths, the first number, which lies between 0 and 1."""
+    """The clear value of a target; for depths, the first number, which lies between 0 and 1."""
     is_depth = plan.textures[target.texture].format.startswith("depth")
     if target.clear is None:
         return FAR if is_depth else CLEAR

@@ -1,7 +1,7 @@
-"""Shows a single material as a frame: a plan of one step that draws it, or runs it.
+"""Shows a single material as a frame: a plan of one step that draws or runs it.
 
-Hosts have one road only, which is that of plans. ``burnish view`` takes it for materials, kernels
-and passes that capture; who writes an engine can do the same with any reflection.
+Hosts have one road only: they execute plans. ``burnish view`` takes this road for materials,
+kernels and passes that capture; the author of an engine can do the same with any reflection.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class SingleFrame:
 
     @property
     def plan_of_reference(self) -> FramePlan:
-        """The same: what one step leaves shares nothing."""
+        """The same plan: the results of one step share nothing."""
         return self.plan
 
 
@@ -54,26 +54,25 @@ class _Renamed:
 
     @property
     def lacking(self) -> Mapping[str, str]:
-        """For profiles without texts, the reason."""
+        """The reason for each profile that has no texts."""
         return self.subject.lacking
 
     @property
     def shader(self) -> Shader:
-        """What the material means."""
+        """The shader of the material as it is meant."""
         return self.subject.shader
 
     def emitted(self, profile: str) -> Shader:
-        """What the texts for a profile compute."""
+        """The shader that the texts for a profile compute."""
         return self.subject.emitted(profile)
 
 
 def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
-    """The frame that shows a material on all models of the scene, or what a kernel writes; it has
-    an output for each render target, image or buffer. ``background`` is what its first target is
-    cleared to, unless its pass says so.
+    """The frame that shows a material on all models of the scene, or the results of a kernel.
 
-    Raises ``PlanError`` for what leaves nothing that a host could get: a pass that captures
-    vertices by a stream output.
+    The frame has an output for each render target, image or buffer. ``background`` is the clear
+    value of its first target, unless its pass has one. Raises ``PlanError`` for a pass that
+    captures vertices by a stream output, as it leaves nothing for a host.
     """
     reflection = subject.reflection
     if not (reflection.targets or reflection.results):
@@ -86,7 +85,7 @@ def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
 
 
 def captures(frame: SingleFrame) -> bool:
-    """Whether it captures the vertices of a mesh, which ``give_captured`` gives it."""
+    """True if the frame captures the vertices of a mesh, which ``give_captured`` gives it."""
     return frame.shaders[0].reflection.capture is not None
 
 

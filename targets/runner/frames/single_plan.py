@@ -51,17 +51,20 @@ SIZE = f"{STEP}.size"
 
 _DEPTH = "depth"
 _PLACE = PlaceRow(file="", line=1, column=1, length=0)
-"""Nobody has written the plan."""
+"""The place of all rows: nobody has written the plan."""
 
 
 def single_plan(material: str, shader: str, reflection: Reflection, background: Color) -> FramePlan:
-    """The plan that shows a material, or a kernel; ``shader`` is what the plan calls its only
-    shader, and ``background`` what its first target is cleared to, unless its pass says so."""
+    """The plan that shows a material, or a kernel.
+
+    ``shader`` is the plan's name for its only shader, and ``background`` the clear value of its
+    first target, unless its pass has one.
+    """
     return _Planning(material, shader, reflection, background).plan()
 
 
 class _Planning:
-    """What has been planned so far."""
+    """A plan that is being made: its values, textures, results and outputs so far."""
 
     def __init__(
         self, material: str, shader: str, reflection: Reflection, background: Color
@@ -118,7 +121,7 @@ class _Planning:
             outputs=tuple(self._outputs),
         )
 
-    # --- what it leaves --------------------------------------------------------------------------
+    # --- outputs ---------------------------------------------------------------------------------
 
     def _add_outputs(self) -> None:
         """Add an output for each render target or image, and for each buffer that is written."""
@@ -204,7 +207,7 @@ class _Planning:
         )
 
     def _target(self, number: int) -> AttachmentRow:
-        """What a target is drawn to: its texture; or several samples, which are resolved to it."""
+        """The attachment of a target: its texture, or a multisampled one that is resolved to it."""
         target, samples = self._reflection.targets[number], self._reflection.render_state.samples
         clear = target.clear
         if clear is None and number == 0 and any(self._background):
@@ -219,7 +222,7 @@ class _Planning:
         return self._attachment(target.name, texture, value, store=False, resolve=resolve)
 
     def _depth(self) -> AttachmentRow | None:
-        """The depths, and the stencil values beside them, if the pass has to do with any."""
+        """The depth attachment, with stencil values, if the pass uses any."""
         state = self._reflection.render_state
         if not state.depth.is_used:
             return None
@@ -307,7 +310,7 @@ def _barrier(texture: int, before: TextureState, after: TextureUse) -> BarrierRo
     return BarrierRow(texture=texture, before=before, after=after, only_first=False)
 
 
-# --- what the host sets --------------------------------------------------------------------------
+# --- values that the host sets -------------------------------------------------------------------
 
 
 def _size_row() -> ParameterRow:
@@ -336,7 +339,7 @@ def _size_value() -> ValueRow:
 
 
 def _parameters_of_lights(reflection: Reflection) -> list[ParameterRow]:
-    """What is set of the lights, under the names that a frame has for them."""
+    """The parameters of the lights, under the names that a frame has for them."""
     lights = reflection.lights
     names = {name for row in lights for name in (*row.parameters, row.count)}
     return [

@@ -28,8 +28,10 @@ def checked_size(texture: FrameTextureRow, width: int, height: int) -> Size:
 
 
 def drawn_size(plan: FramePlan, step: PlanStep, sizes: Mapping[int, Size]) -> Size:
-    """How large all is that a step draws to; ``sizes`` are those of textures. Raises ``PlanError``
-    where its targets differ."""
+    """The size of all attachments of a step; ``sizes`` are those of textures.
+
+    Raises ``PlanError`` if its targets differ.
+    """
     found: dict[Size, str] = {}
     for row in step.attachments:
         width, height = sizes[row.texture]

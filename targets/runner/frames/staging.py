@@ -1,4 +1,4 @@
-"""Stages what a file shows for a frame: gives each object a material, and all of them a camera.
+"""Stages the objects of a file for a frame: gives each a material, and all of them a camera.
 
 ``burnish render --scene`` calls ``staged``.
 """
@@ -15,14 +15,15 @@ from ..scenes.records import SceneError, SceneFile, SceneObject, short
 from .scenery import WHOLE, Model, Scenery, overview
 
 _TOLD = 20
-"""How many tags of a scene a message tells."""
+"""The most tags of a scene that a message lists."""
 
 
 def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> Scenery:
-    """The objects of a file, each with the material that is called like its own in the file, or
-    with the only one. Seen by the file's first camera, or by one that sees all of them.
+    """The objects of a file, each with a material, seen by a camera.
 
-    ``names`` are those by which the frame asks for models. Raises ``SceneError``.
+    The material has the name of the object's own material in the file, or is the only one. The
+    camera is the file's first one, or one that sees all objects. ``names`` are those by which the
+    frame asks for models. Raises ``SceneError``.
     """
     if not file.objects:
         raise SceneError("the scene has nothing to draw")
@@ -65,7 +66,7 @@ def _check_tags(file: SceneFile, names: Sequence[str]) -> None:
 
 
 def _extent(objects: Sequence[SceneObject]) -> tuple[NDArray[np.float64], float]:
-    """The middle of all objects, and how far they reach from there."""
+    """The middle of all objects, and the distance to the farthest."""
     boxes = list(_boxes(objects))
     low = np.min([low for low, _high in boxes], axis=0)
     high = np.max([high for _low, high in boxes], axis=0)
@@ -75,8 +76,7 @@ def _extent(objects: Sequence[SceneObject]) -> tuple[NDArray[np.float64], float]
 def _boxes(
     objects: Sequence[SceneObject],
 ) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """The lowest and highest coordinates of each object in world space; of what bones move, as it
-    rests."""
+    """The lowest and highest coordinates of each object in world space, without moved bones."""
     for each in objects:
         position = each.mesh.channels["position"]
         ends = np.stack([position.min(axis=0), position.max(axis=0)])

@@ -15,8 +15,7 @@ _STEP = re.compile(r"\.(\w+)|\[(\d+)\]")
 
 
 def packed_array(layout: Layout, given: Any) -> Contents | None:
-    """The contents that an array means; ``None`` if its shape has to be explained element by
-    element."""
+    """The contents of an array; ``None`` if its shape has to be explained element by element."""
     array = np.asarray(given)
     if array.dtype.names is None and (array.dtype.kind not in "fiub" or array.ndim == 0):
         return None
@@ -35,8 +34,7 @@ def packed_array(layout: Layout, given: Any) -> Contents | None:
 
 
 def _lanes(array: Any, name: str, shape: Numbers) -> Any:
-    """The part of every element that ``name`` says, as (elements, lanes); ``None`` if there is no
-    such part."""
+    """The named part of every element, as (elements, lanes); ``None`` if there is no such part."""
     part = array
     for member, position in _STEP.findall(name):
         if member:
@@ -56,7 +54,7 @@ def _lanes(array: Any, name: str, shape: Numbers) -> Any:
 
 
 def _checked(layout: Layout, name: str, shape: Numbers, lanes: Any) -> Any:
-    """The numbers as they are stored. Raises ``ParameterError`` for one that cannot be."""
+    """The numbers as they are stored. Raises ``ParameterError`` if a number cannot be stored."""
     if shape.kind in WHOLE:
         low, high = WHOLE[shape.kind]
         whole = np.floor(lanes) == lanes if lanes.dtype.kind == "f" else True
@@ -75,7 +73,7 @@ def _checked(layout: Layout, name: str, shape: Numbers, lanes: Any) -> Any:
 
 
 def _refuse(layout: Layout, name: str, shape: Numbers, lanes: Any, wrong: Any) -> None:
-    """Report the first element of which something is wrong."""
+    """Report the first element that is wrong."""
     found = np.flatnonzero(np.broadcast_to(wrong, lanes.shape).any(axis=1))
     if len(found):
         where = f"{layout.name}[{found[0]}]{name}"

@@ -1,4 +1,4 @@
-"""Writes a value into the bytes of a uniform block, at the place that the reflection names.
+"""Writes a value into the bytes of a uniform block, at its offset in the reflection.
 
 ``Instance.blocks`` calls it for each parameter.
 """

@@ -1,7 +1,8 @@
-"""Makes the contents of storage buffers of what a host sets.
+"""Makes the contents of storage buffers from the values of a host.
 
-That is a list of elements, each like the value of a parameter; or a NumPy array, of numbers or with
-a field for each member of a structure, which NumPy packs as a whole. It is imported only then.
+These are a list of elements, each like the value of a parameter; or a NumPy array, of numbers or
+with a field for each member of a structure, which NumPy packs as a whole. NumPy is imported only
+then.
 """
 
 from __future__ import annotations
@@ -16,8 +17,8 @@ from .values import ParameterError, accepted, initial, shown, unset
 def packed(layout: Layout, given: object) -> Contents:
     """The contents that a host means by ``given``.
 
-    Raises ``ParameterError`` for what is no list of elements, for an element that does not fit or
-    breaks a promise, and for one of which a member is missing.
+    Raises ``ParameterError`` if it is no list of elements, and for an element that does not fit,
+    breaks a promise, or lacks a member.
     """
     if hasattr(given, "dtype") and hasattr(given, "shape"):
         from .arrays import packed_array

@@ -1,6 +1,6 @@
 """The contents of storage buffers as the bytes that a GPU reads.
 
-``Instance`` keeps one ``Contents`` for each buffer; ``buffers.py`` makes them of what a host sets.
+``Instance`` keeps one ``Contents`` for each buffer; ``buffers.py`` makes them from a host's values.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ class Layout:
     stride: int
     """The distance between elements, in bytes."""
     counter: str
-    """The parameter that says how many elements there are."""
+    """The parameter with the number of elements."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a buffer holds."""
+    """The elements of a storage buffer, with their layout."""
 
     layout: Layout
     count: int
@@ -37,7 +37,7 @@ class Contents:
 
     @property
     def bound(self) -> bytes:
-        """What a GPU is given: one element of zeros, if there is none."""
+        """The bytes for a GPU: one element of zeros if the buffer has no elements."""
         return self.data or bytes(self.layout.stride)
 
     def elements(self) -> tuple[Any, ...]:

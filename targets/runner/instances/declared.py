@@ -1,4 +1,4 @@
-"""All that has a value of its own, of a material or of a frame."""
+"""The declarations of a material or of a frame that have values of their own."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ TextureDeclaration = TextureRow | HostTextureRow
 
 
 class Declared(Protocol):
-    """What ``HostValues`` has values for: ``Reflection`` is one, and ``FrameDeclarations``."""
+    """The declarations that ``HostValues`` sets: a ``Reflection``, or ``FrameDeclarations``."""
 
     @property
     def material(self) -> str:
-        """What messages call it."""
+        """The name of the material or frame in messages."""
 
     @property
     def rig(self) -> str:
@@ -47,4 +47,4 @@ class Declared(Protocol):
 
     @property
     def computed(self) -> Iterable[Sequence[StepRow]]:
-        """The steps of all that the host computes."""
+        """The steps of all values that the host computes."""

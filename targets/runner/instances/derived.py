@@ -35,14 +35,14 @@ Named = Any
 
 
 class Sized(Protocol):
-    """A texture, of which steps read only the size."""
+    """A texture; steps read only its size."""
 
     def size(self, level: int) -> tuple[int, ...]:
         """The number of texels in each direction."""
 
 
 class OfSize:
-    """A texture that the host has made itself, and of which only the size is known."""
+    """A texture that the host has made itself; only its size is known."""
 
     def __init__(self, *sides: int) -> None:
         self._sides = sides
@@ -62,8 +62,10 @@ class Inputs:
         textures: Mapping[str, Sized] = EMPTY,
         meter: Tally | None = None,
     ) -> None:
-        """``textures`` are wanted where steps read their sizes, as an extent's may. ``meter``
-        counts the steps of several computations together."""
+        """``textures`` are needed if steps read their sizes, as an extent's may.
+
+        ``meter`` counts the steps of several computations together.
+        """
         self.textures = textures
         self.meter = meter or Tally("steps", "the values that a host computes take")
         self._shapes = shapes
@@ -109,7 +111,7 @@ class _Body:
     """The evaluation of a body for one value of each variable, up to the binder where it waits."""
 
     last: int
-    """The step whose value is wanted."""
+    """The number of the step whose value is wanted."""
     bound: tuple[Named, ...]
     """The values of the variables around it, the innermost first."""
     left: list[int]
@@ -136,7 +138,7 @@ class _Application:
 
 
 class _Fold:
-    """A fold while its body is evaluated, turn by turn."""
+    """A fold while its body is evaluated, iteration by iteration."""
 
     def __init__(self, row: FoldStep, arguments: list[Named], bound: tuple[Named, ...]) -> None:
         (count,), self.result = arguments
@@ -149,7 +151,7 @@ class _Fold:
         return None if turn is None else (self._row.args[2], ((turn,), *self._bound))
 
     def take(self, value: Named) -> None:
-        """Receive the body's value in one turn."""
+        """Receive the body's value in one iteration."""
         row = self._row
         kind = kind_of(row.type)
         arguments = _of_kind(kind, [self.result, value])
@@ -215,7 +217,7 @@ class _Computation:
         return _Body(last, bound, sorted(needed, reverse=True))
 
     def _values(self, number: int, body: _Body) -> dict[int, Named]:
-        """Where the value of a step is kept."""
+        """The values among which a step's value is kept."""
         return body.varying if self._depths[number] else self._constant
 
     def _advance(self, body: _Body) -> _Application | _Fold | None:
@@ -265,7 +267,7 @@ def _outside(row: StepRow) -> Sequence[int]:
 
 
 def _depths(steps: Sequence[StepRow]) -> list[int]:
-    """For each step, how many of the binders around it bind a variable that it uses."""
+    """For each step, the number of binders around it that bind a variable which the step uses."""
     depths: list[int] = []
     for row in steps:
         depth = max((depths[number] for number in _outside(row)), default=0)
@@ -280,15 +282,17 @@ def _depths(steps: Sequence[StepRow]) -> list[int]:
 
 
 def _of_kind(kind: Kind, arguments: list[Named]) -> list[Named]:
-    """The arguments of a function of floats, of which the first is no whole number: those of Python
-    have no largest one, and would grow with each product."""
+    """The arguments of a function of floats, as floats if the first one is an integer.
+
+    Python's integers have no largest one, and would grow with each product.
+    """
     if kind != "float" or not any(type(lane) is int for lane in arguments[0]):
         return arguments
     return [tuple(map(float, arguments[0])), *arguments[1:]]
 
 
 def _plain(row: StepRow, arguments: list[Named]) -> Named:
-    """The value of a step that needs nothing but the values of its arguments."""
+    """The value of a step that needs only the values of its arguments."""
     match row:
         case ConstantStep():
             return _constant(row.value)
@@ -317,8 +321,7 @@ def _constant(value: Any) -> Named:
 
 
 def _few(lanes: Sequence[Named]) -> Named:
-    """The lanes of a vector, or the columns of a matrix. Raises ``ValueError`` for more than these
-    have."""
+    """The lanes of a vector, or the columns of a matrix. Raises ``ValueError`` for too many."""
     if len(lanes) > MOST_LANES:
         raise ValueError(f"nothing has {len(lanes)} lanes")
     return tuple(lanes)

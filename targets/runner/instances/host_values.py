@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class MissingValuesError(ValueError):
-    """Parameters that a shader reads have neither a value nor a default."""
+    """Parameters that a shader reads, and that have neither a value nor a default."""
 
     def __init__(self, material: str, missing: Mapping[str, Numbers | Elements]) -> None:
         rows = [
@@ -52,8 +52,7 @@ class HostValues:
     """
 
     def __init__(self, declared: Declared, meter: Tally | None = None) -> None:
-        """``meter`` counts the steps of all values that are computed, where they are limited
-        together."""
+        """``meter`` counts the steps of all computed values, if they are limited together."""
         self._declared = declared
         self._meter = meter
         self._names = Names(declared)
@@ -70,7 +69,7 @@ class HostValues:
 
     @property
     def rig(self) -> Rig:
-        """The lights, and what else is set per rig: ``instance.rig.torch.axis = (0, -1, 0)``."""
+        """The lights, and all other values per rig: ``instance.rig.torch.axis = (0, -1, 0)``."""
         return Rig(self, self._names.rig)
 
     def set(self, name: str, value: object) -> None:
@@ -95,7 +94,7 @@ class HostValues:
             self._values |= self._changes(name, value)
 
     def set_bytes(self, name: str, data: bytes) -> None:
-        """Set a storage buffer to elements as a GPU has them: what a kernel has written.
+        """Set a storage buffer to elements in a GPU's form, such as a kernel's results.
 
         Raises ``ParameterError`` if there is no such buffer, or for a part of an element.
         """
@@ -112,7 +111,7 @@ class HostValues:
         self._set_buffer(Contents(layout, count, data))
 
     def bind_own(self, name: str, size: tuple[int, ...]) -> None:
-        """Say how large a texture is that the host binds itself: one that it has drawn.
+        """Set the size of a texture that the host binds itself: one that it has drawn.
 
         Raises ``ParameterError`` if there is no such texture.
         """
@@ -121,13 +120,17 @@ class HostValues:
         self._sized[name] = derived.OfSize(*size)
 
     def take(self, name: str, other: HostValues, source: str) -> None:
-        """Take over the whole value of a parameter from another instance, where it has this type,
-        with parts of it that nobody has set."""
+        """Take over the whole value of a parameter of this type from another instance.
+
+        Parts that nobody has set are among it.
+        """
         self._values[name] = other._values[source]
 
     def evaluated(self, steps: Sequence[StepRow]) -> Any:
-        """The value that steps compute of parameters and of the sizes of textures, as ``set`` takes
-        it. Raises ``MissingValuesError``."""
+        """The value that steps compute from parameters and sizes of textures, as ``set`` takes it.
+
+        Raises ``MissingValuesError``.
+        """
         found = derived.compute(steps, self._read_by(steps, self._sizes(steps)))
         if steps[-1].type.endswith("]"):
             return tuple(map(_without_lane, found))
@@ -194,7 +197,7 @@ class HostValues:
 
     @property
     def needed(self) -> tuple[str, ...]:
-        """The names of parameters that a shader reads, or of which the host computes something."""
+        """The names of parameters that a shader reads, or from which the host computes a value."""
         return self._names.needed
 
     @property
@@ -290,15 +293,17 @@ class HostValues:
         return changes
 
     def _sizes(self, steps: Iterable[StepRow]) -> dict[str, derived.Sized]:
-        """The textures of which steps ask for the size."""
+        """The textures whose sizes steps read."""
         names = {step.texture for step in steps if isinstance(step, ResourceStep)}
         return {name: self._sized.get(name) or self._bound(name) for name in names}
 
     def _read_by(
         self, steps: Iterable[StepRow], textures: Mapping[str, derived.Sized] = EMPTY
     ) -> derived.Inputs:
-        """What steps of a host's read, which need no other values. Raises
-        ``MissingValuesError``."""
+        """The values that steps of a host's computation read, and that need no other values.
+
+        Raises ``MissingValuesError``.
+        """
         read = [step.parameter for step in steps if isinstance(step, ParameterStep)]
         return derived.Inputs(self._names.shapes, self._values_of(read), textures, self._meter)
 

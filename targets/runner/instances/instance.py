@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from ....compiler.budget import Tally
 
 _COPIES = 25
-"""How many times the size of a buffer is needed until what a kernel has written is there: as
-numbers with their ends, as bytes, and as the text by which processes send it."""
+"""The factor of a buffer's size that is needed until a kernel's results are in it: as numbers with
+their bounds, as bytes, and as the text by which processes send them."""
 
 
 class Instance(HostValues):
@@ -35,9 +35,11 @@ class Instance(HostValues):
     def __init__(
         self, reflection: Reflection | Mapping[str, Any], meter: Tally | None = None
     ) -> None:
-        """``reflection`` may also be what JSON has of one. ``meter`` counts the steps of all values
-        that are computed, where they are limited together. Raises ``ShapeError``, a ``ValueError``,
-        for JSON that is no reflection of this format."""
+        """``reflection`` may also be the JSON of one.
+
+        ``meter`` counts the steps of all computed values, if they are limited together. Raises
+        ``ShapeError``, a ``ValueError``, for JSON that is no reflection of this format.
+        """
         expect("reflection", reflection, (Reflection, Mapping), "a reflection")
         if not isinstance(reflection, Reflection):
             from ....compiler.documents.reading import read
@@ -66,14 +68,16 @@ class Instance(HostValues):
         return {name: bytes(block) for name, block in blocks.items()}
 
     def extent(self) -> int:
-        """How many elements the results of a kernel have. Raises ``MissingValuesError``."""
+        """The number of elements of a kernel's results. Raises ``MissingValuesError``."""
         steps = self._reflection.extent or ()
         (count,) = derived.compute(steps, self._read_by(steps))
         return max(int(count), 0)
 
     def result_counts(self) -> dict[str, int]:
-        """How many elements each buffer has that a kernel writes. Raises
-        ``MissingValuesError``, and ``BudgetError`` for more than there is memory for."""
+        """The number of elements of each buffer that a kernel writes.
+
+        Raises ``MissingValuesError``, and ``BudgetError`` if there is not enough memory for them.
+        """
         counts = {row.name: row.count for row in self._reflection.results}
         inputs = self._read_by(chain.from_iterable(counts.values()))
         found = {name: derived.compute(steps, inputs) for name, steps in counts.items()}
@@ -89,9 +93,9 @@ class Instance(HostValues):
         return max(int(width), 0), max(int(height), 0)
 
     def patch_levels(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """How finely all patches of a draw are divided, as float32: their edges, and their inside.
+        """The tessellation levels of all patches of a draw, as float32: outer and inner ones.
 
-        Only where the host makes the pattern. Raises ``MissingValuesError``.
+        They exist only if the host makes the pattern. Raises ``MissingValuesError``.
         """
         levels = self._reflection.levels
         assert levels is not None

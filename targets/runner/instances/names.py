@@ -51,7 +51,7 @@ class Names:
         read = {name for steps in declared.computed for name in _inputs(steps)}
         rows = declared.parameters
         self.needed = tuple(r.name for r in rows if r.block is not None or r.name in read)
-        """The parameters that a shader reads, or of which the host computes something."""
+        """The parameters that a shader reads, or from which the host computes a value."""
         self._needed = frozenset(self.needed)
         lights = [row.name for row in declared.lights]
         of_rig = (*lights, *(row.name for row in rows if row.group == "rig"))
@@ -59,11 +59,11 @@ class Names:
             **{name.rpartition(".")[2]: name for name in lights},
             **{name: name for name in of_rig},
         }
-        """The lights, and all other parameters that are set per rig: what ``rig`` calls them, and
-        their names. Among those of a rig, a light needs no rig's name before its own."""
+        """The lights, and all other parameters that are set per rig: their names in ``rig``, with
+        their full names. Among those of a rig, a light needs no rig's name before its own."""
 
     def is_needed(self, name: str) -> bool:
-        """Whether a parameter is one of the ``needed``."""
+        """True if a parameter is one of the ``needed``."""
         return name in self._needed
 
     def light(self, name: str) -> tuple[str, ...]:
@@ -113,7 +113,7 @@ class Names:
 
 
 def _inputs(steps: Steps) -> tuple[str, ...]:
-    """The parameters that something is computed from."""
+    """The parameters from which something is computed."""
     read = (step.parameter for step in steps if isinstance(step, ParameterStep))
     return tuple(dict.fromkeys(read))
 

@@ -1,4 +1,4 @@
-"""The shape of a parameter's value, and where its lanes lie: a row of the reflection, parsed.
+"""The shape of a parameter's value, and the offsets of its lanes: a row of the reflection, parsed.
 
 A value has the form that the reference evaluator takes: a number is a tuple of one lane, a vector
 is a tuple of its lanes, a matrix of its columns, an array of its elements, a structure of its
@@ -21,14 +21,14 @@ _PREFIXES: dict[str, Kind] = {"": "float", "i": "int", "u": "uint", "b": "bool"}
 _SCALARS: dict[str, Kind] = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
 
 STORED: Mapping[Kind, str] = {"float": "<f4", "int": "<i4", "uint": "<u4", "bool": "<u4"}
-"""How a lane is stored, as NumPy spells it."""
+"""The stored form of a lane, as NumPy spells it."""
 
 WHOLE: Mapping[Kind, tuple[int, int]] = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
-"""The least and the largest integer of a type."""
+"""The smallest and the largest integer of a type."""
 
 
 MOST_LANES = 4
-"""Of a vector; a matrix has as many columns."""
+"""The most lanes of a vector, and the most columns of a matrix."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class Numbers:
 
     @property
     def is_color(self) -> bool:
-        """Whether it accepts a colour literal; as in the language, vectors do."""
+        """True if a colour literal may be given; as in the language, vectors accept one."""
         return self.kind == "float" and not self.columns and self.lanes in (3, 4)
 
 
@@ -145,13 +145,13 @@ def kind_of(representation: str) -> Kind:
 
 
 def lanes_of(representation: str) -> int:
-    """How many lanes a vector has; 1 for a number."""
+    """The number of lanes of a vector; 1 for a number."""
     vector = _VECTOR.fullmatch(representation)
     return int(vector[2]) if vector else 1
 
 
 def stored_as(representation: str) -> str:
-    """How the lanes of a number or a vector are stored, as NumPy spells it."""
+    """The stored form of the lanes of a number or a vector, as NumPy spells it."""
     return STORED[kind_of(representation)]
 
 

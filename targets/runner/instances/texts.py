@@ -16,7 +16,7 @@ from .shapes import Elements, Kind, Members, Numbers, Shape
 from .values import ParameterError
 
 _BYTES_OF_VALUE = 72
-"""How much memory Python needs for an empty list or mapping in a list, or less for a number."""
+"""The memory that Python needs for an empty list or mapping in a list; a number needs less."""
 _WORDS = {"true": True, "false": False, "1": True, "0": False}
 
 

@@ -1,4 +1,4 @@
-"""Converts what a host passes into lanes as the GPU will see them, and checks that they fit.
+"""Converts the values that a host sets into lanes as the GPU will see them, and checks them.
 
 The checks are strict: a declared range, the length of a direction and the bounds of an array are
 promises because of which the compiler has left out guards.
@@ -20,13 +20,15 @@ Value = Any
 """Nested tuples, as ``shapes`` explains."""
 
 UNIT_TOLERANCE = 1e-3
-"""By how much the length of a direction may differ from one. It is stored with length one."""
+"""The amount by which the length of a direction may differ from one. It is stored with length
+one."""
 
 UNIT_TYPES = frozenset({"direction", "normal"})
 """Declared types whose values have length one."""
 
 _LENGTH_ROUNDING = 2.0 * ULP
-"""By how much rounding three lanes to float32 may change a length of one, and a little more."""
+"""The amount by which rounding three lanes to float32 may change a length of one, and a little
+more."""
 
 
 class ParameterError(ValueError):
@@ -266,7 +268,7 @@ def _literal(shape: Numbers, text: str, name: str) -> object:
     return radians
 
 
-# --- what is said --------------------------------------------------------------------------------
+# --- messages ------------------------------------------------------------------------------------
 
 
 def shown(given: object) -> str:

@@ -1,7 +1,7 @@
-"""What a file of a scene holds: objects, cameras and lamps.
+"""The records of a scene's file: objects, cameras and lamps.
 
-``gltf/`` makes a ``SceneFile`` of a glTF file, and ``staging.py`` what frames draw of it.
-World space is right-handed with y upwards.
+``gltf/`` makes a ``SceneFile`` of a glTF file, and ``staging.py`` makes the models of frames from
+it. World space is right-handed with y upwards.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ class SceneObject:
 
     name: str
     mesh: Mesh
-    """Objects with the same mesh share it."""
+    """The mesh; several objects may share it."""
     object_to_world: Matrix
     look: Look
     tags: frozenset[str] = frozenset()
-    """Words by which frames choose what they draw."""
+    """Words by which frames choose models."""
     bones: Matrix | None = None
-    """The transform of each bone, from where the mesh rests to world space: (bones, 4, 4)."""
+    """The transform of each bone, from the mesh at rest to world space: (bones, 4, 4)."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class SceneFile:
-    """All that a file shows."""
+    """The contents of a file."""
 
     objects: tuple[SceneObject, ...]
     cameras: tuple[Camera, ...] = ()
     lamps: tuple[Lamp, ...] = ()
     notes: tuple[str, ...] = ()
-    """What is left out, for people."""
+    """Notes for people about what was left out."""

@@ -15,7 +15,7 @@ MAX_SIDE = 8192
 """The longest side of a texture that every WebGPU device supports, in texels."""
 MAX_VOLUME_SIDE = 2048
 MAX_LAYERS = 256
-"""The same limits for 3D textures and for layers."""
+"""The most slices of a 3D texture on a side, and the most layers, that every device supports."""
 
 
 def texel_array(

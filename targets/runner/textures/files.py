@@ -1,8 +1,8 @@
 """Reads pictures from files into arrays.
 
-A picture may come from anywhere, and say of itself what it likes. So it is taken for one of a few
-formats only, whatever its name is; and its size, which its header tells, is counted before its
-texels are decoded.
+A picture may come from anywhere, and its name and header may lie. So only a few formats are
+accepted, whatever its name is; and its size, as its header states it, is counted before its texels
+are decoded.
 """
 
 from __future__ import annotations
@@ -32,28 +32,30 @@ from .metered import PARTS, Metered
 from .panorama import cube_of
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
-"""What pictures may be that do not consist of floats, by Pillow's names. It knows others, for some
-of which it runs programs."""
+"""The formats of pictures without floats, by Pillow's names. Pillow knows others, and runs programs
+for some of them."""
 
 _SMALL = ("1", "L", "LA", "P", "PA", "RGB", "RGBA", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV")
 """The modes of Pillow in which a lane has 8 bits."""
 _OF_SMALL, _OF_LARGE = (6, 20), (22, 32)
-"""The bytes of a pixel as a texture with all its levels, and what decoding it and making the levels
-takes in addition, as measured: of colours in lanes of 8 bits, and of anything else."""
+"""The bytes of a pixel as a texture with all its levels, and the further bytes for decoding it and
+making the levels, as measured: of colours in lanes of 8 bits, and of anything else."""
 _PASSING_OF_LAYERS = 5
-"""How often the layers of a texture are there while it is made of them, levels included."""
+"""The factor of the layers' size that is needed while a texture is made of them, levels
+included."""
 _SCAN = b"\xff\xda"
-"""What a scan of a JPEG picture begins with."""
+"""The first bytes of a scan of a JPEG picture."""
 _MOST_SCANS = 64
-"""Of a picture, or of one of its parts. Each is decoded into all texels; encoders write a dozen."""
+"""The most scans of a picture, or of one of its parts. Each is decoded into all texels; encoders
+write a dozen."""
 _PART = 1 << 20
-"""How many bytes of a file are looked through at once."""
+"""The bytes of a file that are searched at once."""
 _TILE_SIZE = 322, 323
 """The tags of a TIFF picture for the width and the height of its tiles."""
 _BYTES_OF_TILE = 16
 """The most bytes of a texel in a tile that has been decoded."""
 
-# Pillow tells of damage by exceptions. What it logs besides is not for the terminal.
+# Pillow reports damage by exceptions. Its log messages are not for the terminal.
 logging.getLogger("PIL").addHandler(logging.NullHandler())
 
 
@@ -82,8 +84,10 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
 
 
 def read_picture(path: Path, sample: Kind, memory: Tally) -> NDArray[Any]:
-    """The array of the picture in a file, for ``texel_array``. ``memory`` counts what the texture
-    takes. Raises ``PictureError`` and ``BudgetError``."""
+    """The array of the picture in a file, for ``texel_array``.
+
+    ``memory`` counts the memory of the texture. Raises ``PictureError`` and ``BudgetError``.
+    """
     with _told(str(path)), opened(path, str(path)) as file:
         if form := format_of(path):
             return read_floats(path, form, str(path), memory)
@@ -94,16 +98,20 @@ def picture_in(
     data: bytes, name: str, memory: Tally, sample: Kind = "float",
     formats: tuple[str, ...] = FORMATS,
 ) -> NDArray[Any]:  # fmt: skip
-    """The array of the picture that some bytes are, in one of these formats of Pillow; errors call
-    it ``name``. ``memory`` counts what the texture takes. Raises ``PictureError`` and
-    ``BudgetError``."""
+    """The array of a picture from its bytes, in one of these formats of Pillow.
+
+    ``name`` is the picture's name in errors, and ``memory`` counts the memory of the texture.
+    Raises ``PictureError`` and ``BudgetError``.
+    """
     with _told(name):
         return _decoded(BytesIO(data), name, sample, formats, memory)
 
 
 def announced_size(data: bytes, name: str) -> tuple[int, int]:
-    """The width and height of the picture that some bytes are, as they say themselves: nothing is
-    decoded. Raises ``PictureError``."""
+    """The size in the header of a picture: width and height.
+
+    Nothing is decoded. Raises ``PictureError``.
+    """
     with _told(name), _header_of(BytesIO(data), name, FORMATS) as picture:
         return picture.size
 
@@ -170,7 +178,7 @@ def _check_size(picture: ImageFile, name: str, sample: Kind, memory: Tally) -> N
 
 
 def _texels_of_tile(picture: ImageFile) -> int:
-    """How many texels a tile of a TIFF picture has, which may be far larger than the picture."""
+    """The number of texels of a TIFF picture's tile, which may be far larger than the picture."""
     tags = getattr(picture, "tag_v2", {})
     return prod(int(tags.get(tag, 0)) for tag in _TILE_SIZE)
 
@@ -184,7 +192,10 @@ def _check_scans(file: BinaryIO, picture: ImageFile, name: str) -> None:
 
 
 def _parts_of(file: BinaryIO) -> Iterator[bytes]:
-    """The bytes of a file, after which it is where it was. Parts overlap by one byte."""
+    """The bytes of a file, part by part; afterwards the file is at its old position.
+
+    Parts overlap by one byte.
+    """
     place = file.tell()
     file.seek(0)
     last = b""
@@ -196,7 +207,7 @@ def _parts_of(file: BinaryIO) -> Iterator[bytes]:
 
 @contextmanager
 def _told(name: str) -> Iterator[None]:
-    """Turn whatever goes wrong with a picture into a ``PictureError``."""
+    """Turn any error about a picture into a ``PictureError``."""
     try:
         yield
     except (BudgetError, PictureError, MemoryError, ModuleNotFoundError):

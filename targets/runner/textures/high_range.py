@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from OpenImageIO import ImageInput
 
 _KEPT_OF_PIXEL, _PASSING_OF_PIXEL = 22, 34
-"""The bytes of a pixel as a texture of four floats with all its levels; and what decoding it and
-making the levels takes in addition, as measured."""
+"""The bytes of a pixel as a texture of four floats with all its levels; and the further bytes for
+decoding it and making the levels, as measured."""
 _BYTES_OF_CHANNEL = 6
-"""What decoding takes for each of the channels that the file has."""
+"""Bytes that decoding takes for each of the channels that the file has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,32 +42,31 @@ class Format:
     begins: bytes
     """The first bytes of each file."""
     has_alpha: bool
-    """Whether it stores other channels than red, green and blue, and any float."""
+    """True if the format stores other channels than red, green and blue, and any float."""
 
 
 FORMATS = {
     ".exr": Format("openexr", b"\x76\x2f\x31\x01", has_alpha=True),
     ".hdr": Format("hdr", b"#?", has_alpha=False),
 }
-"""By the ending of a file's name, in small letters."""
+"""The formats, by the ending of a file's name, in small letters."""
 
 
 def format_of(path: PurePath) -> Format | None:
-    """The format that the ending of a name says, if it is one of these."""
+    """The format of a file name's ending, if it is one of these."""
     return FORMATS.get(path.suffix.lower())
 
 
 def check_installed() -> None:
-    """Raise ``ModuleNotFoundError`` where OpenImageIO is not installed, before work that takes
-    long."""
+    """Raise ``ModuleNotFoundError`` if OpenImageIO is not installed, before long work."""
     import_module("OpenImageIO")
 
 
 def read_floats(path: Path, form: Format, name: str, memory: Tally) -> NDArray[np.float32]:
-    """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes. Errors
-    call it ``name``, and ``memory`` counts what the texture takes.
+    """The texels of a file: (height, width), or (height, width, lanes) with 3 or 4 lanes.
 
-    Raises ``PictureError`` for what is no such file, or is damaged or too large, and ``OSError`` if
+    ``name`` is the file's name in errors, and ``memory`` counts the memory of the texture. Raises
+    ``PictureError`` for a file that is of another format, damaged or too large, and ``OSError`` if
     it cannot be read at all; and ``BudgetError`` if it takes too much.
     """
     with path.open("rb") as file:
@@ -122,14 +121,16 @@ def _channels(names: Sequence[str], picture: str) -> list[int]:
 
 
 def _damaged(name: str, reason: str) -> PictureError:
-    """The error for a file of which not all can be read; decoders may say more than one line."""
+    """The error for a file that cannot be read completely; decoders may say more than one line."""
     first = reason.strip().partition("\n")[0]
     return PictureError(f"{name} is damaged" + (f": {first}" if first else ""))
 
 
 def encoded_floats(pixels: NDArray[np.float64], lanes: int, path: Path, form: Format) -> bytes:
-    """The file of a render target's contents, of shape (height, width, lanes or more), of which so
-    many lanes count. Raises ``PictureError``."""
+    """The file of a render target's contents, of shape (height, width, lanes or more).
+
+    ``lanes`` of them are written. Raises ``PictureError``.
+    """
     shown = np.ascontiguousarray(_stored(pixels, lanes, path, form), np.float32)
     height, width, count = shown.shape
     import OpenImageIO

@@ -1,15 +1,15 @@
-"""What a texture can hold, and the error for a picture that holds something else."""
+"""The kinds of texels, and the error for a picture that has texels of another kind."""
 
 from __future__ import annotations
 
 from typing import Literal
 
 Kind = Literal["float", "depth", "int", "uint"]
-"""What a texture holds, in the reflection's words (``sample``)."""
+"""The kind of a texture's texels, in the reflection's words (``sample``)."""
 
 FACES = ("+x", "-x", "+y", "-y", "+z", "-z")
 """The faces of a cube, in the order in which they are stored."""
 
 
 class PictureError(ValueError):
-    """A picture that cannot be made a texture of; the text says why, for people."""
+    """A picture cannot become a texture; the text tells people why."""

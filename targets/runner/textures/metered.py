@@ -1,8 +1,8 @@
-"""Lets Pillow read a picture's file within bounds, of which it has none of its own.
+"""Lets Pillow read a picture's file within bounds, since Pillow has no bounds of its own.
 
-What takes time and memory in a decoder besides texels is parsed in Python: chunks and segments, of
-which a file can have millions, and lists of where the parts of a picture lie. Each is a call of
-``read``. So the calls are counted, and the bytes of what precedes the texels.
+Besides texels, a decoder spends time and memory on data that is parsed in Python: chunks and
+segments, of which a file can have millions, and lists of offsets. Each of them is a call of
+``read``. So the calls are counted, and the bytes before the texels.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ from .kinds import PictureError
 _HEADER_BYTES = 4 * 2**20
 """The most bytes of a header that are read piece by piece. Profiles and metadata are smaller."""
 _HEADER_READS = 20_000
-"""In how many pieces."""
+"""The most pieces in which a header is read."""
 _READS = 1_000_000
-"""In how many pieces the whole file is read. A PNG file of the largest size has 100,000."""
+"""The most pieces in which a whole file is read. A PNG file of the largest size has 100,000."""
 PARTS = 2**16
-"""The most strips or tiles of which a picture consists."""
+"""The most strips or tiles of a picture."""
 
 
 class Metered(io.BufferedIOBase, BinaryIO):
-    """A file as Pillow takes it; errors call it ``name``."""
+    """A file for Pillow, with limits; errors call it ``name``."""
 
     def __init__(self, file: BinaryIO, name: str) -> None:
         super().__init__()
@@ -34,11 +34,11 @@ class Metered(io.BufferedIOBase, BinaryIO):
         self._in_header = True
 
     def end_header(self) -> None:
-        """Tell that texels follow, of which there may be many bytes."""
+        """Note that texels follow, which may have many bytes."""
         self._in_header = False
 
     def read(self, size: int | None = -1, /) -> bytes:
-        """Read so many bytes, or all. Raises ``PictureError`` where this was done too often."""
+        """Read some bytes, or all. Raises ``PictureError`` if this was done too often."""
         wanted = -1 if size is None else size
         data = self._file.read(wanted)
         self._reads += 1
@@ -50,17 +50,17 @@ class Metered(io.BufferedIOBase, BinaryIO):
         return data
 
     def readable(self) -> bool:
-        """Whether there is ``read``."""
+        """True: there is ``read``."""
         return True
 
     def seekable(self) -> bool:
-        """Whether there is ``seek``."""
+        """True: there is ``seek``."""
         return True
 
     def seek(self, offset: int, whence: int = io.SEEK_SET, /) -> int:
-        """Go elsewhere."""
+        """Move to another position."""
         return self._file.seek(offset, whence)
 
     def tell(self) -> int:
-        """Where it is."""
+        """The present position."""
         return self._file.tell()

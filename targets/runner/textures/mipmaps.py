@@ -20,7 +20,7 @@ Linear = NDArray[np.float64]
 """Texels as a shader reads them, of shape (depth, height, width, 4)."""
 
 _BAND = 128
-"""How many rows of a level are made at once: the numbers of a whole large one would take
+"""The rows of a level that are made at once: the numbers of a whole large one would take
 gigabytes."""
 
 
@@ -75,7 +75,7 @@ def smaller(texels: Texels, format: TextureFormat, dimension: Dimension) -> list
     """All smaller levels of a colour texture, down to a single texel, or to one in each layer.
 
     Each level halves width and height, and the depth of a 3D texture, and rounds them down. Its
-    texels are the means, in linear light, of what they cover.
+    texels are the means, in linear light, of the texels that they cover.
     """
     axes = (2, 1, 0) if dimension == "3d" else (2, 1)
     found: list[Texels] = []

@@ -1,4 +1,4 @@
-"""Makes a cube of a panorama: one picture of all directions, twice as wide as high.
+"""Makes a cube from a panorama: one picture of all directions, twice as wide as high.
 
 The middle of the picture lies along -z, where a camera looks by itself; u goes to the right, to +x,
 and the top is +y (equirectangular). ``files.py`` calls this module.
@@ -18,8 +18,11 @@ Floats = NDArray[np.float64]
 
 
 def cube_of(picture: NDArray[Any], name: str) -> NDArray[np.float32]:
-    """The six faces of a picture of floats, of shape (6, side, side, lanes); a side is half as long
-    as the picture is high. Raises ``PictureError``, which calls the picture ``name``."""
+    """The six faces of a panorama of floats, of shape (6, side, side, lanes).
+
+    A side is half as long as the picture is high. Raises ``PictureError``, which calls the picture
+    ``name``.
+    """
     height, width = picture.shape[:2]
     if picture.dtype != np.float32:
         raise PictureError(f"a cube takes six pictures, or a panorama of floats, and not {name}")
@@ -45,7 +48,7 @@ def _directions(side: int) -> Iterator[Floats]:
 
 
 def _seen(texels: NDArray[Any], towards: Floats) -> Floats:
-    """What lies in some directions: between the four nearest texels, around the picture's sides."""
+    """The texels in some directions, filtered between the four nearest, around the sides."""
     height, width = texels.shape[:2]
     x, y, z = np.moveaxis(towards / np.linalg.norm(towards, axis=2, keepdims=True), 2, 0)
     across = (0.5 + np.arctan2(x, -z) / (2 * np.pi)) * width - 0.5

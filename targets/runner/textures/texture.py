@@ -1,8 +1,8 @@
 """Textures that a host gives to an instance: made of pictures, arrays and single colours.
 
-This is what users call as ``burnish.Texture``. A texture's numbers are those in its file, unless
-the caller says that they are sRGB: only the caller knows whether a picture shows colours or holds
-data, such as normals or roughness.
+Users call this class as ``burnish.Texture``. A texture's numbers are those in its file, unless the
+caller says that they are sRGB: only the caller knows whether a picture shows colours or holds data,
+such as normals or roughness.
 
 An array of textures has layers, a 3D texture has slices, and a cube has the faces +x, -x, +y, -y,
 +z, -z. Seen from inside a cube with y upwards, the first row of a side's face is at the top. In a
@@ -38,7 +38,8 @@ _COLORS: dict[str, Sequence[int]] = {
 }
 _DEPTHS = {"far": 1.0, "near": 0.0}
 DEFAULTS: Mapping[str, Collection[str]] = {"float": _COLORS.keys(), "depth": _DEPTHS.keys()}
-"""What a texture may be until a host binds one, by what it holds; all others are zeros."""
+"""The default textures until a host binds one, by the kind of their texels; all others are
+zeros."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +168,7 @@ class Texture:
 
     @property
     def sample(self) -> Kind:
-        """What the texture holds."""
+        """The kind of the texture's texels."""
         held: dict[str, Kind] = {"float": "float", "depth": "depth", "sint": "int", "uint": "uint"}
         return held[TEXELS[self.format].sample]
 
@@ -177,7 +178,7 @@ class Texture:
         return max(self.depth >> level, 1) if self.dimension == "3d" else self.depth, height, width
 
     def size(self, level: int) -> tuple[int, ...]:
-        """The number of texels in each direction of a level; of the nearest one that there is."""
+        """The number of texels in each direction of a level, or of the nearest existing one."""
         depth, height, width = self._size(min(max(level, 0), len(self.levels) - 1))
         return (width, height, depth) if self.dimension == "3d" else (width, height)
 

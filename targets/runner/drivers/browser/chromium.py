@@ -1,7 +1,7 @@
 """A headless Chromium with one page, which cannot reach any network.
 
-The browser belongs to Playwright's driver process. This ends the browser and removes its folders
-when our process has ended, in whatever way.
+The browser belongs to Playwright's driver process. This module ends the browser and removes its
+folders when Burnish's process has ended, in whatever way.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from ..device import DriverError
 # because `_serve` answers.
 PAGE = "https://burnish.invalid/"
 HOST = "host/"
-"""Where the page has the modules of the host for web pages."""
+"""The path at which the page finds the modules of the host for web pages."""
 _HOST_PACKAGE = f"{__package__.partition('.runner.')[0]}.web_host"
 START_LIMIT = 50_000.0
-"""How many milliseconds the browser may take to start; it is slow on a busy machine."""
+"""The milliseconds that the browser may take to start; it is slow on a busy machine."""
 
 FLAGS = (
     "--enable-unsafe-webgpu",
@@ -37,7 +37,7 @@ FLAGS = (
     "--use-webgpu-adapter=swiftshader",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    # Turn off what a browser requests from the network by itself.
+    # Turn off the requests that a browser sends by itself.
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
@@ -45,19 +45,20 @@ FLAGS = (
 )
 
 _NO_HOME = dict.fromkeys(("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"), os.devnull)
-"""Where nothing can be: the browser keeps nothing, and has none of the user's settings."""
+"""Variables that name a folder that cannot exist: the browser keeps nothing, and has none of the
+user's settings."""
 
 CANVAS_FLAGS = ("--enable-features=Vulkan", "--use-vulkan=swiftshader")
-"""What it takes besides, without a GPU, for a canvas to show what WebGPU draws to it."""
+"""Further flags: without a GPU, a canvas needs them to show what WebGPU draws to it."""
 
 
 def launch(
     playwright: Playwright, program: Path, further: Sequence[str] = ()
 ) -> tuple[Browser, bool]:
-    """Start a browser, and tell whether it has its sandbox, as it has wherever it can.
+    """Start a browser; the second result is True if the browser has its sandbox.
 
-    Where the system forbids what the sandbox consists of, as many containers do, it ends at once,
-    and is started without. Raises ``Error``.
+    Where the system forbids the parts of the sandbox, as many containers do, the browser ends at
+    once, and is started without. Raises ``Error``.
     """
 
     def start(*, sandbox: bool) -> Browser:

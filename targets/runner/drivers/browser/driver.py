@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 
 APIS: Mapping[str, str] = {"webgpu": WGSL, "webgl2": "glsl:es300"}
-"""The APIs of a web page, each with the profile whose texts it takes. What draws with one is the
-module of that name."""
+"""The APIs of a web page, each with the profile whose texts it takes. A module of the API's name
+draws with it."""
 
 
 class Browser(DrawsByFrames):
@@ -58,11 +58,11 @@ class Browser(DrawsByFrames):
         check_groups(job, [self._ask("device", None)["most_groups"]] * 3)
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         return from_json(Found, self._ask("job", document_of(job, APIS[self._api])))
 
     def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:
-        """What the outputs of a frame show, frame after frame. Raises ``DriverError``."""
+        """Draw frames of a package: returns the texels of their outputs. Raises ``DriverError``."""
         return [from_json(FrameTexels, row) for row in self._ask("frames", request)["texels"]]
 
     def close(self) -> None:

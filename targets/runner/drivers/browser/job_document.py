@@ -1,8 +1,8 @@
-"""Writes a frame job as the page gets it, which executes it with the host for web pages.
+"""Writes a frame job for the page, which executes it with the host for web pages.
 
-``driver.py`` calls ``document_of``, and ``jobs.mjs`` reads the document. Its shaders are what the
-host's renderers read of those of a package; a slot is called by its number in the pipeline. All
-textures that draws bring along are told once, however many draws have them.
+``driver.py`` calls ``document_of``, and ``jobs.mjs`` reads the document. Its shaders have the
+fields that the host's renderers read of a package; a slot is named by its number in the pipeline.
+Textures that several draws carry are written once.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ..webgpu import COMPUTED, DRAWN, for_pages, interleaved, vertex_buffers
 from ..wire import to_json
 
 WGSL = "wgsl:webgpu"
-"""The profile whose pipelines are told in the words of WebGPU."""
+"""The profile whose pipelines are described in the words of WebGPU."""
 
 _REPRESENTATIONS = {format: name for name, format in VERTEX_FORMATS.items()}
 
@@ -70,7 +70,7 @@ def _names(slots: Sequence[object]) -> list[str]:
 
 
 def _reflection(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]:
-    """What the renderers read of a reflection."""
+    """The part of a reflection that the renderers read."""
     textures = list(zip(_names(pipeline.textures), pipeline.textures, strict=True))
     return {
         "material": f"pipeline {number}",
@@ -165,7 +165,7 @@ def _backend(pipeline: Pipeline) -> Mapping[str, Any]:
 
 
 def _formats(job: FrameJob) -> Iterator[dict[str, Any]]:
-    """The formats of what steps draw to, once for each pipeline that they use."""
+    """The formats of the attachments of steps, once for each pipeline that they use."""
     found: dict[tuple[int, tuple[str, ...], str | None], None] = {}
     for step in job.steps:
         targets = tuple(job.textures[each.texture].format for each in step.targets)
@@ -249,8 +249,7 @@ def _read_textures(
 
 
 def _read_buffers(drawn: FrameDraw, given: Draw | Dispatch) -> Iterator[int | str]:
-    """The numbers of the frame's storage buffers, and the bytes of those that a draw brings
-    along."""
+    """The numbers of the frame's storage buffers, and the bytes of the draw's own ones."""
     own = iter(given.buffers)
     for number in drawn.buffers:
         yield to_json(next(own)) if number == OWN else number

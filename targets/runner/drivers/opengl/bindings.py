@@ -1,4 +1,4 @@
-"""Binds what the text of a draw or of a kernel reads and writes."""
+"""Binds the blocks, buffers, images and textures of a draw or of a kernel."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Bindable(Protocol):
     """A texture that is on the device already."""
 
     def bind(self, slot: TextureSlot, unit: int) -> None:
-        """Bind it to a unit, with the state of a slot's sampler."""
+        """Bind the texture to a unit, with the state of a slot's sampler."""
 
 
 @contextmanager
@@ -35,9 +35,11 @@ def bound(
     textures: Sequence[Image | Bindable],
     storage: Sequence[moderngl.Buffer],
 ) -> Iterator[None]:
-    """Bind the contents of blocks, storage buffers, and textures, some of which are on the device
-    already, for a while."""
-    # OpenGL keeps what is bound only as long as somebody has the buffer.
+    """Bind blocks, storage buffers and textures inside the ``with`` block.
+
+    Some of the textures and buffers are on the device already.
+    """
+    # OpenGL keeps a bound buffer only as long as somebody refers to it.
     blocks = [context.buffer(data) for data in contents]
     for number, (block, buffer) in enumerate(zip(pipeline.blocks, blocks, strict=True)):
         if block.uniforms:
@@ -57,8 +59,11 @@ def bound(
 
 
 def _set(program: Linked, block: BlockSlot, data: bytes) -> None:
-    """Set the uniforms that a block is in the text, but those that the compiler has left out. What
-    is longer there than in the block, such as a matrix with further columns, ends in zeros."""
+    """Set the uniforms of a block, except those that the compiler has left out.
+
+    A uniform that is longer in the text than in the block, such as a matrix with further columns,
+    ends in zeros.
+    """
     for slot in block.uniforms:
         uniform = program.get(slot.identifier, None)
         if isinstance(uniform, moderngl.Uniform):
@@ -68,6 +73,8 @@ def _set(program: Linked, block: BlockSlot, data: bytes) -> None:
 
 
 def bound_at(place: Place, number: int) -> int:
-    """Where a block, buffer or texture is bound: at the text's binding, else at its number in the
-    pipeline, which ``program.py`` gives it."""
+    """The binding of a block, buffer or texture: the text's, else its number in the pipeline.
+
+    ``program.py`` gives it this number.
+    """
     return number if place.binding is None else place.binding

@@ -1,4 +1,4 @@
-"""How the targets of the framebuffer that is bound are blended, and which lanes are written."""
+"""Sets how the targets of the bound framebuffer are blended, and which lanes are written."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ FACTORS: Mapping[Factor, int] = {
     "constant": 0x8001,
     "one_minus_constant": 0x8002,
 }
-"""Of alpha, a factor of a colour is its alpha."""
+"""OpenGL's blend factors. In the equation of alpha, a factor with a colour means the colour's
+alpha."""
 
 OPERATIONS: Mapping[Operation, int] = {
     "add": 0x8006,
@@ -37,7 +38,7 @@ OPERATIONS: Mapping[Operation, int] = {
 def set_blending(
     functions: Functions, targets: Sequence[RenderTarget], constant: Sequence[float]
 ) -> None:
-    """Set the state of each target, and what the factor ``constant`` means in all of them."""
+    """Set the state of each target, and the colour of the blend factor ``constant``."""
     functions.glBlendColor(*(ctypes.c_float(lane) for lane in constant))
     for number, target in enumerate(targets):
         functions.glColorMaski(number, *(target.writes(lane) for lane in "rgba"))
@@ -55,6 +56,6 @@ def set_blending(
 
 
 def write_all_lanes(functions: Functions, targets: int) -> None:
-    """Let all lanes of all targets be written: what is cleared obeys the masks."""
+    """Let all lanes of all targets be written: clearing obeys the masks."""
     for number in range(targets):
         functions.glColorMaski(number, 1, 1, 1, 1)

@@ -29,8 +29,10 @@ def captured(
     made: tuple[moderngl.Program, moderngl.VertexArray],
     most: int,
 ) -> Captured:
-    """What a draw captures into a buffer for so many vertices at most, by its program and its
-    vertices. Raises ``DriverError``."""
+    """Draw once, and return the captured vertices. Raises ``DriverError``.
+
+    The draw uses a program and its vertices, and the buffer has room for ``most`` vertices.
+    """
     stream, (program, array) = pipeline.stream_output, made
     assert stream is not None
     context.provoking_vertex = context.FIRST_VERTEX_CONVENTION
@@ -61,7 +63,7 @@ def captured(
 def _recording(
     functions: Functions, stream: StreamOutput, buffer: moderngl.Buffer
 ) -> Iterator[None]:
-    """Capture what is drawn inside by the program that is used. moderngl captures no patches."""
+    """Capture the draws inside the ``with`` block. moderngl captures no patches."""
     functions.glEnable(GL_RASTERIZER_DISCARD)
     functions.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.glo)
     functions.glBeginTransformFeedback(MODES[stream.primitive])

@@ -14,9 +14,9 @@ from ..choice import chosen
 from ..device import DriverError
 
 SOFTWARE = {"LIBGL_ALWAYS_SOFTWARE": "1", **mesa.SETTINGS}
-"""The variables that have Mesa's software draw."""
+"""Variables that make Mesa's software draw."""
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swrast")
-"""How the names begin of devices that are no hardware."""
+"""The beginnings of the names of devices that are no hardware."""
 
 CLIP_CONTROL = {
     "GL_LOWER_LEFT": 0x8CA1,
@@ -81,7 +81,7 @@ def create_context(wanted: str | None) -> moderngl.Context:
         os.environ.pop("GLCONTEXT_DEVICE_INDEX", None)
         context = _created(_chosen(wanted))
     context.gc_mode = "auto"
-    # What is cleared or drawn in linear light is stored as the format of its target asks for.
+    # Colours are cleared and drawn in linear light, and stored as the target's format requires.
     context.enable_direct(GL_FRAMEBUFFER_SRGB)
     return context
 
@@ -95,7 +95,7 @@ def _software() -> moderngl.Context:
 
 
 def _created(number: int) -> moderngl.Context:
-    # moderngl's stubs do not know what the backend takes.
+    # moderngl's stubs do not know the backend's arguments.
     settings: dict[str, Any] = {"backend": "egl", "device_index": number}
     return moderngl.create_context(require=450, standalone=True, **settings)
 
@@ -120,7 +120,7 @@ def _chosen(wanted: str) -> int:
 
 
 def _device_count() -> int:
-    """How many devices EGL has. Raises ``DriverError``."""
+    """The number of EGL's devices. Raises ``DriverError``."""
     try:
         query, count = Functions().eglQueryDevicesEXT, ctypes.c_int()
     except OSError as error:

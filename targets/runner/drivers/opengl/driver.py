@@ -38,7 +38,7 @@ class OpenGL(DrawsByFrames):
         check_groups(job, self._start().most_groups())
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         return self._start().draw_frame(job)
 
     def _start(self) -> Renderer:

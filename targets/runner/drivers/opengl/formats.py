@@ -1,4 +1,4 @@
-"""The formats of what is drawn to, and how depths are cleared."""
+"""The formats of render targets and depths, and the functions that clear depths."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ DEPTHS: dict[DepthFormat, tuple[int, int]] = {
     "depth32float": (GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT),
     "depth32float-stencil8": (GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT),
 }
-"""OpenGL's internal format, and what it is attached as."""
+"""OpenGL's internal format of depths, and their attachment point."""
 STENCIL_BITS = 0xFF
 
 

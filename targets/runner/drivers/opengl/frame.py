@@ -36,7 +36,7 @@ from .vertices import MODES, vertices
 
 
 def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``."""
+    """Do a frame job: returns what it reads back, step by step. Raises ``DriverError``."""
     with ExitStack() as owned:
         try:
             found = _Frame(owned, context, functions, job).found()
@@ -129,7 +129,7 @@ class _Frame:
             self._functions.glDisable(GL_SCISSOR_TEST)
 
     def _resolve(self, step: FrameStep, width: int, height: int) -> None:
-        """Write the means of samples from the framebuffer that is bound to where they belong."""
+        """Write the means of samples from the bound framebuffer to the resolve targets."""
         functions = self._functions
         for number, target in enumerate(step.targets):
             if target.resolve is None:
@@ -155,7 +155,7 @@ class _Frame:
 
     @contextmanager
     def _framebuffer(self, step: FrameStep) -> Iterator[None]:
-        """A framebuffer with all that a step draws to."""
+        """A framebuffer with all attachments of a step."""
         with self._bound_framebuffer(GL_FRAMEBUFFER):
             self._attach(step)
             yield
@@ -188,7 +188,7 @@ class _Frame:
             array.render(MODES[pipeline.primitive], instances=draw.instance_count)
 
     def _captured(self, drawn: FrameDraw, most: int) -> Captured:
-        """What a draw captures, of so many vertices at most."""
+        """The vertices that a draw captures: ``most`` at most."""
         draw, pipeline = drawn.draw, self._job.pipelines[drawn.pipeline]
         assert draw is not None
         program = self._program(drawn)
@@ -216,7 +216,7 @@ class _Frame:
     def _bound(
         self, program: Linked, pipeline: Pipeline, drawn: FrameDraw, values: Draw | Dispatch
     ) -> Iterator[None]:
-        """Bind what a draw brings along, and what the frame has."""
+        """Bind the resources that a draw carries, and those of the frame."""
         images, contents = iter(values.textures), iter(values.buffers)
         textures: list[Any] = [
             next(images) if number == OWN else self._textures[number] for number in drawn.textures

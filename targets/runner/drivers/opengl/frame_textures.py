@@ -45,7 +45,7 @@ class MadeTexture:
 
     @property
     def target(self) -> int:
-        """What OpenGL calls its type."""
+        """The target by which OpenGL binds the texture: the constant of its type."""
         if self.description.samples > 1:
             return GL_TEXTURE_2D_MULTISAMPLE
         return TARGETS[self.description.dimension]
@@ -56,7 +56,7 @@ class MadeTexture:
         return max(made.width >> level, 1), max(made.height >> level, 1)
 
     def point(self, number: int) -> int:
-        """What it is attached as, if it is a target that of this number."""
+        """The attachment point of the texture, if it is the render target of this number."""
         match self.description.format:
             case "depth32float" | "depth32float-stencil8" as depths:
                 return DEPTHS[depths][1]
@@ -64,8 +64,10 @@ class MadeTexture:
                 return GL_COLOR_ATTACHMENT0 + number
 
     def attach(self, at: Attachment | Resolve, number: int, to: int = GL_FRAMEBUFFER) -> None:
-        """Attach it to the framebuffer that is bound: as a target, or as the depths. Of several
-        layers, a geometry stage chooses among all that there are."""
+        """Attach the texture to the bound framebuffer: as a target, or as the depths.
+
+        If several layers are attached, a geometry stage chooses among all layers of the texture.
+        """
         point = self.point(number)
         if self.description.dimension == "2d" or (isinstance(at, Attachment) and at.layers > 1):
             self.functions.glFramebufferTexture(to, point, self.name, at.level)
@@ -73,7 +75,7 @@ class MadeTexture:
             self.functions.glFramebufferTextureLayer(to, point, self.name, at.level, at.layer)
 
     def bind(self, slot: TextureSlot, unit: int) -> None:
-        """Bind it to a unit, with the state of a slot's sampler."""
+        """Bind the texture to a unit, with the state of a slot's sampler."""
         functions = self.functions
         functions.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)
         functions.glActiveTexture(GL_TEXTURE0 + unit)
@@ -82,27 +84,27 @@ class MadeTexture:
             functions.glTexParameteri(self.target, key, value)
 
     def bind_image(self, unit: int) -> None:
-        """Bind its first level as an image that a kernel writes."""
+        """Bind the first level as an image that a kernel writes."""
         self.functions.glBindImageTexture(
             unit, self.name, 0, 0, 0, GL_WRITE_ONLY, self.internal_format
         )
 
     def clear(self) -> None:
-        """Make it transparent black, or as far away as can be."""
+        """Clear the texture to transparent black, or depths to the far plane."""
         for level in range(self.description.levels):
             self.functions.glClearTexImage(self.name, level, *self._cleared())
 
     def _cleared(self) -> tuple[int, int, ctypes.Array[ctypes.c_float]]:
         """The lanes, their type and the contents of a texel that is cleared."""
         if self.description.has_stencil:
-            # A depth, and behind it a word that ends in the stencil value.
+            # A depth, followed by a word that ends in the stencil value.
             return GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, (ctypes.c_float * 2)(1.0)
         if self.description.is_depth:
             return GL_DEPTH_COMPONENT, GL_FLOAT, (ctypes.c_float * 1)(1.0)
         return GL_RGBA, GL_FLOAT, (ctypes.c_float * 4)()
 
     def copy_to(self, other: MadeTexture) -> None:
-        """Copy all of it."""
+        """Copy the whole texture."""
         for level in range(self.description.levels):
             width, height = self.size(level)
             self.functions.glCopyImageSubData(
@@ -140,7 +142,7 @@ class MadeTexture:
         return to_float(bytes(texels), widened, made.width, made.height * layers, "top")
 
     def release(self) -> None:
-        """Free it."""
+        """Free the texture."""
         self.functions.glDeleteTextures(1, ctypes.byref(self.name))
 
 

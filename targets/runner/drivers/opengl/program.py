@@ -41,7 +41,7 @@ def link(context: moderngl.Context, functions: Functions, pipeline: Pipeline) ->
 def link_kernel(
     context: moderngl.Context, functions: Functions, pipeline: Pipeline
 ) -> moderngl.ComputeShader:
-    """Likewise for a kernel."""
+    """Compile and link a kernel; bind its blocks and textures if its text does not."""
     (code,) = pipeline.stages.values()
     try:
         program = context.compute_shader(code.text)
@@ -53,7 +53,7 @@ def link_kernel(
 
 
 def _captured_by_name(pipeline: Pipeline) -> tuple[str, ...]:
-    """The outputs that are captured, in order, where the text does not say so itself."""
+    """The captured outputs, in order, if the text does not list them itself."""
     captured = pipeline.stream_output
     if captured is None or captured.in_text:
         return ()

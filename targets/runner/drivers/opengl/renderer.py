@@ -1,4 +1,4 @@
-"""Does frame jobs with OpenGL; the driver keeps one ``Renderer`` for all of them."""
+"""Executes frame jobs with OpenGL; the driver keeps one ``Renderer`` for all of them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Renderer:
         self._context = create_context(wanted)
         self._functions = Functions()
         self._nowhere = self._context.simple_framebuffer((1, 1))
-        """What is bound while vertices are captured: OpenGL wants something to draw to, although
+        """The framebuffer that is bound while vertices are captured: OpenGL wants one, although
         nothing is drawn."""
 
     def device(self) -> Device:
@@ -33,7 +33,7 @@ class Renderer:
         )
 
     def most_groups(self) -> Sequence[int]:
-        """How many work groups may run at once, along x, y and z."""
+        """The most work groups that may run at once, along x, y and z."""
         most: Sequence[int] = self._context.info["GL_MAX_COMPUTE_WORK_GROUP_COUNT"]
         return most
 

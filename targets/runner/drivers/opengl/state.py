@@ -13,7 +13,7 @@ from .context import CLIP_CONTROL, Functions
 from .texture_units import COMPARES
 
 OWN_CLIP_CONTROL = ("GL_LOWER_LEFT", "GL_NEGATIVE_ONE_TO_ONE")
-"""OpenGL's own clip space, which texts have that are for older versions, too."""
+"""OpenGL's own clip space, which texts for older versions use, too."""
 
 GL_FRONT, GL_BACK, GL_FRONT_AND_BACK = 0x0404, 0x0405, 0x0408
 GL_STENCIL_TEST = 0x0B90
@@ -48,7 +48,7 @@ def set_state(
 
 
 def _set_bias(functions: Functions, pipeline: Pipeline) -> None:
-    """Set by how much the depths of triangles, or of their edges, are moved."""
+    """Set the bias of the depths of triangles, or of their edges."""
     bias = pipeline.depth_bias
     for offset in OFFSETS:
         (functions.glEnable if pipeline.has_bias else functions.glDisable)(offset)

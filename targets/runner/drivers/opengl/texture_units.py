@@ -36,7 +36,7 @@ STORAGE: dict[TextureFormat, tuple[int, int, int]] = {
     "r32sint": (0x8235, GL_RED_INTEGER, GL_INT),
     "rgba32sint": (0x8D82, GL_RGBA_INTEGER, GL_INT),
 }
-"""The internal format, and the lanes and their type in the bytes."""
+"""The internal format, and the lanes and their type in the uploaded bytes."""
 
 GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
 GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
@@ -53,7 +53,8 @@ MINIFY: dict[tuple[Filter, Mip], int] = {
     ("nearest", "nearest"): 0x2700,
     ("nearest", "linear"): 0x2702,
 }
-"""Without mip levels the sampler uses only the first one, but texels of others can be loaded."""
+"""The filters for minification. Without mip levels the sampler uses only the first level, but
+texels of others can be loaded."""
 COMPARES: dict[Compare, int] = {
     "never": 0x0200, "less": 0x0201, "equal": 0x0202, "less_equal": 0x0203,
     "greater": 0x0204, "not_equal": 0x0205, "greater_equal": 0x0206, "always": 0x0207,

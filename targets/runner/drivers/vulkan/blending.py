@@ -1,4 +1,4 @@
-"""How a target is blended, and which of its lanes are written, in Vulkan's words."""
+"""The blend state and the write mask of a target, in Vulkan's words."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ FACTORS: dict[Factor, int] = {
     "constant": vk.VK_BLEND_FACTOR_CONSTANT_COLOR,
     "one_minus_constant": vk.VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR,
 }
-"""Of alpha, a factor of a colour is its alpha."""
+"""Vulkan's blend factors. In the equation of alpha, a factor with a colour means the colour's
+alpha."""
 
 OPERATIONS: dict[Operation, int] = {
     "add": vk.VK_BLEND_OP_ADD,

@@ -1,4 +1,4 @@
-"""Finds out how many bytes of each uniform block a SPIR-V module may read.
+"""Computes how many bytes of each uniform block a SPIR-V module may read.
 
 ``limits.py`` compares this with the buffers, because the validation layer does not, and a driver
 may read past their end.
@@ -76,10 +76,10 @@ class _Module:
                 yield (group, self.decorations[variable, BINDING]), self._size(kind)
 
     def _size(self, kind: int, columns: tuple[int, bool] = (0, False)) -> int:
-        """The size of a type in bytes. ``columns`` is a matrix's stride, and whether it is stored
-        by rows.
+        """The size of a type in bytes.
 
-        It recurses into the parts of a type; blocks are only nested a few levels deep.
+        ``columns`` is a matrix's stride, and True if the matrix is stored by rows. The function
+        recurses into the parts of a type; blocks are only nested a few levels deep.
         """
         match self.types[kind]:
             case (Op.TYPE_INT | Op.TYPE_FLOAT, (width, *_)):

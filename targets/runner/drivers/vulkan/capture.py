@@ -24,7 +24,7 @@ COUNTER_SIZE = 4
 
 
 def saying_places(pipeline: Pipeline) -> Pipeline:
-    """The pipeline with a last stage whose module says where its outputs go, if it captures any.
+    """The pipeline; if it captures, the module of its last stage says where the outputs go.
 
     A text in HLSL cannot say that, as Direct3D is told beside it.
     """
@@ -60,7 +60,7 @@ class Captures:
 
     @contextmanager
     def recording(self, commands: Any) -> Iterator[None]:
-        """Capture what is recorded inside."""
+        """Capture the vertices of the commands that are recorded inside the ``with`` block."""
         bind, begin, end = (
             vk.vkGetDeviceProcAddr(self.gpu.device, name)
             for name in (
@@ -89,7 +89,7 @@ class Captures:
         )  # fmt: skip
 
     def captured(self) -> Captured:
-        """What was captured, after the commands were run. Raises ``DriverError``."""
+        """The captured vertices, after the commands were run. Raises ``DriverError``."""
         (written,) = struct.unpack("<I", bytes(self.counter.mapped[0:COUNTER_SIZE]))
         if written > self.vertices.size or written % self.stride:
             raise DriverError(f"{written} bytes were captured, into {self.vertices.size}")

@@ -40,16 +40,16 @@ class Gpu:
     memory: Any
     """``VkPhysicalDeviceMemoryProperties``."""
     independent_blend: bool
-    """Whether each target may have a blend mode of its own."""
+    """True if each render target may have a blend mode of its own."""
     draws_lines: bool
-    """Whether of triangles the edges can be drawn."""
+    """True if the edges of triangles can be drawn (the fill mode of lines)."""
     clamps_bias: bool
-    """Whether a depth bias can have a limit."""
+    """True if a depth bias can have a limit."""
     transform_feedback: bool
-    """Whether vertices can be captured."""
+    """True if vertices can be captured."""
     messages: Messages
     seconds: float
-    """How many seconds one submission may take."""
+    """The seconds that one submission may take."""
 
 
 def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
@@ -125,7 +125,7 @@ def _graphics_family(physical: Any) -> int:
 
 
 def _captures(physical: Any) -> bool:
-    """Whether the device has the extension by which vertices are captured."""
+    """True if the device has the extension that captures vertices."""
     offered = vk.vkEnumerateDeviceExtensionProperties(physical, None)
     names = {each.extensionName for each in offered}
     return vk.VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME in names

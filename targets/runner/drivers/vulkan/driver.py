@@ -28,10 +28,10 @@ class VulkanDriver(DrawsByFrames, Closing):
     """
 
     def __init__(self, icd: str, seconds: float, device: str = "") -> None:
-        """``seconds`` is how long all may take up to where something is read back: one draw of a
-        job, or a whole frame. The process ends if that takes longer.
+        """``seconds`` is the time for all work up to a read-back: one draw, or a whole frame.
 
-        ``device`` is a part of the device's name, or its number; empty for the usual one.
+        The process ends if that takes longer. ``device`` is a part of the device's name, or its
+        number; empty for the usual one.
         """
         self._icd = icd
         self._seconds = seconds
@@ -61,15 +61,17 @@ class VulkanDriver(DrawsByFrames, Closing):
         check_limits(gpu, job)
 
     def accept_kernel(self, job: KernelJob) -> None:
-        """The same of a job that runs a kernel."""
+        """Raise ``DriverError`` if the device cannot run a kernel job."""
         gpu = self._opened()
         from .limits import check_dispatches
 
         check_dispatches(gpu, job)
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``, also for any message of the
-        validation layer."""
+        """Do a frame job: returns what it reads back.
+
+        Raises ``DriverError``, also for any message of the validation layer.
+        """
         gpu = self._opened()
         from . import errors
         from .frame import draw_frame

@@ -24,11 +24,11 @@ HARMLESS = (
     # A compiler may find out that a fragment shader does not need one of its inputs, for instance
     # because it discards all fragments.
     ("OutputNotConsumed ]", "consumed by fragment shader"),
-    # Mesa warns of what SPIR-V allows, and heeds it: the position as glslang declares it is a
+    # Mesa warns about a decoration that SPIR-V allows, and obeys it: glslang makes the position a
     # member of a block.
     ("Decoration not allowed on struct members: SpvDecorationInvariant",),
 )
-"""The parts of each message that says nothing against a shader."""
+"""The parts of each message that is no fault of a shader."""
 
 VALIDATION_FAILED = -1000011001
 """``VK_ERROR_VALIDATION_FAILED_EXT``, which the Python binding does not know as a result code."""

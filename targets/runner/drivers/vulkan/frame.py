@@ -39,8 +39,10 @@ DEPTH_BYTES, INDEX_SIZE = 4, 4
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``, and ``VkError`` for calls that
-    fail."""
+    """Do a frame job: returns what it reads back, step by step.
+
+    Raises ``DriverError``, and ``VkError`` for calls that fail.
+    """
     with ExitStack() as owned:
         return _Frame(owned, gpu, job).found()
 
@@ -73,12 +75,15 @@ class _Frame:
         return Found(tuple(self._texels), tuple(self._contents), tuple(self._captured))
 
     def _submit(self, steps: Sequence[FrameStep], *, is_first: bool) -> None:
-        """Do some steps, of which the last may read something back."""
+        """Do some steps; the last of them may read something back."""
         with ExitStack() as once:
             self._do_all(once, steps, is_first=is_first)
 
     def _do_all(self, once: ExitStack, steps: Sequence[FrameStep], *, is_first: bool) -> None:
-        """``once`` owns what only these steps need: a job may have many submissions."""
+        """Do some steps; ``once`` owns everything that only these need.
+
+        A job may have many such submissions.
+        """
         last = steps[-1]
         bound = [[self._bound(once, step, draw) for draw in step.draws] for step in steps]
         back = [self._back(once, number) for number in last.read]
@@ -100,7 +105,7 @@ class _Frame:
             self._captured.append(captures.captured())
 
     def _bound(self, once: ExitStack, step: FrameStep, drawn: FrameDraw) -> DescriptorSets:
-        """The descriptor sets of a draw of a step; all that it brings along is uploaded."""
+        """The descriptor sets of a draw of a step; everything that the draw carries is uploaded."""
         pipeline = self._job.pipelines[drawn.pipeline]
         made = self._textures, self._buffers, step.images
         return self._uploads.bound(once, pipeline, drawn, *made)
@@ -168,8 +173,10 @@ class _Frame:
         captures.wait_for_host(commands)
 
     def _resolve(self, commands: Any, drawn: int, to: Resolve) -> None:
-        """Write the means of samples to where they belong. A render pass could do so, but lavapipe
-        writes to the first layer then, whichever is meant."""
+        """Write the means of samples to a resolve target.
+
+        A render pass could do so, but lavapipe writes to the first layer then, whichever is meant.
+        """
         used: tuple[tuple[int, TextureUse], ...] = (
             (drawn, "copied_from"),
             (to.texture, "copied_to"),
@@ -193,7 +200,7 @@ class _Frame:
     def _bind(
         self, commands: Any, drawn: FrameDraw, bound: DescriptorSets, render_pass: Any
     ) -> None:
-        """Bind the pipeline of a draw, and what it reads."""
+        """Bind the pipeline of a draw, and the resources that it reads."""
         key = drawn.pipeline, bound.slots.targets, render_pass
         if key not in self._pipelines:
             layout = make_layout(self._owned, self._gpu, bound.layouts)
@@ -270,7 +277,7 @@ class _Frame:
     def _size(self, attachment: Attachment) -> tuple[int, int]:
         return _halved(self._textures[attachment.texture], attachment.level)
 
-    # --- what comes back -------------------------------------------------------------------------
+    # --- read-back -------------------------------------------------------------------------------
 
     def _back(self, once: ExitStack, number: int) -> Buffer:
         texture = self._job.textures[number]
@@ -299,7 +306,7 @@ class _Frame:
 
 
 def _submissions(steps: Sequence[FrameStep]) -> Iterator[Sequence[FrameStep]]:
-    """The steps in portions, each of which ends where something is read back."""
+    """The steps in portions, each of which ends with a step that reads something back."""
     first = 0
     for number, step in enumerate(steps):
         if step.read or step.read_buffers or step.captures is not None or step is steps[-1]:
@@ -337,7 +344,7 @@ def _layers(texture: MadeTexture, level: int, aspect: int = 0) -> Any:
 
 
 def _wait_for_host(commands: Any) -> None:
-    """Let the host read what was copied, and what kernels have written to buffers."""
+    """Let the host read copied texels, and buffers that kernels have written."""
     barrier = vk.VkMemoryBarrier(
         srcAccessMask=vk.VK_ACCESS_TRANSFER_WRITE_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT,
         dstAccessMask=vk.VK_ACCESS_HOST_READ_BIT,

@@ -29,7 +29,7 @@ TESTS = (
 
 @dataclass(frozen=True, slots=True)
 class BufferAccess:
-    """What Vulkan has to be told of how a buffer is used."""
+    """The pipeline stages and memory accesses of one use of a buffer, for barriers."""
 
     stages: int
     access: int
@@ -37,7 +37,7 @@ class BufferAccess:
 
 @dataclass(frozen=True, slots=True)
 class Use:
-    """The same of a texture."""
+    """The layout, stages and accesses of one use of a texture, for barriers."""
 
     layout: int
     stages: int
@@ -65,7 +65,7 @@ USES: Mapping[TextureUse, Use] = {
 
 BUFFER_USES: Mapping[BufferUse, BufferAccess] = {
     "undefined": BufferAccess(SHADERS, 0),
-    # Atomics read what they join values with.
+    # Atomic operations also read the element.
     "written": BufferAccess(
         vk.VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
         vk.VK_ACCESS_SHADER_READ_BIT | vk.VK_ACCESS_SHADER_WRITE_BIT,
@@ -87,12 +87,12 @@ class MadeTexture:
     spec: ImageSpec
     image: Any
     view: Any
-    """Of all of it, by which shaders read."""
+    """The view of the whole texture, by which shaders read."""
     parts: dict[tuple[int, int, int], Any] = field(default_factory=dict)
     """Views of some layers of a level, to which steps draw."""
 
     def part(self, layer: int, level: int, layers: int = 1) -> Any:
-        """The view of what is drawn to."""
+        """The view of the layers of a level to which a step draws."""
         key = layer, layers, level
         if key not in self.parts:
             self.parts[key] = self._part(*key)
@@ -114,7 +114,7 @@ class MadeTexture:
         return view
 
     def barrier(self, before: TextureUse, after: TextureUse) -> Any:
-        """What waits between two uses."""
+        """The image barrier between two uses."""
         return vk.VkImageMemoryBarrier(
             oldLayout=USES[before].layout,
             newLayout=USES[after].layout,
@@ -128,13 +128,12 @@ class MadeTexture:
 
     @property
     def _writes(self) -> int:
-        """What may have been written where it lies before it has contents: by whatever other
-        texture has had the memory."""
+        """Accesses to wait for before the first use: writes of textures that share the memory."""
         is_shared = self.description.memory is not None
         return vk.VK_ACCESS_MEMORY_WRITE_BIT if is_shared else 0
 
     def clear(self, commands: Any) -> None:
-        """Make it transparent black, or as far away as can be, and ready to be read."""
+        """Clear the texture to transparent black, or to the far plane, ready to be read."""
         record(commands, [self], [Barrier(0, "undefined", "copied_to")])
         layout, ranges = USES["copied_to"].layout, [self.spec.subresources()]
         if self.description.is_depth:

@@ -1,4 +1,4 @@
-"""Reports what a device cannot do of a job, before the job reaches the device."""
+"""Finds the parts of a job that a device does not support, before the job reaches the device."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str
 
 
 def _filters(slot: TextureSlot) -> bool:
-    """Whether texels are filtered; results of comparisons may be filtered with any format."""
+    """True if texels are filtered; results of comparisons may be filtered with any format."""
     return slot.sampling == "filtering" and "linear" in (slot.filter, slot.mip)
 
 

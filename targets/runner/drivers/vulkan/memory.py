@@ -22,7 +22,7 @@ class Buffer:
     handle: Any
     size: int
     mapped: Any
-    """Its bytes, writable."""
+    """The buffer's bytes, mapped and writable."""
 
     def write(self, data: bytes) -> None:
         """Replace the first bytes. Nothing may be drawing with the buffer."""
@@ -60,16 +60,16 @@ class ImageSpec:
     levels: int = 1
     aspect: int = vk.VK_IMAGE_ASPECT_COLOR_BIT
     depth: int = 1
-    """Slices of a 3D texture, layers, or faces of a cube."""
+    """The number of slices of a 3D texture, of layers, or of faces of a cube."""
     view: int = vk.VK_IMAGE_VIEW_TYPE_2D
     samples: int = vk.VK_SAMPLE_COUNT_1_BIT
     """A ``VK_SAMPLE_COUNT`` bit, which is the number itself."""
     read_aspect: int = 0
-    """What the view shows, if that is not all of it: shaders read depths without stencil values."""
+    """The aspect that the view shows, if not all: shaders read depths without stencil values."""
 
     @property
     def is_volume(self) -> bool:
-        """Whether it is a 3D texture, which has a single layer."""
+        """True for a 3D texture, which has a single layer."""
         return bool(self.view == vk.VK_IMAGE_VIEW_TYPE_3D)
 
     @property
@@ -92,7 +92,7 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
 
 
 def image_without_memory(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> Any:
-    """An image that ``give_memory`` has to be called for before it is used."""
+    """An image without memory: ``give_memory`` has to be called before the image is used."""
     is_cube = spec.view == vk.VK_IMAGE_VIEW_TYPE_CUBE
     info = vk.VkImageCreateInfo(
         flags=vk.VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT if is_cube else 0,
@@ -113,8 +113,10 @@ def image_without_memory(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> Any:
 
 
 def give_memory(owned: ExitStack, gpu: Gpu, images: Sequence[Any]) -> None:
-    """Give images the same memory; those that a device keeps in different kinds of memory share it
-    with their own kind only."""
+    """Give images the same memory.
+
+    Images that a device keeps in different kinds of memory share it with their own kind only.
+    """
     kinds: dict[int, list[tuple[Any, Any]]] = {}
     for image in images:
         needs = vk.vkGetImageMemoryRequirements(gpu.device, image)

@@ -1,7 +1,7 @@
 """Writes into a SPIR-V module which of its outputs are captured, and where to.
 
-A text in GLSL says that itself. One in HLSL does not, since Direct3D is told beside the text; so
-that such a text is run, ``capture.py`` adds to its module what the other one would have.
+A text in GLSL states that itself. A text in HLSL does not, since Direct3D gets it beside the text.
+So ``capture.py`` adds to the module of such a text what a module from GLSL has.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from ..device import DriverError
 from ..pipeline import StreamOutput
 
 TRANSFORM_FEEDBACK = 53
-"""The capability."""
+"""SPIR-V's capability of transform feedback."""
 XFB = 11
 """The execution mode of an entry point whose outputs are captured."""
 LOCATION, OFFSET, XFB_BUFFER, XFB_STRIDE = 30, 35, 36, 37
-"""Decorations."""
+"""SPIR-V's decorations."""
 OUTPUT = 3
 """The storage class of outputs."""
 

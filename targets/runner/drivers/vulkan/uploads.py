@@ -1,4 +1,4 @@
-"""What the draws of a frame job bring along, on the device: meshes, blocks, textures and buffers.
+"""Uploads the data that the draws of a frame job carry: meshes, blocks, textures and buffers.
 
 Draws often share these, so equal bytes are uploaded once.
 """

@@ -1,4 +1,4 @@
-"""Creates the bind groups of a draw or of a dispatch, and what these bring along."""
+"""Creates the bind groups of a draw or of a dispatch, and the resources that these carry."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .textures import make_sampler, make_view
 
 @dataclass(slots=True)
 class Uploads:
-    """What the draws of one job bring along; equal bytes are uploaded once."""
+    """Buffers and textures with the data that draws carry; equal bytes are uploaded once."""
 
     gpu: Gpu
     _buffers: dict[tuple[int, bytes], Any] = field(default_factory=dict)

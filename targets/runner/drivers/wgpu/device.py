@@ -13,13 +13,14 @@ from ..choice import chosen
 from ..device import Device, DriverError
 
 BACKENDS = ("D3D12", "Metal", "Vulkan")
-"""The APIs that it may draw with. Its OpenGL cannot do all that a job may ask for."""
+"""The APIs that wgpu may draw with. Its OpenGL cannot do all that a job may ask for."""
 
 FEATURES = ("float32-blendable", "float32-filterable", "depth32float-stencil8")
-"""What float32 targets and textures need, and stencil values beside float32 depths."""
+"""The features for float32 targets and textures, and for stencil values beside float32 depths."""
 
 SUBPIXEL_BITS = 8
-"""WebGPU does not report it. Direct3D 12 demands 8 bits, and so do Metal's GPUs and Mesa."""
+"""The binary places to which vertices are snapped, which WebGPU does not report. Direct3D 12
+demands 8 bits, and so do Metal's GPUs and Mesa."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +44,7 @@ def open_gpu(wanted: str) -> Gpu:
     limits = {"max-color-attachment-bytes-per-sample": _most_bytes(adapter)}
     with explained():
         device = adapter.request_device_sync(required_features=features, required_limits=limits)
-    # Neither the precision of texture filters nor the driver's own version can be asked for.
+    # WebGPU reports neither the precision of texture filters nor the driver's own version.
     version = f"{adapter.info['description']}, wgpu {wgpu.__version__}".removeprefix(", ")
     description = Device(_title(adapter), version, SUBPIXEL_BITS, subtexel_bits=0, mip_bits=0)
     return Gpu(device, frozenset(features), description)
@@ -54,7 +55,7 @@ def _title(adapter: Any) -> str:
 
 
 def _most_bytes(adapter: Any) -> int:
-    """Several float32 targets need more than the default."""
+    """The most bytes of all targets per sample: several float32 targets exceed the default."""
     return int(adapter.limits["max-color-attachment-bytes-per-sample"])
 
 

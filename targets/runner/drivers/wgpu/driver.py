@@ -42,14 +42,14 @@ class Wgpu(DrawsByFrames):
         check_groups(job, [int(self._opened().device.limits[MOST_GROUPS])] * 3)
 
     def draw_frame(self, job: FrameJob) -> Found:
-        """What a frame job reads back. Raises ``DriverError``."""
+        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
         gpu = self._opened()
         from .frame import draw_frame
 
         return draw_frame(gpu, job)
 
     def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """WebGPU has no stream output: kernels capture there. Raises ``DriverError``."""
+        """Raise ``DriverError``: WebGPU has no stream output, and kernels capture there."""
         del job
         raise DriverError("WebGPU has no stream output")
 

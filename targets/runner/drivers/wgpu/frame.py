@@ -23,7 +23,7 @@ _LOADS = {True: "load", False: "clear"}
 
 
 def draw_frame(gpu: Gpu, job: FrameJob) -> Found:
-    """What is read back, step by step. Raises ``DriverError``."""
+    """Do a frame job: returns what it reads back, step by step. Raises ``DriverError``."""
     with explained(), ExitStack() as owned:
         return _Frame(gpu, job, owned).found()
 
@@ -167,7 +167,7 @@ class _Frame:
         given: Draw | Dispatch,
         images: Sequence[int],
     ) -> list[Any]:
-        """The bind groups of a draw, over what it brings along and what the frame has."""
+        """The bind groups of a draw, over the resources that it carries and those of the frame."""
         own_textures, own_buffers = iter(given.textures), iter(given.buffers)
         views = [
             self._uploads.view(next(own_textures))

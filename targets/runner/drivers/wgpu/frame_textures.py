@@ -30,8 +30,10 @@ class MadeTexture:
         return max(made.width >> level, 1), max(made.height >> level, 1)
 
     def view(self, *, is_read: bool = False) -> Any:
-        """All of it, as a kernel writes it or a shader reads it: of depths with stencil values, a
-        shader reads the depths."""
+        """The view of the whole texture, which a kernel writes or a shader reads.
+
+        Of depths with stencil values, a shader reads the depths.
+        """
         depths_only = is_read and self.description.has_stencil
         return self.texture.create_view(
             dimension=VIEWS[self.description.dimension],
@@ -46,8 +48,10 @@ class MadeTexture:
         )  # fmt: skip
 
     def clear(self) -> None:
-        """Make it as far away as can be, if it is read before a step draws to it. WebGPU itself
-        makes everything black at first."""
+        """Clear depths to the far plane, if they are read before a step draws to them.
+
+        WebGPU itself makes everything black at first.
+        """
         if not (self.description.is_black and self.description.is_depth):
             return
         encoder = self.gpu.device.create_command_encoder()
@@ -69,7 +73,7 @@ class MadeTexture:
         self.gpu.device.queue.submit([encoder.finish()])
 
     def copy_to(self, encoder: Any, other: MadeTexture) -> None:
-        """Record that all of it is copied."""
+        """Record a copy of the whole texture."""
         for level in range(self.description.levels):
             encoder.copy_texture_to_texture(
                 {"texture": self.texture, "mip_level": level},

@@ -1,4 +1,4 @@
-"""Creates WebGPU's pipeline from that of a job."""
+"""Creates WebGPU's pipeline from the pipeline of a job."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from .device import Gpu
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """A pipeline, and what is needed to draw with it."""
+    """A pipeline, and the data that drawing with it needs."""
 
     handle: Any
     groups: Groups

@@ -62,7 +62,7 @@ DEPTHS = """
 
 
 def _draw_depths(gpu: Gpu, texture: Any, image: Image, level: int) -> None:
-    """WebGPU cannot copy to a texture of 32-bit depths, so they are drawn, layer by layer."""
+    """Upload depths by drawing them, layer by layer: WebGPU cannot copy to 32-bit depths."""
     device = gpu.device
     width, height, layers = level_size(image, level)
     module = device.create_shader_module(code=DEPTHS)

@@ -1,1 +1,1 @@
-"""The checks of a plan, each of one kind of mistake; ``frames/checking.py`` does them all."""
+"""The checks of a plan, each for one kind of mistake; ``frames/checking.py`` runs them all."""

@@ -1,4 +1,4 @@
-"""Checks what a reflection says of the texts for one profile, which a driver is made ready by."""
+"""Checks a reflection's rows about the texts for one profile, from which a driver is set up."""
 
 from __future__ import annotations
 
@@ -12,12 +12,11 @@ from ...binding import FORMATS, VERTEX_FORMATS
 from .rows import Named, PlanError
 
 _ENTRY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-"""What entry points may be called: compilers get them on their command lines."""
+"""The names that entry points may have: compilers get them on their command lines."""
 
 
 def check_backend(where: str, reflection: Reflection, profile: str) -> None:
-    """Raise ``PlanError`` where something that a shader reads or writes has no place in the texts,
-    or a form that no driver knows."""
+    """Raise ``PlanError`` if something that a shader uses has no binding, or an unknown form."""
     _Backend(f"{where}, {profile}", reflection, profile).check()
 
 
@@ -48,7 +47,7 @@ class _Backend:
                 self._fail(f"there is no format {target.format}, as `{target.name}` has")
 
     def _bound(self) -> Iterator[tuple[str, Iterable[str]]]:
-        """All that has a place in the texts, by what a backend calls these places."""
+        """Everything that has a binding in the texts, by the backend's names for the bindings."""
         reflection, backend = self._reflection, self._backend
         yield "blocks", _names(reflection.blocks)
         yield "buffers", _names(row for row in reflection.buffers if row.stages)

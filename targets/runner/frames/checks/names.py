@@ -1,4 +1,4 @@
-"""Checks that every name and number of a plan stands for something, and only for one thing."""
+"""Checks that every name and number of a plan refers to something, and to one thing only."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ from .steps import check_steps
 
 DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
 STENCILS = "stencil8"
-"""What formats of depths end with that have stencil values."""
+"""The ending of the depth formats that have stencil values."""
 SETTINGS = {"viewport": "ivec4", "scissor": "ivec4", "blend_constant": "vec4"}
-"""The types of what a step that draws sets for all of it."""
+"""The types of the values that a step sets for all its draws."""
 LAYERS = {"2d": range(1, 2), "cube": range(6, 7)}
-"""How many layers textures of a dimension have; ``MOST_LAYERS`` where none is said."""
+"""The numbers of layers of textures of a dimension; ``MOST_LAYERS`` for all others."""
 MOST_LAYERS = range(1, 2049)
-"""As many as all devices know."""
+"""The numbers of layers that all devices support."""
 LEVELS = range(1, 1 << 5)
-"""How many levels a texture may have, whatever its size."""
+"""The numbers of levels that a texture may have, whatever its size."""
 
 
 def check_names(plan: FramePlan) -> None:
-    """Raise ``PlanError`` for a row that names what is not there, or what cannot be meant."""
+    """Raise ``PlanError`` for a row that names something unknown, or that makes no sense."""
     _Names(plan).check()
 
 
@@ -109,7 +109,7 @@ class _Names:
                 self._fail(row.name, f"nobody can read the samples of texture {number}")
 
     def _check_host_values(self) -> None:
-        """What the host sets of the frame, which has no blocks."""
+        """Check the values that the host sets of the frame, which has no blocks."""
         plan = self._plan
         values = Values(plan.frame, plan.parameters, plan.lights)
         values.check()
@@ -127,7 +127,7 @@ class _Names:
     # --- values and textures ---------------------------------------------------------------------
 
     def _check_value(self, where: str, value: ValueRow) -> None:
-        """The steps of a number: known operations on what stands before them."""
+        """Check the steps of a number: known operations on numbers before them."""
         check_steps(f"{self._plan.frame}, {where}", value.steps)
         for step in value.steps:
             if isinstance(step, ParameterStep):
@@ -161,7 +161,7 @@ class _Names:
     # --- steps -----------------------------------------------------------------------------------
 
     def _check_barriers(self, where: str, place: PlanStep | WaitingRow) -> None:
-        """What is waited for in one place."""
+        """Check the barriers in one place."""
         self._no_two(where, [row.texture for row in place.barriers])
         for barrier in place.barriers:
             self._texture(where, barrier.texture)
@@ -193,7 +193,7 @@ class _Names:
         self._check_result_names(where, step)
 
     def _check_settings(self, where: str, step: DrawStep) -> None:
-        """The numbers that hold for all that a step draws, and what it draws to."""
+        """Check the numbers that hold for all draws of a step, and its targets."""
         for name, type_ in SETTINGS.items():
             number: int | None = getattr(step, name)
             if number is not None:
@@ -204,7 +204,7 @@ class _Names:
             self._check_attachment(f"{where}, {row.name}", row, is_depth=row is step.depth)
 
     def _check_result_names(self, where: str, step: PlanStep) -> None:
-        """A result is called like what leaves it."""
+        """Check that a result has the name of the step and target that leave it."""
         for row in step.attachments:
             if row.result.rpartition(".")[2] != row.name:
                 self._fail(where, f"`{row.name}` is drawn to `{row.result}`")
@@ -250,7 +250,7 @@ class _Names:
             self._check_resolve(where, texture, row.resolve)
 
     def _check_resolve(self, where: str, drawn: FrameTextureRow, row: ResolveRow) -> None:
-        """The mean of samples is written to a place of the same size and format."""
+        """Check that the mean of samples is written to a place of the same size and format."""
         texture = self._plan.textures[self._texture(where, row.texture)]
         level, said = row.level, f"texture {row.texture}"
         size, whole = drawn.size, texture.size
@@ -262,7 +262,7 @@ class _Names:
             self._fail(where, f"{said} has another format or size than its samples")
 
     def _check_drawn(self, where: str, step: DrawStep, drawn: DrawnRow) -> None:
-        """What is drawn: models, each by the shader for its material, or vertices without any."""
+        """Check the draws of a step: models, each by the shader for its material, or vertices."""
         models = drawn.models
         materials: tuple[str | None, ...] = (None,)
         if (models is None) == (drawn.vertices is None):

@@ -1,7 +1,8 @@
-"""Checks what a plan says of its results against what its steps do with them.
+"""Checks a plan's rows about results against the steps.
 
-Which result is where, who needs it last, what a texture is used as, and what has to be stored: all
-of this follows from the steps, and hosts rely on it when they make, share and free memory.
+Which texture has a result, which step reads it last, how a texture is used, and what has to be
+stored: all of this follows from the steps, and hosts rely on it when they make, share and free
+memory.
 """
 
 from __future__ import annotations
@@ -32,11 +33,11 @@ from .rows import (
 )
 
 _Place = tuple[str, int, int | None, int]
-"""Where a step draws: the result, its texture, and the layer and level of that."""
+"""The place to which a step draws: the result, its texture, and the texture's layer and level."""
 
 
 def check_needs(plan: FramePlan) -> None:
-    """Raise ``PlanError`` where a row says something else than the steps."""
+    """Raise ``PlanError`` for a row that contradicts the steps."""
     needs = _Needs(plan)
     needs.check_results()
     needs.check_textures()
@@ -51,7 +52,7 @@ class _Needs:
         self._outputs = {row.result for row in plan.outputs}
         self._previous = {row.previous: row.result for row in plan.kept
                           if row.previous is not None}  # fmt: skip
-        """Of textures that the last frame has left, the result."""
+        """For textures that the last frame has left, the result."""
 
     @cached_property
     def _read_last(self) -> dict[str, None]:
@@ -61,7 +62,7 @@ class _Needs:
     # --- results and textures --------------------------------------------------------------------
 
     def check_results(self) -> None:
-        """Every result is where all that use it say, and needed as long as it says."""
+        """Check that every result is in the texture that its users name, as long as stated."""
         first: dict[str, int] = {}
         last: dict[str, int] = {}
         for number, step in enumerate(self._steps):
@@ -115,7 +116,7 @@ class _Needs:
             fail(self._plan, where, f"`{result}` is not in texture {texture}")
 
     def check_textures(self) -> None:
-        """Every texture has the results and uses that it says."""
+        """Check that every texture has the results and uses that its row states."""
         pairs = dict(_exchanged(self._plan))
         kept = pairs.keys()
         for number, row in enumerate(self._plan.textures):
@@ -134,8 +135,11 @@ class _Needs:
 
     @cached_property
     def _held(self) -> Mapping[int, list[str]]:
-        """The results that each texture holds, in order: all in which others find them, or all that
-        are drawn there with several samples."""
+        """The results that each texture holds, in order.
+
+        They are all results that other steps find there, and all that are drawn there with several
+        samples.
+        """
         found: dict[int, dict[str, int]] = defaultdict(dict)
         for name, row in self._results.items():
             if row.texture is not None:
@@ -148,7 +152,7 @@ class _Needs:
 
     @cached_property
     def _used_as(self) -> Mapping[int, set[str]]:
-        """What each texture is used as, for as long as it has its number."""
+        """The uses of each texture, for as long as it has its number."""
         found: dict[int, set[str]] = defaultdict(set)
         for texture in self._previous:
             found[texture].add("sampled")
@@ -160,7 +164,7 @@ class _Needs:
     # --- steps -----------------------------------------------------------------------------------
 
     def check_steps(self) -> None:
-        """A step stores what somebody needs, and later frames wait for what they use."""
+        """Check that a step stores what is needed, and that later frames wait for what they use."""
         self._check_later_frames()
         read_in_pass: set[int | None] = set()
         for number, step in enumerate(self._steps):
@@ -182,7 +186,7 @@ class _Needs:
                 fail(self._plan, where, "its targets are different layers or levels")
 
     def _check_stored(self, number: int, where: str, row: AttachmentRow) -> None:
-        """What is needed of what a step draws is stored, and of samples their mean."""
+        """Check that results that are needed later are stored, and of samples their mean."""
         result, needed = row.result, self._is_needed(number, row.result)
         if has_samples(self._plan, row):
             step = self._steps[number]
@@ -196,7 +200,7 @@ class _Needs:
             fail(self._plan, where, f"`{result}` is {'stored' if row.store else 'dropped'}")
 
     def _resolves(self, number: int, drawn: AttachmentRow) -> bool:
-        """Whether somebody reads what a step has drawn before another one draws there, too."""
+        """True if a step's result is read before another step draws to the same place."""
         read = _next(self._reads.get(drawn.result, ()), number)
         again = _next(self._draws.get(_place(drawn), ()), number)
         return again is None or (read is not None and read <= again)
@@ -222,7 +226,7 @@ class _Needs:
         return dict(found)
 
     def _check_later_frames(self) -> None:
-        """They wait for what is written in each of them, and for nothing else."""
+        """Check that later frames wait for all that each of them writes, and for nothing else."""
         always = [each for step in self._steps if not step.only_first for each in written(step)]
         results = {result for result, _ in always}
         textures = {texture for _, texture in always}
@@ -241,8 +245,10 @@ class _Needs:
                     fail(self._plan, where, f"whether later frames wait for {what} is said wrongly")
 
     def _check_continued(self, number: int, step: DrawStep, read: Set[int | None]) -> None:
-        """Whether a step draws on in the render pass of the one before is said rightly; ``read``
-        are the textures that are read in that pass."""
+        """Check that the plan says rightly if a step goes on in the render pass before it.
+
+        ``read`` are the textures that are read in that pass.
+        """
         before = self._steps[number - 1] if number else None
         here = _places(step)
         resolved = {row.resolve.texture for row in step.attachments
@@ -263,13 +269,16 @@ class _Needs:
             fail(self._plan, step.name, "whether it draws on is said wrongly")
 
     def _is_needed(self, number: int, result: str) -> bool:
-        """Whether anybody needs behind a step what it draws."""
+        """True if a result that a step draws is needed after the step."""
         is_left = result in self._outputs or result in self._read_last
         return is_left or self._last_read.get(result, number) > number
 
     def _is_found(self, number: int, left: AttachmentRow) -> bool:
-        """Whether a later step draws where stencil values were left, or over the result that has
-        them: samples only with the same samples, as others find one value for each texel."""
+        """True if a later step draws over the stencil values or samples that a step leaves.
+
+        Samples are found only with the same number of samples, as other steps find one value for
+        each texel.
+        """
         over = left.result, left.texture if has_samples(self._plan, left) else None
         last = max(self._last_over.get(over, -1), self._last_draw.get(_place(left), -1))
         return last > number

@@ -1,7 +1,7 @@
-"""Executes a plan in thought: every step finds what it reads, where it reads it, and has waited.
+"""Simulates a plan: every step finds its inputs in the right place, and has waited for them.
 
-This is done for a first frame and for a second one: which result each texture holds in each layer
-and level, and how it is used.
+The simulation has a first and a second frame: the result that each texture holds in each layer and
+level, and its use.
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ class _Execution:
         self._touched: set[int] = set()
         """Textures that this frame has used."""
         self._holds: dict[int, dict[tuple[int, int], str]] = {}
-        """For each texture which result each layer and level holds."""
+        """For each texture, the result that each layer and level holds."""
         self._stencils: dict[int, set[tuple[int, int]]] = {}
-        """For each texture where it has stencil values that have been kept."""
+        """For each texture, the layers and levels with stencil values that have been kept."""
         self._buffers: dict[str, str] = {}
-        """How the buffers of results are used, of those that this frame has used."""
+        """The present uses of the buffers of results that this frame has used."""
         self._kept_buffers: set[str] = set()
         self._step = ""
         self._meter = Tally("steps", f"the frame {plan.frame} uses layers and levels in")
@@ -62,10 +62,10 @@ class _Execution:
         self._lasting = {
             texture for step in rare for _, texture in written(step) if texture is not None
         }
-        """Textures that only the first frame draws to, and that keep what is in them."""
+        """Textures that only the first frame draws to, and that keep their contents."""
 
     def execute(self) -> None:
-        """Draw two frames."""
+        """Simulate two frames."""
         for row in self._plan.kept:
             if row.previous is not None:
                 self._uses[row.previous] = "sampled"
@@ -82,7 +82,7 @@ class _Execution:
             self._check_waited(set())
 
     def _begin(self, is_first: bool) -> None:
-        """Forget what the last frame has left, but for what is kept."""
+        """Forget everything that the last frame has left, except what is kept."""
         kept = {row.previous for row in self._plan.kept if row.previous is not None}
         if not is_first:
             kept |= self._lasting
@@ -93,7 +93,7 @@ class _Execution:
                           if texture in kept}  # fmt: skip
 
     def _end(self) -> None:
-        """Give the host its outputs, and the next frame what it reads."""
+        """Read the host's outputs, and leave what the next frame reads."""
         for output in self._plan.outputs:
             self._step = f"output {output.name}"
             self._reads(output.texture, output.result)
@@ -113,7 +113,7 @@ class _Execution:
     # --- steps -----------------------------------------------------------------------------------
 
     def _wait_at(self, place: PlanStep | WaitingRow, is_first: bool) -> None:
-        """Wait at the barriers of a step, also where it is left out; or at those of the end."""
+        """Wait at the barriers of a step, also if it is left out; or at those of the end."""
         self._waited, self._used_here = set(), set()
         for barrier in place.barriers:
             if is_first or not barrier.only_first:
@@ -134,7 +134,7 @@ class _Execution:
                 self._draw(target, "depth" if target is step.depth else "target")
         for row in step.buffers:
             self._used_buffer(row.result, "written")
-        # Later frames wait for what only the first one reads, in place of a last one.
+        # Later frames also wait for results that the first one reads in place of a last one's.
         read_first: set[int | str] = {
             result if texture is None else texture
             for result, texture in read_now(step, is_first=True)
@@ -142,7 +142,7 @@ class _Execution:
         self._check_waited(set() if is_first else read_first)
 
     def _check_waited(self, also: set[int | str]) -> None:
-        """Check that everything is used that was waited for, but for some of it."""
+        """Check that everything that a step waited for is used, except some of it."""
         for used in sorted(map(_said, self._waited - self._used_here - also)):
             self._fail(f"it waits for {used}, which it does not use")
 
@@ -217,7 +217,7 @@ class _Execution:
             self._finds(texture, result)
 
     def _finds(self, texture: int, result: str) -> None:
-        """Check that a texture holds a result, all of it."""
+        """Check that a texture holds the whole of a result."""
         held = self._holds.get(texture, {})
         for place in self._all_of(texture):
             if held.get(place) != result:
@@ -259,7 +259,7 @@ class _Execution:
             self._resolve(target.resolve, result)
 
     def _resolve(self, target: ResolveRow, result: str) -> None:
-        """The mean of a result's samples is where others find the result."""
+        """Write the mean of a result's samples to the place where other steps find the result."""
         self._written(target.texture, "target")
         held = self._holds.setdefault(target.texture, {})
         held[target.layer, target.level] = result
@@ -267,7 +267,7 @@ class _Execution:
     def _draw_stencil(
         self, texture: int, place: tuple[int, int], stencil: StencilLoad, load: str
     ) -> None:
-        """The values beside depths begin as these do, and are there later if they are stored."""
+        """Load stencil values as the depths beside them, and keep them if they are stored."""
         kept = self._stencils.setdefault(texture, set())
         if stencil.load != load:
             self._fail(f"its depths are to {load}, and its stencil values otherwise")

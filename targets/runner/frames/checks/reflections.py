@@ -1,4 +1,4 @@
-"""Checks a reflection by itself: that its parts fit each other, and how much memory they take.
+"""Checks a reflection by itself: its parts fit each other, and do not take too much memory.
 
 Reflections come from files, too. A host makes room for all values of a shader before it sets any,
 so what would be too large is refused here.
@@ -31,9 +31,9 @@ from .steps import check_steps
 LANE = 4
 """The bytes of a lane."""
 KEPT = 16
-"""How much more memory a host needs for a value than a GPU."""
+"""The factor by which a host needs more memory for a value than a GPU."""
 MOST_CORNERS = 32
-"""Of a patch: as many as all devices know."""
+"""The most corners of a patch that all devices support."""
 
 
 def check_reflection(where: str, reflection: Reflection) -> None:
@@ -63,8 +63,7 @@ class Values:
             self._check_light(light)
 
     def check_buffers(self, rows: Iterable[BufferRow]) -> None:
-        """Raise ``PlanError`` unless parameters count the elements of buffers, each those of
-        one."""
+        """Raise ``PlanError`` unless counts belong to buffers, each to one of them."""
         counters: set[str] = set()
         for row in rows:
             name, count = row.name, row.count
@@ -90,7 +89,7 @@ class Values:
                 self.fail(name, f"no parameter has {capacity} of them")
 
     def check_textures(self, rows: Iterable[TextureDeclaration]) -> None:
-        """Raise ``PlanError`` for a texture that is nothing until a host binds one."""
+        """Raise ``PlanError`` for a texture without a valid default until a host binds one."""
         for row in rows:
             known = DEFAULTS.get(row.sample, (row.default,))
             if row.default not in known:
@@ -104,7 +103,7 @@ class Values:
     def _bytes_of(
         self, name: str, row: ParameterRow | MemberRow | DerivedRow | BufferRow | ResultRow
     ) -> int:
-        """How many bytes a value spans, from its first to its last."""
+        """The number of bytes that a value spans, from its first to its last."""
         layout = row.layout
         members = () if isinstance(row, DerivedRow) else row.members
         one = self._of_members(name, members) if members else self._of_numbers(name, layout)
@@ -158,7 +157,7 @@ class _Reflection:
         self._check_draw(reflection.draw)
 
     def _check_blocks(self) -> None:
-        """What lies in blocks lies within them."""
+        """Check that all members of blocks lie within their blocks."""
         sizes = {row.name: row.size for row in self._reflection.blocks}
         check("memory", sum(sizes.values()), f"{self._where}: its blocks take")
         rows: tuple[ParameterRow | DerivedRow, ...] = (
@@ -206,7 +205,7 @@ _UNIQUE = ("blocks", "parameters", "lights", "buffers", "results", "textures", "
 
 
 def _computed(reflection: Reflection) -> Iterator[tuple[str, Sequence[StepRow]]]:
-    """The steps of all that a host computes, each with what messages call it."""
+    """The steps of every value that a host computes, each with its name in messages."""
     for row in reflection.derived:
         yield row.name, row.steps
     if reflection.extent is not None:

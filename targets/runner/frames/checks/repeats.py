@@ -53,9 +53,9 @@ class _Repeats:
             not any(isinstance(part, ParameterStep | ResourceStep) for part in value.steps)
             for value in plan.values
         ]
-        """Of each value whether it is the same in every frame."""
+        """For each value, True if it is the same in every frame."""
         self._read_by: dict[int, Set[str]] = {}
-        """By the number of a shader, what it reads."""
+        """The names that a shader reads, by the shader's number."""
 
     def only_first(self) -> set[str]:
         """The names of the steps that only a first frame needs, since it has no last one."""
@@ -78,7 +78,7 @@ class _Repeats:
         return steps.keys() - needed
 
     def leaves_the_same(self, step: PlanStep) -> bool:
-        """Whether nothing that a step is given, or draws to, changes from frame to frame."""
+        """True if nothing that a step is given, or draws to, changes from frame to frame."""
         results = {result for result, _ in written(step)}
         changes = results & self._drawn_anew or results & self._often
         if changes or any(drawn_over(step)):
@@ -95,7 +95,7 @@ class _Repeats:
         )
 
     def _numbers(self, step: PlanStep) -> Iterator[int | None]:
-        """The values that say what a step draws, and how large; ``None`` for an unknown one."""
+        """The values that define a step's draws and sizes; ``None`` for an unknown one."""
         textures = [row.texture for row in step.attachments]
         textures += [image.texture for image in step.images]
         yield from (self._plan.textures[texture].size.value for texture in textures)
@@ -111,7 +111,7 @@ class _Repeats:
         return number is not None and self._constant[number]
 
     def _is_given_all(self, use: UseRow) -> bool:
-        """Whether the frame sets all that a shader reads, as far as that is known."""
+        """True if the frame sets everything that a shader reads, as far as that is known."""
         if self._reflections is None:
             return True
         shader = use.shader
@@ -121,14 +121,14 @@ class _Repeats:
 
 
 def _wanted(step: PlanStep) -> set[str]:
-    """The results that have to be drawn in later frames where a step is done in them."""
+    """The results that later frames have to draw if they do this step."""
     now = read_now(step, is_first=False)
     read = (result for result, _ in (*written(step), *read_before(step), *now))
     return {*read, *drawn_over(step)}
 
 
 def _read_by(reflection: Reflection) -> Iterator[str]:
-    """What a shader reads: itself, or by values that are derived of it."""
+    """The names that a shader reads, itself or by values that are derived from them."""
     for row in reflection.parameters:
         if row.block is not None:
             yield row.name

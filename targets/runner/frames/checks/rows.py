@@ -1,4 +1,4 @@
-"""What all checks of plans share: their error, and how they walk over the rows of a plan.
+"""Parts of all checks of plans: their error, and functions that walk over the rows of a plan.
 
 A plan has every name and every number several times over, and the checks compare these. So a plan
 in which one place is wrong contradicts itself.
@@ -23,10 +23,10 @@ from .....compiler.documents.plan import (
 )
 
 Reading = tuple[str, int | None]
-"""A result that a step reads, and the number of its texture; ``None`` of a buffer."""
+"""A result that a step reads, and the number of its texture; ``None`` for a buffer."""
 
 WRITES = frozenset(("target", "depth", "image", "copied_to"))
-"""Uses of a texture behind which even the same use has to wait."""
+"""Uses of a texture after which even the same use has to wait."""
 
 
 class Named(Protocol):
@@ -34,11 +34,11 @@ class Named(Protocol):
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """The name of the row."""
 
 
 MOST_TOLD = 300
-"""How many letters a line of an error has: what a plan calls things may be as long as it likes."""
+"""The most letters of a line of an error: names in a plan may be as long as they like."""
 
 
 class PlanError(ValueError):
@@ -49,7 +49,7 @@ class PlanError(ValueError):
 
 
 def _line(text: str) -> str:
-    """A line of an error, without what would make two of it, or a very long one."""
+    """A line of an error, without characters that would break it, and not too long."""
     shown = harmless(text if len(text) <= MOST_TOLD else text[: MOST_TOLD // 2])
     return shown if len(text) <= MOST_TOLD else f"{shown} … {harmless(text[-MOST_TOLD // 2 :])}"
 
@@ -60,18 +60,18 @@ def fail(plan: FramePlan, where: str, text: str) -> NoReturn:
 
 
 END = "the end"
-"""What messages call the place behind the last step."""
+"""The name, in messages, of the place behind the last step."""
 
 
 def places_of_waiting(plan: FramePlan) -> Iterator[tuple[str, PlanStep | WaitingRow]]:
-    """Each place of a plan that has barriers, with what messages call it."""
+    """Each place of a plan that has barriers, with its name in messages."""
     for step in plan.steps:
         yield step.name, step
     yield END, plan.end
 
 
 def drawn_to(step: PlanStep) -> Iterator[int]:
-    """The textures that a step draws to, and those to which it resolves samples then."""
+    """The textures that a step draws to, and those to which it resolves samples."""
     for row in step.attachments:
         yield row.texture
         if row.resolve is not None:
@@ -79,12 +79,12 @@ def drawn_to(step: PlanStep) -> Iterator[int]:
 
 
 def has_samples(plan: FramePlan, attachment: AttachmentRow) -> bool:
-    """Whether a step draws with several samples there."""
+    """True if a step draws to an attachment with several samples."""
     return plan.textures[attachment.texture].samples > 1
 
 
 def inputs(step: PlanStep) -> Iterator[InputRow]:
-    """What the frame sets in a step."""
+    """The inputs that the frame sets in a step."""
     for use in step.uses:
         yield from use.inputs
 
@@ -107,8 +107,10 @@ def read_before(step: PlanStep) -> Iterator[Reading]:
 
 
 def written(step: PlanStep) -> Iterator[Reading]:
-    """The results that a step leaves, each with the texture that it lies in then. A copy leaves
-    nothing of its own: the next step draws over it."""
+    """The results that a step leaves, each with the texture that holds it then.
+
+    A copy leaves nothing of its own: the next step draws over it.
+    """
     for row in step.attachments:
         yield row.result, row.texture
         if row.resolve is not None:
@@ -120,7 +122,7 @@ def written(step: PlanStep) -> Iterator[Reading]:
 
 
 def drawn_over(step: PlanStep) -> Iterator[str]:
-    """The results that are there before, where a step draws."""
+    """The results over which a step draws."""
     for row in step.attachments:
         if row.over is not None:
             yield row.over

@@ -1,4 +1,4 @@
-"""Checks a plan against the reflections of its shaders: what steps give them, and draw to."""
+"""Checks a plan against the reflections of its shaders: inputs and render targets."""
 
 from __future__ import annotations
 
@@ -24,17 +24,20 @@ from .reflections import check_reflection
 from .rows import Named, fail
 
 DEPTHS = "depth"
-"""What the formats of depths begin with, and what textures are called that hold them."""
+"""The beginning of the depth formats, and the name of the dimension of textures that hold
+depths."""
 _VALUE = ("representation", "layout", "members")
-"""What has to be alike where a shader takes over a value of the frame."""
+"""The fields that have to be equal where a shader takes over a value of the frame."""
 _KINDS = ("parameters", "textures", "buffers")
 _BUFFER = ("representation", "stride", "members", "structs")
-"""What has to be alike where one shader reads the elements that another one writes."""
+"""The fields that have to be equal where one shader reads the elements that another one writes."""
 
 
 def check_shaders(plan: FramePlan, reflections: Sequence[Reflection]) -> None:
-    """Raise ``PlanError`` for a shader that is given, or draws, something else than its reflection
-    says. ``reflections`` are those of the plan's shaders, in order."""
+    """Raise ``PlanError`` if a shader's inputs or targets differ from its reflection.
+
+    ``reflections`` are those of the plan's shaders, in order.
+    """
     if len(reflections) != len(plan.shaders):
         fail(plan, "shaders", f"there are {len(reflections)}, and not {len(plan.shaders)}")
     for row, reflection in zip(plan.shaders, reflections, strict=True):
@@ -55,7 +58,7 @@ def check_shaders(plan: FramePlan, reflections: Sequence[Reflection]) -> None:
 
 
 def _check_lights(plan: FramePlan, reflection: Reflection) -> None:
-    """The lights of a shader are those of the frame; an array is taken over as it is."""
+    """Check that the lights of a shader are those of the frame, and its arrays the same arrays."""
     lights = _by_name(plan.lights)
     values, own_values = _by_name(plan.parameters), _by_name(reflection.parameters)
     for row in reflection.lights:
@@ -79,12 +82,13 @@ class _Shaders:
         self._plan = plan
         self._reflections = reflections
         self._inputs = [_inputs_of(each) for each in reflections]
-        """By name, what each shader can be given: which of ``_KINDS`` it is, and its row."""
+        """The inputs of each shader, by name: the kind (one of ``_KINDS``), and the row."""
         self._results = [_by_name(each.results) for each in reflections]
         self._alike: set[tuple[str, int, str]] = set()
-        """Which buffers have been compared with which input of which shader."""
+        """The buffers that have been compared, each with an input of a shader."""
         self._textures: dict[str, tuple[str, str]] = dict(self._all_textures())
-        """Of each result, and each texture of the host, the dimension and what it holds."""
+        """For each result, and each texture of the host, its dimension and the kind of its
+        texels."""
         self._buffers = dict(self._all_buffers())
 
     def _all_textures(self) -> Iterator[tuple[str, tuple[str, str]]]:
@@ -105,10 +109,10 @@ class _Shaders:
                 if (result := self._results[kernel.shader].get(written.name)) is not None:
                     yield written.result, result
 
-    # --- what shaders are given ------------------------------------------------------------------
+    # --- inputs of shaders -----------------------------------------------------------------------
 
     def check_use(self, where: str, use: UseRow) -> None:
-        """Every input is one of the shader, and of its type."""
+        """Check that every input exists in the shader, and has its type."""
         shader: int = use.shader
         for row in use.inputs:
             name = row.name
@@ -146,10 +150,10 @@ class _Shaders:
             name = declared.name
             fail(self._plan, where, f"`{name}` is {declared.type}, and `{named}` is not")
 
-    # --- what they draw and write ----------------------------------------------------------------
+    # --- targets and results ---------------------------------------------------------------------
 
     def check_draw(self, step: DrawStep) -> None:
-        """The targets of a pass are drawn to textures of their formats."""
+        """Check that the targets of a pass are drawn to textures of their formats."""
         where = step.name
         layers = self._plan.textures[step.attachments[0].texture].layers
         for shader in dict.fromkeys(use.shader for use in step.uses):
@@ -171,7 +175,7 @@ class _Shaders:
     def _check_depths(
         self, where: str, given: AttachmentRow | None, reflection: Reflection
     ) -> None:
-        """A step has depths, and stencil values, if its pass uses them."""
+        """Check that a step has depths, and stencil values, if its pass uses them."""
         state = reflection.render_state
         depth, stencil = state.depth, state.stencil
         is_used = depth.is_used or stencil is not None
@@ -182,7 +186,7 @@ class _Shaders:
             fail(self._plan, where, f"{reflection.material} tests stencil values it has not got")
 
     def check_run(self, step: RunStep) -> None:
-        """A kernel writes what its reflection says."""
+        """Check that a kernel writes the results of its reflection."""
         reflection = self._reflections[step.use.shader]
         self._check_kind(step.name, step.use.shader, is_kernel=True)
         self._check_targets(step.name, step.images, reflection)
@@ -192,7 +196,7 @@ class _Shaders:
             fail(self._plan, step.name, f"it writes {', '.join(wanted)}")
 
     def _check_kind(self, where: str, shader: int, *, is_kernel: bool) -> None:
-        """A pass has no work groups, and a kernel draws nothing."""
+        """Check that a pass has no work groups, and that a kernel draws nothing."""
         reflection = self._reflections[shader]
         if (reflection.work_group is not None) != is_kernel:
             kinds = "a pass", "a kernel"
@@ -211,7 +215,7 @@ class _Shaders:
 
 
 def _read(source: Source) -> Iterator[str]:
-    """What an input reads, by the names under which it is known here."""
+    """The names of the things that an input reads, as this module knows them."""
     match source:
         case HostSource():
             yield f"host {source.host}"
@@ -224,12 +228,12 @@ def _read(source: Source) -> Iterator[str]:
 
 
 def _are_alike(one: object, other: object, fields: Sequence[str]) -> bool:
-    """Whether two rows have the same in some fields."""
+    """True if two rows have equal values in some fields."""
     return other is not None and all(getattr(one, f) == getattr(other, f) for f in fields)
 
 
 def _inputs_of(reflection: Reflection) -> Mapping[str, tuple[str, Any]]:
-    """All that a shader can be given, by name. What comes first hides what has its name."""
+    """All inputs of a shader, by name. The first of several with the same name is used."""
     return {row.name: (kind, row) for kind in reversed(_KINDS) for row in getattr(reflection, kind)}
 
 

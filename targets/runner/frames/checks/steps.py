@@ -1,4 +1,4 @@
-"""Checks the steps that compute a value: of a plan's values, and of all that reflections derive."""
+"""Checks the steps that compute a value: those of a plan, and those of reflections."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from .rows import PlanError
 
 _FUNCTIONS = OF_NUMBERS | {"texture_size"}
 MOST_TERMS = 1 << 16
-"""Of a sum that a host computes."""
+"""The most terms of a sum that a host computes."""
 
 
 MOST_SAID = 10
-"""How many arguments of a step are listed."""
+"""The most arguments of a step that a message lists."""
 
 
 def check_steps(where: str, steps: Sequence[StepRow]) -> None:
-    """Raise ``PlanError`` for a step that is no known operation on what stands before it."""
+    """Raise ``PlanError`` for a step that is no known operation on steps before it."""
     for number, step in enumerate(steps):
         if isinstance(step, CallStep) and step.function not in _FUNCTIONS:
             raise PlanError(f"{where}: there is no function `{step.function}`")

@@ -1,7 +1,7 @@
-"""Decodes accessors: the arrays of numbers that meshes, skins and morphs consist of.
+"""Decodes accessors: the arrays of numbers of which meshes, skins and morph targets consist.
 
-Each range is checked against the bytes that there are, and each array is counted, before it is
-made: a small file can name the same bytes again and again, or zeros that no bytes stand for.
+Each range is checked against the existing bytes, and each array is counted, before it is made: a
+small file can name the same bytes again and again, or zeros without any bytes.
 """
 
 from __future__ import annotations
@@ -18,12 +18,11 @@ from .folder import Folder
 from .schema import Accessor, File, Sparse
 
 _LEAST = 1000
-"""As how many numbers an accessor is counted at least: reading a short one takes as long."""
+"""The least numbers that an accessor is counted as: reading a short one takes as long."""
 _LOOKED_UP = 30
-"""Likewise an accessor that is named, whether or not it is read."""
+"""The numbers that a named accessor is counted as, whether or not it is read."""
 _BYTES_OF_NUMBER = 2 * 8
-"""How much memory a number takes while it is decoded, beside its own size: as a double, and what is
-computed of it."""
+"""The memory of a number while it is decoded, beside its own size: as a double, and as a result."""
 
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _SHAPES = {
@@ -41,7 +40,7 @@ class Accessors:
     def __init__(
         self, file: File, folder: Folder, binary: memoryview | None, path: Path, memory: Tally
     ) -> None:
-        """``memory`` counts what is read of the file ``path``."""
+        """``memory`` counts everything that is read of the file ``path``."""
         self._file = file
         self._folder = folder
         self._binary = binary
@@ -70,11 +69,11 @@ class Accessors:
         return found.astype(np.int64)
 
     def type_of(self, index: int, what: str) -> str:
-        """``VEC3`` and the like. Raises ``SceneError``."""
+        """The type of an accessor, such as ``VEC3``. Raises ``SceneError``."""
         return self._found(index, what).type
 
     def count_of(self, index: int, what: str) -> int:
-        """How many elements there are. Raises ``SceneError``."""
+        """The number of elements of an accessor. Raises ``SceneError``."""
         return self._found(index, what).count
 
     def tell_looked_up(self, count: int) -> None:
@@ -136,7 +135,7 @@ class Accessors:
         return np.ndarray((count, columns, rows), kind, data, offset, strides).copy()
 
     def _replaced(self, found: Array, sparse: Sparse, shape: tuple[int, int], what: str) -> Array:
-        """The array with the elements that a sparse accessor gives anew."""
+        """The array with the elements that a sparse accessor replaces."""
         if sparse.count > len(found):
             raise SceneError(f"{what}: it replaces {sparse.count} of {len(found)} elements")
         indices, values = sparse.indices, sparse.values
@@ -154,7 +153,7 @@ class Accessors:
         return found
 
     def _view(self, index: int, what: str) -> tuple[memoryview, int | None]:
-        """The bytes of a buffer view, and how far its elements are apart, if it says so."""
+        """The bytes of a buffer view, and the distance of its elements, if it has one."""
         if index >= len(self._file.buffer_views):
             raise SceneError(f"{what}: there is no buffer view {index}")
         view = self._file.buffer_views[index]

@@ -25,15 +25,19 @@ _MAGIC = b"glTF"
 _JSON, _BINARY = 0x4E4F534A, 0x004E4942
 
 _BYTES_OF_VALUE = 90
-"""How much memory a value of JSON takes as a record, at most: measured with arrays of each kind of
+"""The most memory that a value of JSON takes as a record: measured with arrays of each kind of
 record, with nothing in them."""
 _BYTES_OF_BYTE = 5
-"""Likewise a byte of JSON: itself, and that of a text with a character that takes four."""
+"""The most memory that a byte of JSON takes: itself, and that of a text with a character that takes
+four."""
 
 
 def open_file(path: Path, memory: Tally) -> tuple[File, memoryview | None]:
-    """The records of a file, and the binary part of a ``.glb``. Raises ``SceneError``, and
-    ``BudgetError`` if they are more than they may be; ``memory`` counts what they take."""
+    """The records of a file, and the binary part of a ``.glb``.
+
+    ``memory`` counts the memory that they take. Raises ``SceneError``, and ``BudgetError`` if that
+    is too much.
+    """
     try:
         data = memoryview(read_file(path, str(path)))
     except FileError as error:
@@ -89,8 +93,11 @@ def _records(text: bytes, path: Path, memory: Tally) -> File:
 
 
 def most_values(text: bytes) -> int:
-    """How many values there can be in a JSON text: each but the first one stands behind a comma, or
-    behind what begins a list or an object. Those in strings are counted too."""
+    """The most values that a JSON text can have.
+
+    Each value but the first one follows a comma, or the beginning of a list or an object. Those in
+    strings are counted too.
+    """
     return 1 + sum(map(text.count, (b",", b"[", b"{")))
 
 

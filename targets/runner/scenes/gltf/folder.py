@@ -1,4 +1,4 @@
-"""Reads what a glTF file refers to: data in the URI itself, or files in its own folder.
+"""Reads the data to which a glTF file refers: in the URI itself, or in files of its own folder.
 
 A glTF file may come from anywhere. So it can name no other file than those that lie beside it or
 deeper: by no spelling of a path, and through no link. Nothing is fetched from a network.
@@ -23,13 +23,15 @@ class Folder:
     """The folder of a glTF file. It keeps no file that it has read."""
 
     def __init__(self, file: Path, memory: Tally) -> None:
-        """``memory`` counts all that is read: a file can be named again and again."""
+        """``memory`` counts everything that is read: a file can be named again and again."""
         self._folder = file.parent
         self._memory = memory
 
     def read(self, uri: str, what: str) -> bytes:
-        """The bytes that a URI means; ``what`` says in errors who asks. Raises ``SceneError``, and
-        ``BudgetError`` if there are too many."""
+        """The bytes that a URI means; ``what`` names the reader in errors.
+
+        Raises ``SceneError``, and ``BudgetError`` if there are too many bytes.
+        """
         if uri.startswith("data:"):
             self._memory.add(len(uri), passing=len(uri))
             return _data(uri, what)
@@ -41,7 +43,7 @@ class Folder:
         return data
 
     def _place(self, uri: str, what: str) -> Path:
-        """The file of a relative URI, where it really lies."""
+        """The real path of the file that a relative URI means."""
         if _SCHEME.match(uri):
             raise _outside(uri, what)
         try:

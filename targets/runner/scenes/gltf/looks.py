@@ -1,4 +1,4 @@
-"""Makes looks of the materials of a glTF file: their numbers and their pictures.
+"""Makes looks from the materials of a glTF file: their numbers and their pictures.
 
 The words are those by which ``stdlib/scene.toml`` finds parameters and textures of a material that
 draws them.
@@ -18,7 +18,7 @@ from .folder import Folder
 from .schema import File, Image, Material, Sampler, TextureInfo
 
 _FORMATS = ("PNG", "JPEG")
-"""What pictures may be: other formats are no part of glTF."""
+"""The formats that pictures may have: other formats are no part of glTF."""
 
 
 class Looks:
@@ -27,7 +27,7 @@ class Looks:
     def __init__(
         self, file: File, folder: Folder, accessors: Accessors, notes: Notes, memory: Tally
     ) -> None:
-        """``memory`` counts the pictures, and ``notes`` get what is left out."""
+        """``memory`` counts the pictures, and ``notes`` collects what is left out."""
         self._file = file
         self._folder = folder
         self._accessors = accessors
@@ -37,7 +37,7 @@ class Looks:
         self._memory = memory
 
     def look(self, index: int | None, what: str) -> Look:
-        """The look of a material. Raises ``SceneError``; ``what`` says in it who has the look."""
+        """The look of a material. Raises ``SceneError``; ``what`` names the look's user in it."""
         if index is None:
             return PLAIN
         if index >= len(self._file.materials):

@@ -1,5 +1,4 @@
-"""Makes meshes of the primitives of a glTF file: with triangles, normals and tangents, as drawing
-needs them."""
+"""Makes meshes from the primitives of a glTF file, with triangles, normals and tangents."""
 
 from __future__ import annotations
 
@@ -25,21 +24,21 @@ _LINES = {1, 2, 3}
 
 
 class Size(NamedTuple):
-    """How much a mesh is made of, which is known before it is made."""
+    """The size of a mesh's ingredients, which is known before the mesh is made."""
 
     vertices: int
     corners: int
-    """Of all triangles."""
+    """The number of corners of all triangles."""
     has_normals: bool
-    """Where there are none, each triangle gets vertices of its own."""
+    """False if there are no normals: then each triangle gets vertices of its own."""
 
     @property
     def drawn(self) -> int:
-        """How many vertices are drawn."""
+        """The number of vertices that are drawn."""
         return max(self.vertices, self.corners)
 
     def count_memory(self, memory: Tally) -> None:
-        """Count what a mesh takes, and what is needed while it is made. Raises ``BudgetError``."""
+        """Count the memory of a mesh, and the memory for making it. Raises ``BudgetError``."""
         vertices = self.vertices if self.has_normals else self.drawn
         memory.add(
             vertices * _KEPT_OF_VERTEX + self.corners * _KEPT_OF_CORNER,
@@ -51,17 +50,19 @@ _KEPT_OF_VERTEX, _KEPT_OF_CORNER = 256, 8
 """The bytes of a mesh: 26 numbers for each vertex, with those of morph targets 32, and the number
 of a vertex for each corner."""
 _PASSING_OF_VERTEX, _PASSING_OF_CORNER = 160, 80
-"""What is needed in addition while it is made, as measured."""
+"""Bytes that are needed in addition while a mesh is made, as measured."""
 
 
 def is_drawn(primitive: Primitive) -> bool:
-    """Whether a mesh can be made of a primitive; lines have no surface."""
+    """True if a mesh can be made of a primitive; lines have no surface."""
     return primitive.mode not in _LINES
 
 
 def size_of(primitive: Primitive, accessors: Accessors, what: str) -> Size:
-    """How large the mesh of a primitive will be. Raises ``SceneError``, and ``BudgetError`` if it
-    names too many accessors; ``what`` names the primitive in them."""
+    """The size of the mesh that a primitive will be; ``what`` names the primitive in errors.
+
+    Raises ``SceneError``, and ``BudgetError`` if the primitive names too many accessors.
+    """
     accessors.tell_looked_up(len(primitive.attributes))
     vertices = _check_counts(primitive, accessors, what)
     named = primitive.indices
@@ -185,7 +186,7 @@ def _triangles(mode: int, corners: Indices, what: str) -> Indices:
 def _morphs(
     primitive: Primitive, accessors: Accessors, weights: Sequence[float], count: int, what: str
 ) -> Channels:
-    """What leads to the shape of all targets together: differences of positions and normals."""
+    """The sum of all morph targets by their weights: differences of positions and normals."""
     if len(weights) != len(primitive.targets):
         raise SceneError(
             f"{what}: it has {len(primitive.targets)} morph targets, and {len(weights)} weights"
@@ -203,8 +204,10 @@ def _morphs(
 
 
 def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
-    """Vertices of their own for each triangle, with its normal, as glTF wants it where there are
-    none. Points look upwards."""
+    """Flat triangles: each has vertices of its own, with its normal, as glTF wants it.
+
+    That is done for a mesh without normals. Points look upwards.
+    """
     if not len(triangles):
         return channels | {"normal": _all_alike((0, 1, 0), len(channels["position"]))}, triangles
     corners = triangles.ravel()
@@ -215,7 +218,7 @@ def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
 
 
 def _fill(channels: Channels, triangles: Indices) -> None:
-    """What materials may read and the file does not have: neutral values, and tangents."""
+    """Add what materials may read and the file lacks: neutral values, and tangents."""
     count = len(channels["position"])
     for name, neutral in _NEUTRAL.items():
         if name not in channels:

@@ -1,4 +1,4 @@
-"""Walks over the nodes of a glTF file: where each one is in the world, and its tags.
+"""Walks over the nodes of a glTF file: finds their transforms to world space, and their tags.
 
 Nodes form trees, however deep. A file that says otherwise is refused. Tags are handed down, so
 there may be many more of them than in the file, and they are counted.
@@ -27,17 +27,19 @@ class Placed:
     node: Node
     to_world: Matrix
     tags: frozenset[str]
-    """Its own, and those of the nodes above it."""
+    """The node's own tags, and those of the nodes above it."""
 
     @property
     def name(self) -> str:
-        """Its name, or its number if it has none."""
+        """The node's name, or its number if it has none."""
         return self.node.name or f"node {self.number}"
 
 
 def placed_nodes(file: File, path: Path, memory: Tally) -> list[Placed]:
-    """The nodes of the file's scene, each before those below it. Raises ``SceneError``, and
-    ``BudgetError`` if what they take is too much."""
+    """The nodes of the file's scene, each before those below it.
+
+    Raises ``SceneError``, and ``BudgetError`` if they take too much.
+    """
     _check_parents(file)
     memory.add(len(file.nodes) * _BYTES_OF_NODE)
     tags = Tally("values", f"handing down the tags of {path} takes")
@@ -45,11 +47,11 @@ def placed_nodes(file: File, path: Path, memory: Tally) -> list[Placed]:
 
 
 _BYTES_OF_NODE = 1000
-"""What placing a node takes, as measured."""
+"""Bytes that placing a node takes, as measured."""
 
 
 def _check_parents(file: File) -> None:
-    """Raise ``SceneError`` if a node has two parents; so what is reached from a root is a tree."""
+    """Raise ``SceneError`` if a node has two parents; so the nodes below a root form a tree."""
     parents: dict[int, int] = {}
     for number, node in enumerate(file.nodes):
         for child in node.children:
@@ -71,7 +73,7 @@ def _check_parents(file: File) -> None:
 
 
 def _roots(file: File) -> tuple[int, ...]:
-    """The roots of the scene to show; of a file without scenes, all."""
+    """The roots of the scene to show; all roots of a file without scenes."""
     below = {child for node in file.nodes for child in node.children}
     if not file.scenes:
         return tuple(number for number in range(len(file.nodes)) if number not in below)

@@ -35,8 +35,10 @@ _RIGHT_ANGLE = np.pi / 2
 
 
 def read_gltf(path: Path) -> SceneFile:
-    """What the scene of a ``.gltf`` or ``.glb`` file shows. Raises ``SceneError``, and
-    ``BudgetError`` if it takes more than is allowed."""
+    """Read the scene of a ``.gltf`` or ``.glb`` file.
+
+    Raises ``SceneError``, and ``BudgetError`` if it takes more than is allowed.
+    """
     memory = Tally("memory", f"reading {path} takes")
     file, binary = open_file(path, memory)
     folder = Folder(path, memory)
@@ -47,7 +49,7 @@ def read_gltf(path: Path) -> SceneFile:
 
 
 class _Reader:
-    """What is read of one file."""
+    """Reads the objects, cameras and lamps of one file."""
 
     def __init__(
         self,
@@ -71,7 +73,7 @@ class _Reader:
         self._meshes: dict[tuple[int, int, int], Mesh] = {}
         self._sizes: dict[tuple[int, int], Size] = {}
         self._weights: dict[tuple[float, ...], int] = {(): 0}
-        """A number for each tuple of weights that a node has, which may be long."""
+        """A number for each tuple of weights of a node; such a tuple may be long."""
         self._vertices = Tally("vertices", f"{path} draws")
 
     def scene(self) -> SceneFile:
@@ -83,7 +85,7 @@ class _Reader:
         return SceneFile(tuple(objects), tuple(cameras), tuple(lamps), self._notes.told())
 
     def _check_count(self) -> None:
-        """Refuse more than anybody means, before anything is made."""
+        """Refuse more objects than make sense, before anything is made."""
         meshes = self._file.meshes
         drawn = (each.node.mesh for each in self._nodes if each.node.mesh is not None)
         count = sum(len(meshes[number].primitives) for number in drawn if number < len(meshes))
@@ -92,7 +94,7 @@ class _Reader:
         check("objects", count + beside, f"{self._path} has")
 
     def _note_left_out(self) -> None:
-        """Tell what the file has, and the scene has not."""
+        """Note the contents of the file that the scene leaves out."""
         for name in self._file.extensions_used:
             if name not in SUPPORTED:
                 self._notes.add(f"the extension {short(name)}", " is left out")
@@ -137,7 +139,7 @@ class _Reader:
         weights: tuple[float, ...],
         what: str,
     ) -> Mesh:
-        """The mesh of a primitive that has gone so far to each of its morph targets."""
+        """The mesh of a primitive with these weights of its morph targets."""
         if key not in self._meshes:
             self._size(primitive, key[:2], what).count_memory(self._memory)
             weights = weights or (0.0,) * len(primitive.targets)
@@ -145,7 +147,7 @@ class _Reader:
         return self._meshes[key]
 
     def _bones(self, number: int, placed: Placed) -> Matrix:
-        """The transforms of a skin's joints, from where the mesh rests to the world."""
+        """The transforms of a skin's joints, from the mesh at rest to world space."""
         if number >= len(self._file.skins):
             raise SceneError(f"node {placed.number}: there is no skin {number}")
         if number not in self._skins:
@@ -209,7 +211,7 @@ class _Reader:
 
 
 def _morphed(look: Look) -> Look:
-    """The look of a mesh whose channels ``morph_…`` already lead to the shape that it has."""
+    """The look of a mesh whose channels ``morph_…`` already lead to its shape."""
     return replace(look, parameters={**look.parameters, "morph": 1.0})
 
 
@@ -219,7 +221,7 @@ def _check_depths(near: float, far: float, number: int) -> None:
 
 
 def _upright(placed: Placed) -> Matrix:
-    """Where a camera or a light stands, without the scale of the nodes above it."""
+    """The transform of a camera or a light, without the scale of the nodes above it."""
     to_world = placed.to_world.copy()
     lengths = np.linalg.norm(to_world[:3, :3], axis=0)
     if not lengths.all():

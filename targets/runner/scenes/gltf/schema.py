@@ -17,14 +17,14 @@ Share = Annotated[float, Meta(ge=0, le=1)]
 Positive = Annotated[float, Meta(gt=0)]
 NotNegative = Annotated[float, Meta(ge=0)]
 Distance = Annotated[float, Meta(ge=1e-30, le=1e30)]
-"""Of which a projection can be made: neither it nor what is divided by it is 0 or infinite."""
+"""A distance of which a projection can be made: neither it nor its reciprocal is 0 or infinite."""
 Numbers3 = tuple[float, float, float]
 Numbers4 = tuple[float, float, float, float]
 Name = Annotated[str, Meta(max_length=10_000)]
 
 
 class Record(Struct, frozen=True, rename="camel"):
-    """What all records have in common."""
+    """The base of all records: immutable, with names in camel case in the JSON."""
 
 
 class Asset(Record, frozen=True):
@@ -91,7 +91,7 @@ class Texture(Record, frozen=True):
 
 
 class Sampler(Record, frozen=True):
-    """In OpenGL's numbers. The defaults are how textures are read here: repeated, filtered."""
+    """A sampler in OpenGL's numbers. Textures here have the defaults: repeated, filtered."""
 
     mag_filter: Index = 9729
     wrap_s: Index = 10497
@@ -102,9 +102,9 @@ class TextureInfo(Record, frozen=True):
     index: Index
     tex_coord: Index = 0
     scale: float = 1.0
-    """Of a normal map."""
+    """The scale of a normal map."""
     strength: Share = 1.0
-    """Of an occlusion map."""
+    """The strength of an occlusion map."""
 
 
 class Reflectance(Record, frozen=True):
@@ -204,7 +204,7 @@ class NodeExtensions(Struct, frozen=True):
 
 class Extras(Record, frozen=True):
     tags: tuple[Name, ...] = ()
-    """No part of glTF: the words by which frames choose what they draw."""
+    """Words by which frames choose models; they are no part of glTF."""
 
 
 class Node(Record, frozen=True):
@@ -220,7 +220,7 @@ class Node(Record, frozen=True):
     weights: tuple[float, ...] = ()
     extensions: NodeExtensions = NodeExtensions()
     extras: Extras | list[Any] | str | float | bool | None = None
-    """What an application likes; only tags are read."""
+    """Data of an application, in any form; only tags are read."""
 
 
 class Scene(Record, frozen=True):
