@@ -18,7 +18,7 @@ from burnish.targets.toolchain import Job, Toolchain
 from .kit import VARIANTS, jobs_of
 
 PROFILE = "glsl:es100"
-SAID = Path(__file__).parent / "golden" / "webgl1.txt"
+SAID = Path(__file__).with_name("webgl1.txt")
 Compiled = dict[str, CompiledMaterial]
 
 
