@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -128,19 +129,36 @@ def test_an_expansion_is_the_builtin(
 
 
 DEFINED = [row.name for row in BUILTINS.values() if row.definition]
+BY_EXPONENTIAL = {"sinh", "tanh"}
+"""Near zero, their definitions are a difference of what is near one."""
+
+
+def with_a_definition(name: str) -> list[tuple[Type, ...]]:
+    """The types of operands for which the library defines a builtin: some languages lack it for
+    whole numbers only."""
+    found = []
+    for types in fitting(name):
+        with suppress(AssertionError):
+            definition(name, types)
+            found.append(types)
+    return found
 
 
 @pytest.mark.parametrize("name", DEFINED)
 @settings(max_examples=30)
 @given(data=st.data())
 def test_a_definition_is_the_builtin(name: str, data: st.DataObject) -> None:
-    types = data.draw(st.sampled_from(fitting(name)))
+    types = data.draw(st.sampled_from(with_a_definition(name)))
     node, leaves = defined(name, types)
     operands = [data.draw(values(type_)) for type_ in types]
     given_lanes = {leaf.id: value for leaf, value in zip(leaves, operands, strict=True)}
     with hardware():
         found = evaluate(node, lambda leaf: given_lanes.get(leaf.id))
-    assert found == meaning(name, operands, kind=scalar_kind(types[0]) or "float")
+    expected = meaning(name, operands, kind=scalar_kind(types[0]) or "float")
+    if name in BY_EXPONENTIAL:
+        assert list(flat(found)) == pytest.approx(list(flat(expected)), rel=1e-9, abs=1e-15)
+    else:
+        assert found == expected
 
 
 def test_a_scalar_expansion_is_applied_to_each_lane() -> None:

@@ -71,6 +71,10 @@ class _Names:
         for row in plan.shaders:
             if row.rig not in (None, plan.rig):
                 self._fail(row.name, f"it is drawn under `{row.rig}`, and not `{plan.rig}`")
+        used = {use.shader for step in plan.steps for use in step.uses}
+        for number, shader in enumerate(plan.shaders):
+            if number not in used:
+                self._fail(shader.name, "no step uses it")
         for number, value in enumerate(plan.values):
             self._check_value(f"value {number}", value)
         for number, texture in enumerate(plan.textures):
