@@ -9,18 +9,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from .render_state import (
-    NO_BIAS,
-    Compare,
-    Cull,
-    DepthBias,
-    DepthFormat,
-    Fill,
-    RenderTarget,
-    Stencil,
-    Winding,
-)
+from ....compiler.ir.render_state import Cull, DepthState, Fill, StencilState
+from .render_state import DepthFormat, RenderTarget, Winding
 from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
+
+NEAREST = DepthState()
+"""The depth test of a pass that says nothing of it: the nearest fragment is seen."""
 
 VertexFormat = Literal[
     "float32", "float32x2", "float32x3", "float32x4",
@@ -106,11 +100,9 @@ class Pipeline:
     fill: Fill = "faces"
     samples: int = 1
     """How many samples each pixel has of all that is drawn to; targets are resolved then."""
-    depth_compare: Compare = "less"
-    """What the depth test lets through, where there are depths."""
-    depth_write: bool = True
-    depth_bias: DepthBias = NO_BIAS
-    stencil: Stencil | None = None
+    depth: DepthState = NEAREST
+    """What the depth test lets through, where there are depths, and how far these are moved."""
+    stencil: StencilState | None = None
     """``None`` where there is no stencil test, and no stencil values are needed."""
     flip_y: bool = False
     """Whether the text negates clip y; a Vulkan driver chooses its viewport by it."""
@@ -140,4 +132,4 @@ class Pipeline:
     @property
     def has_bias(self) -> bool:
         """Whether depths are moved: only those of triangles are."""
-        return self.depth_bias != NO_BIAS and self.primitive != "line"
+        return self.depth.is_biased and self.primitive != "line"
