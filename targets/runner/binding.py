@@ -19,25 +19,11 @@ from ...compiler.documents.drawing import (
 )
 from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.values import BlockRow
-from ...compiler.ir import blending
-from ...compiler.ir import render_state as ir
-from ...compiler.ir.render_state import DepthState, StencilState
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
 from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput, VertexFormat
 from .drivers.pipeline import VertexInput as Input
-from .drivers.render_state import (
-    ALL_LANES,
-    NO_BIAS,
-    Blend,
-    BlendEquation,
-    DepthBias,
-    RenderTarget,
-    Stencil,
-    StencilSide,
-    TargetFormat,
-    Winding,
-)
+from .drivers.render_state import ALL_LANES, RenderTarget, TargetFormat, Winding
 from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
 from .loose_uniforms import uniforms_of
 from .routes import EVERY_DRIVER, Route
@@ -117,10 +103,8 @@ def pipeline(
         cull=state.cull,
         fill=state.fill,
         samples=1 if exact else state.samples,
-        depth_compare=state.depth.compare,
-        depth_write=state.depth.write,
-        depth_bias=_depth_bias(state.depth),
-        stencil=_stencil(state.stencil),
+        depth=state.depth,
+        stencil=state.stencil,
         flip_y=backend.flip_y,
         # Vulkan's viewport makes every picture upright, also that of a text for another API.
         front_face=WINDINGS[state.front] if on_vulkan else backend.front_face,
@@ -156,23 +140,6 @@ def _stream_output(reflection: Reflection, backend: BackendRow) -> StreamOutput 
     )
 
 
-def _depth_bias(depth: DepthState) -> DepthBias:
-    if not depth.is_biased:
-        return NO_BIAS
-    return DepthBias(depth.bias, depth.slope_bias, depth.bias_clamp)
-
-
-def _stencil(state: StencilState | None) -> Stencil | None:
-    if state is None:
-        return None
-    front, back = map(_stencil_side, (state.front, state.back))
-    return Stencil(front, back, state.reference, state.read_mask, state.write_mask)
-
-
-def _stencil_side(side: ir.StencilSide) -> StencilSide:
-    return StencilSide(side.compare, side.fail_op, side.depth_fail_op, side.pass_op)
-
-
 def _divided_natively(draw: DrawRow) -> bool:
     return draw.tessellation is not None and draw.tessellation.divided_by == EVALUATION.name
 
@@ -187,14 +154,7 @@ def render_target(row: TargetRow, *, exact: bool = False) -> RenderTarget:
     format_ = target_format(row, exact=exact)
     if exact:
         return RenderTarget(format_)
-    blend = None
-    if row.blend is not None:
-        blend = Blend(_equation(row.blend.color), _equation(row.blend.alpha))
-    return RenderTarget(format_, blend, row.mask)
-
-
-def _equation(row: blending.BlendEquation) -> BlendEquation:
-    return BlendEquation(row.source, row.destination, row.operation)
+    return RenderTarget(format_, row.blend, row.mask)
 
 
 def shows_less(reflection: Reflection) -> bool:

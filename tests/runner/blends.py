@@ -4,24 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from burnish.compiler.ir import blending
-from burnish.targets.runner.drivers.render_state import Blend, BlendEquation, Factor, Operation
+from burnish.compiler.ir.blending import NAMED, REPLACES, Blend, BlendEquation, Factor, Operation
 
 
-def as_job(blend: blending.Blend) -> Blend | None:
+def as_job(blend: Blend) -> Blend | None:
     """A blend state as jobs have it."""
-    if blend == blending.REPLACES:
-        return None
-    color, alpha = (
-        BlendEquation(each.source, each.destination, each.operation)
-        for each in (blend.color, blend.alpha)
-    )
-    return Blend(color, alpha)
+    return None if blend == REPLACES else blend
 
 
 def named(word: str) -> Blend | None:
     """The state that the language has a word for."""
-    return as_job(blending.NAMED[word])
+    return as_job(NAMED[word])
 
 
 def both(source: Factor, destination: Factor, operation: Operation = "add") -> Blend:

@@ -77,7 +77,7 @@ def test_where_places_are_numbers() -> None:
         RenderTarget("rgba8unorm-srgb", named("alpha")),
     )
     assert (made.cull, made.front_face, made.first_row) == ("none", "ccw", "top")
-    assert (made.depth_compare, made.depth_write) == ("less", True)
+    assert (made.depth.compare, made.depth.write) == ("less", True)
     assert made.host_uniforms == ()
 
 
@@ -87,7 +87,7 @@ def test_where_places_are_names() -> None:
     (texture,) = made.textures
     assert (texture.texture, texture.sampler) == (Place("albedo", None, None), None)
     assert (made.cull, made.first_row) == ("back", "bottom")
-    assert (made.depth_compare, made.depth_write) == ("less_equal", False)
+    assert (made.depth.compare, made.depth.write) == ("less_equal", False)
     assert made.host_uniforms == ("viewport_height",)
 
 

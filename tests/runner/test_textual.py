@@ -9,18 +9,10 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from burnish.compiler.ir.blending import NAMED
+from burnish.compiler.ir.blending import NAMED, Blend, BlendEquation, Factor, Operation
+from burnish.compiler.ir.render_state import Compare, Cull, DepthState
 from burnish.targets.runner.drivers.draw_job import Job
-from burnish.targets.runner.drivers.render_state import (
-    Blend,
-    BlendEquation,
-    Compare,
-    Cull,
-    Factor,
-    Operation,
-    RenderTarget,
-    TargetFormat,
-)
+from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders
@@ -104,7 +96,7 @@ AT_ONE = ("equal", "less_equal", "greater_equal", "always")
 
 @pytest.mark.parametrize("compare", get_args(Compare))
 def test_depths_are_compared(api: str, compare: Compare) -> None:
-    chosen = replace(pipeline(api), depth_compare=compare)
+    chosen = replace(pipeline(api), depth=DepthState(compare))
     draws = tuple(mesh([(x, y, z) for x, y in CORNERS], RED) for z in (0.5, 1.0))
     drawn = [kit.pixels(p).any() for p in kit.asker(api).draw(Job(chosen, draws))]
     assert drawn == [compare in AT_HALF, compare in AT_ONE]
@@ -114,7 +106,7 @@ def test_depths_that_are_not_written_hide_nothing(api: str) -> None:
     near, far = [(x, y, 0.25) for x, y in CORNERS], [(x, y, 0.75) for x, y in CORNERS]
     draw = mesh(near + far, np.repeat([GREEN, RED], 3, axis=0))
     for writes, seen in ((False, RED), (True, GREEN), (False, RED)):
-        chosen = replace(pipeline(api), depth_write=writes)
+        chosen = replace(pipeline(api), depth=DepthState(write=writes))
         for picture in kit.asker(api).draw(Job(chosen, (draw, draw))):
             assert (kit.pixels(picture) == seen).all()
 
@@ -204,7 +196,7 @@ def test_lanes_that_are_masked_keep_what_they_have(api: str, mask: str) -> None:
 
 
 def test_depths_are_cleared_as_asked(api: str) -> None:
-    chosen = replace(pipeline(api), depth_compare="greater")
+    chosen = replace(pipeline(api), depth=DepthState("greater"))
     for depth, drawn in ((0.25, True), (0.75, False)):
         draw = replace(mesh([(x, y, 0.5) for x, y in CORNERS], RED), clear_depth=depth)
         assert (shoot(api, Job(chosen, (draw,))) == RED).all() == drawn

@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 
+from burnish.compiler.ir.render_state import Compare
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.render_state import Compare
 from burnish.targets.runner.drivers.slots import Sampling
 from burnish.targets.runner.drivers.texels import TextureFormat
 

@@ -9,6 +9,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from burnish.compiler.ir.render_state import DepthState
 from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import VertexFormat, VertexInput
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
@@ -151,7 +152,7 @@ AT_ONE = ("equal", "less_equal", "greater_equal", "always")
 
 @pytest.mark.parametrize("compare", get_args(Compare))
 def test_depths_are_compared(vulkan: Asker, compare: Compare) -> None:
-    pipeline = flat_pipeline(depth_compare=compare)
+    pipeline = flat_pipeline(depth=DepthState(compare))
     drawn = [
         bool(vulkan.one(pipeline, draw_of(quad(-1, -1, 1, 1, depth))).any()) for depth in (0.5, 1.0)
     ]
@@ -160,7 +161,7 @@ def test_depths_are_compared(vulkan: Asker, compare: Compare) -> None:
 
 def test_depths_that_are_not_written_hide_nothing(vulkan: Asker) -> None:
     places, paints = quad(-1, -1, 1, 1, 0.25) + quad(-1, -1, 1, 1, 0.75), [RED] * 6 + [GREEN] * 6
-    pipeline = painted_pipeline(depth_write=False)
+    pipeline = painted_pipeline(depth=DepthState(write=False))
     assert vulkan.one(pipeline, draw_of(places, paints))[3, 3].tolist() == GREEN
 
 
@@ -218,7 +219,7 @@ def test_lanes_that_are_masked_keep_what_they_have(vulkan: Asker, mask: str) -> 
 def test_depths_are_cleared_as_asked(vulkan: Asker) -> None:
     places, paints = quad(-1, -1, 1, 1, 0.25) + quad(-1, 0, 0, 1, 0.75), [RED] * 6 + [GREEN] * 6
     draw = replace(draw_of(places, paints), clear_depth=0.5)
-    picture = vulkan.one(painted_pipeline(depth_compare="greater"), draw)
+    picture = vulkan.one(painted_pipeline(depth=DepthState("greater")), draw)
     assert picture[0, 0].tolist() == GREEN
     assert picture[-1, -1].tolist() == [0.0] * 4
 

@@ -9,18 +9,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from .render_state import (
-    NO_BIAS,
-    Compare,
-    Cull,
-    DepthBias,
-    DepthFormat,
-    Fill,
-    RenderTarget,
-    Stencil,
-    Winding,
-)
+from ....compiler.ir.render_state import Cull, DepthState, Fill, StencilState
+from .render_state import DepthFormat, RenderTarget, Winding
 from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
+
+NEAREST = DepthState()
+"""The depth test of a pass that says nothing of it: the nearest fragment is seen."""
 
 VertexFormat = Literal[
     "float32", "float32x2", "float32x3", "float32x4",
@@ -108,11 +102,9 @@ class Pipeline:
     fill: Fill = "faces"
     samples: int = 1
     """The number of samples of each pixel, in all attachments; the targets are then resolved."""
-    depth_compare: Compare = "less"
-    """The comparison that a fragment has to pass in the depth test, if there are depths."""
-    depth_write: bool = True
-    depth_bias: DepthBias = NO_BIAS
-    stencil: Stencil | None = None
+    depth: DepthState = NEAREST
+    """The depth test, if there are depths, and their bias."""
+    stencil: StencilState | None = None
     """The stencil test; ``None`` if there is none, and no stencil values are needed."""
     flip_y: bool = False
     """True if the text negates clip y; a Vulkan driver chooses its viewport by it."""
@@ -143,4 +135,4 @@ class Pipeline:
     @property
     def has_bias(self) -> bool:
         """True if depths have a bias, which only those of triangles can have."""
-        return self.depth_bias != NO_BIAS and self.primitive != "line"
+        return self.depth.is_biased and self.primitive != "line"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from .render_state import Compare, TargetFormat
+from ....compiler.ir.render_state import Compare
+from .render_state import TargetFormat
 from .texels import Dimension, Sample
 
 Filter = Literal["linear", "nearest"]

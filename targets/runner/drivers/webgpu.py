@@ -14,9 +14,11 @@ from typing import Any
 
 import numpy as np
 
+from ....compiler.ir.blending import BlendEquation
+from ....compiler.ir.render_state import StencilSide
 from .checks import lane_count
 from .pipeline import Pipeline, VertexInput
-from .render_state import BlendEquation, RenderTarget, StencilSide
+from .render_state import RenderTarget
 from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 
 DEPTH = "depth32float"
@@ -70,15 +72,14 @@ def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
     The words of a pipeline are WebGPU's, with other dashes.
     """
     state: dict[str, Any] = {
-        "depth_write_enabled": pipeline.depth_write,
-        "depth_compare": _word(pipeline.depth_compare),
+        "depth_write_enabled": pipeline.depth.write,
+        "depth_compare": _word(pipeline.depth.compare),
     }
     if pipeline.has_bias:
-        bias = pipeline.depth_bias
         state |= {
-            "depth_bias": bias.constant,
-            "depth_bias_slope_scale": bias.slope,
-            "depth_bias_clamp": bias.clamp,
+            "depth_bias": pipeline.depth.bias,
+            "depth_bias_slope_scale": pipeline.depth.slope_bias,
+            "depth_bias_clamp": pipeline.depth.bias_clamp,
         }
     if (stencil := pipeline.stencil) is not None:
         state |= {
@@ -97,9 +98,9 @@ def _word(text: str) -> str:
 def _stencil_side(side: StencilSide) -> Mapping[str, str]:
     return {
         "compare": _word(side.compare),
-        "fail_op": _word(side.fail),
-        "depth_fail_op": _word(side.depth_fail),
-        "pass_op": _word(side.passed),
+        "fail_op": _word(side.fail_op),
+        "depth_fail_op": _word(side.depth_fail_op),
+        "pass_op": _word(side.pass_op),
     }
 
 

@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, TypeVar
 
+from ....frozen import DEFAULTS
+
 T = TypeVar("T")
 
 
@@ -21,10 +23,15 @@ def to_json(value: Any) -> Any:
         return [to_json(item) for item in value]
     if isinstance(value, Mapping):
         return {key: to_json(item) for key, item in value.items()}
-    if dataclasses.is_dataclass(value):
-        fields = dataclasses.fields(value)
-        return {field.name: to_json(getattr(value, field.name)) for field in fields}
+    if is_record(type(value)):
+        names = type(value).__match_args__
+        return {name: to_json(getattr(value, name)) for name in names}
     return value
+
+
+def is_record(kind: Any) -> bool:
+    """True if a type is a record of jobs: a dataclass, or one of the compiler's (``frozen``)."""
+    return isinstance(kind, type) and (dataclasses.is_dataclass(kind) or hasattr(kind, DEFAULTS))
 
 
 def from_json(kind: type[T], data: Mapping[str, Any]) -> T:
@@ -49,8 +56,7 @@ def _read(hint: Any, value: Any) -> Any:
         return {key: _read(kind, item) for key, item in value.items()}
     if isinstance(hint, types.UnionType):
         (hint,) = (part for part in typing.get_args(hint) if part is not type(None))
-    is_record = isinstance(hint, type) and dataclasses.is_dataclass(hint)
-    return from_json(hint, value) if is_record else value
+    return from_json(hint, value) if is_record(hint) else value
 
 
 def _read_tuple(parts: tuple[Any, ...], values: list[Any]) -> tuple[Any, ...]:

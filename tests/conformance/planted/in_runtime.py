@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from burnish.frozen import changed
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.drivers.draw_job import Draw, Job
-from burnish.targets.runner.drivers.render_state import DepthBias
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
@@ -150,13 +150,22 @@ def _states(**state: Any) -> Callable[[Job], Job]:
     return change
 
 
+def _depths(**state: Any) -> Callable[[Job], Job]:
+    """With some of a pipeline's depth test set to something else."""
+
+    def change(asked: Job) -> Job:
+        return _states(depth=changed(asked.pipeline.depth, **state))(asked)
+
+    return change
+
+
 def _stencils(**state: Any) -> Callable[[Job], Job]:
     """With some of a pipeline's stencil test set to something else."""
 
     def change(asked: Job) -> Job:
         stencil = asked.pipeline.stencil
         assert stencil is not None
-        return _states(stencil=replace(stencil, **state))(asked)
+        return _states(stencil=changed(stencil, **state))(asked)
 
     return change
 
@@ -220,15 +229,15 @@ PLANTED = [
     Planted("clockwise front faces", "pipeline: Crossing", HLSL, job(_states(front_face="cw"))),
     Planted("both sides drawn", "pipeline: Backs", GLSL, job(_states(cull="none"))),
     Planted("the other side drawn", "pipeline: Backs", WGSL, job(_states(cull="back"))),
-    Planted("depths written", "pipeline: Layers", HLSL, job(_states(depth_write=True))),
-    Planted("the nearest drawn", "pipeline: Latest", GLSL, job(_states(depth_compare="less"))),
+    Planted("depths written", "pipeline: Layers", HLSL, job(_depths(write=True))),
+    Planted("the nearest drawn", "pipeline: Latest", GLSL, job(_depths(compare="less"))),
     Planted("another reference", "pipeline: Counted", GLSL, job(_stencils(reference=1))),
     Planted("fewer bits written", "pipeline: Counted", HLSL, job(_stencils(write_mask=6))),
     Planted("sides counted the other way round", "pipeline: Sided", WGSL, job(_sides_exchanged)),
     Planted("no stencil test", "pipeline: Sided", GLSL, job(_states(stencil=None))),
-    Planted("nothing moved", "pipeline: Biased", GLSL, job(_states(depth_bias=DepthBias()))),
+    Planted("nothing moved", "pipeline: Biased", GLSL, job(_depths(bias=0, slope_bias=0.0))),
     Planted("clamped no more", "pipeline: Biased", HLSL,
-            job(_states(depth_bias=DepthBias(400000, -1.5, 0.0)))),
+            job(_depths(bias_clamp=0.0))),
     Planted("fronts as usual", "pipeline: Clockwise", WGSL, job(_states(front_face="ccw"))),
     Planted("masked lanes written", "pipeline: Stained", WGSL, job(_targets(mask="rgba"))),
     Planted("blended by nothing", "pipeline: Stained", GLSL,

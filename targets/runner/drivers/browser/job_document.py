@@ -17,7 +17,6 @@ from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, FrameDraw, FrameJob, FrameStep
 from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
-from ..render_state import StencilSide
 from ..slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from ..texels import Image
 from ..webgpu import COMPUTED, DRAWN, for_pages, interleaved, vertex_buffers
@@ -115,33 +114,12 @@ def _capture(pipeline: Pipeline) -> Mapping[str, Any] | None:
 
 
 def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
-    stencil = pipeline.stencil
     return {
         "samples": pipeline.samples,
         "cull": pipeline.cull,
         "fill": pipeline.fill,
-        "depth": {
-            "compare": pipeline.depth_compare,
-            "write": pipeline.depth_write,
-            "bias": pipeline.depth_bias.constant,
-            "slope_bias": pipeline.depth_bias.slope,
-            "bias_clamp": pipeline.depth_bias.clamp,
-        },
-        "stencil": stencil
-        and {
-            **to_json(stencil),
-            "front": _stencil_side(stencil.front),
-            "back": _stencil_side(stencil.back),
-        },
-    }
-
-
-def _stencil_side(side: StencilSide) -> Mapping[str, str]:
-    return {
-        "compare": side.compare,
-        "fail_op": side.fail,
-        "depth_fail_op": side.depth_fail,
-        "pass_op": side.passed,
+        "depth": to_json(pipeline.depth),
+        "stencil": to_json(pipeline.stencil),
     }
 
 

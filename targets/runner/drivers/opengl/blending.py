@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Mapping, Sequence
 
-from ..render_state import Factor, Operation, RenderTarget
+from .....compiler.ir.blending import Factor, Operation
+from ..render_state import RenderTarget
 from .context import GL_BLEND, Functions
 
 FACTORS: Mapping[Factor, int] = {

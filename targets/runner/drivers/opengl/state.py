@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 import moderngl
 
+from .....compiler.ir.render_state import Fill, StencilOperation
 from ..pipeline import Pipeline
-from ..render_state import Fill, StencilOperation
 from .context import CLIP_CONTROL, Functions
 from .texture_units import COMPARES
 
@@ -33,8 +33,8 @@ def set_state(
     """Set all state but blending; without depths, nothing is hidden."""
     culling = 0 if pipeline.cull == "none" else context.CULL_FACE
     context.enable_only((context.DEPTH_TEST if has_depth else 0) | culling)
-    functions.glDepthFunc(COMPARES[pipeline.depth_compare])
-    functions.glDepthMask(pipeline.depth_write)
+    functions.glDepthFunc(COMPARES[pipeline.depth.compare])
+    functions.glDepthMask(pipeline.depth.write)
     _set_bias(functions, pipeline)
     _set_stencil(functions, pipeline)
     functions.glPolygonMode(GL_FRONT_AND_BACK, FILLS[pipeline.fill])
@@ -49,13 +49,14 @@ def set_state(
 
 def _set_bias(functions: Functions, pipeline: Pipeline) -> None:
     """Set the bias of the depths of triangles, or of their edges."""
-    bias = pipeline.depth_bias
+    depth = pipeline.depth
     for offset in OFFSETS:
         (functions.glEnable if pipeline.has_bias else functions.glDisable)(offset)
     if not pipeline.has_bias:
         return
-    slope, constant, clamp = map(ctypes.c_float, (bias.slope, bias.constant, bias.clamp))
-    if bias.clamp:
+    numbers = (depth.slope_bias, depth.bias, depth.bias_clamp)
+    slope, constant, clamp = map(ctypes.c_float, numbers)
+    if depth.bias_clamp:
         functions.glPolygonOffsetClampEXT(slope, constant, clamp)
     else:
         functions.glPolygonOffset(slope, constant)
@@ -71,5 +72,5 @@ def _set_stencil(functions: Functions, pipeline: Pipeline) -> None:
     for face, side in ((GL_FRONT, stencil.front), (GL_BACK, stencil.back)):
         compare = COMPARES[side.compare]
         functions.glStencilFuncSeparate(face, compare, stencil.reference, stencil.read_mask)
-        operations = (side.fail, side.depth_fail, side.passed)
+        operations = (side.fail_op, side.depth_fail_op, side.pass_op)
         functions.glStencilOpSeparate(face, *(OPERATIONS[each] for each in operations))

@@ -9,8 +9,8 @@ import ctypes
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from .....compiler.ir.render_state import Compare
 from ..checks import level_size
-from ..render_state import Compare
 from ..slots import Filter, Mip, TextureSlot, Wrap
 from ..texels import Dimension, Image, TextureFormat
 from .context import Functions

@@ -6,7 +6,8 @@ from typing import Any
 
 import vulkan as vk
 
-from ..render_state import Blend, BlendEquation, Factor, Operation, RenderTarget
+from .....compiler.ir.blending import REPLACES, Factor, Operation
+from ..render_state import RenderTarget
 
 FACTORS: dict[Factor, int] = {
     "zero": vk.VK_BLEND_FACTOR_ZERO,
@@ -41,12 +42,10 @@ LANES: dict[str, int] = {
     "a": vk.VK_COLOR_COMPONENT_A_BIT,
 }
 
-REPLACED = Blend(BlendEquation(), BlendEquation())
-
 
 def blend_state(target: RenderTarget) -> Any:
     """The state of one target of a pipeline."""
-    blend = target.blend or REPLACED
+    blend = target.blend or REPLACES
     return vk.VkPipelineColorBlendAttachmentState(
         blendEnable=target.blend is not None,
         srcColorBlendFactor=FACTORS[blend.color.source],

@@ -8,9 +8,16 @@ from typing import Any
 
 import vulkan as vk
 
+from .....compiler.ir.render_state import (
+    Cull,
+    Fill,
+    StencilOperation,
+    StencilSide,
+    StencilState,
+)
 from ..checks import lane_count
 from ..pipeline import Code, Pipeline, Primitive, StepMode, VertexInput
-from ..render_state import Cull, Fill, Stencil, StencilOperation, StencilSide, Winding
+from ..render_state import Winding
 from .blending import blend_state
 from .device import Gpu
 from .formats import VERTICES
@@ -155,12 +162,12 @@ def _tessellation(pipeline: Pipeline) -> Any:
 
 
 def _rasterization(pipeline: Pipeline) -> Any:
-    bias = pipeline.depth_bias
+    depth = pipeline.depth
     return vk.VkPipelineRasterizationStateCreateInfo(
         depthBiasEnable=pipeline.has_bias,
-        depthBiasConstantFactor=bias.constant,
-        depthBiasSlopeFactor=bias.slope,
-        depthBiasClamp=bias.clamp,
+        depthBiasConstantFactor=depth.bias,
+        depthBiasSlopeFactor=depth.slope_bias,
+        depthBiasClamp=depth.bias_clamp,
         polygonMode=FILLS[pipeline.fill],
         cullMode=CULL[pipeline.cull],
         frontFace=FRONT[pipeline.front_face],
@@ -182,17 +189,17 @@ def _depth_stencil(pipeline: Pipeline) -> Any:
     )
     return vk.VkPipelineDepthStencilStateCreateInfo(
         depthTestEnable=vk.VK_TRUE,
-        depthWriteEnable=pipeline.depth_write,
-        depthCompareOp=COMPARES[pipeline.depth_compare],
+        depthWriteEnable=pipeline.depth.write,
+        depthCompareOp=COMPARES[pipeline.depth.compare],
         **sides,
     )
 
 
-def _stencil_side(stencil: Stencil, side: StencilSide) -> Any:
+def _stencil_side(stencil: StencilState, side: StencilSide) -> Any:
     return vk.VkStencilOpState(
-        failOp=OPERATIONS[side.fail],
-        passOp=OPERATIONS[side.passed],
-        depthFailOp=OPERATIONS[side.depth_fail],
+        failOp=OPERATIONS[side.fail_op],
+        passOp=OPERATIONS[side.pass_op],
+        depthFailOp=OPERATIONS[side.depth_fail_op],
         compareOp=COMPARES[side.compare],
         compareMask=stencil.read_mask,
         writeMask=stencil.write_mask,

@@ -102,7 +102,7 @@ def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
         yield f"the device has no {pipeline.depth_format}"
     if pipeline.fill == "lines" and not gpu.draws_lines:
         yield "the device cannot draw the edges of triangles"
-    if pipeline.has_bias and pipeline.depth_bias.clamp and not gpu.clamps_bias:
+    if pipeline.has_bias and pipeline.depth.bias_clamp and not gpu.clamps_bias:
         yield "the device cannot limit a depth bias"
 
 

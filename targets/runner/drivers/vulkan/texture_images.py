@@ -7,8 +7,8 @@ from typing import Any
 
 import vulkan as vk
 
+from .....compiler.ir.render_state import Compare
 from ..checks import level_size
-from ..render_state import Compare
 from ..slots import Filter, Mip, TextureSlot, Wrap
 from ..texels import TEXELS, Image
 from .device import Gpu, recording
