@@ -17,10 +17,10 @@ from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {
-    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".css", ".html", ".svg",
+    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css", ".html", ".svg",
     ".burnish", ".typed",
 }  # fmt: skip
-GENERATED = ("__init__", "grammar", "library", "skeletons")
+GENERATED = ("__init__", "builtin_table", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
