@@ -62,7 +62,7 @@ locks: ## Choose newer versions of all Python packages; needs uv, and is for who
 	echo 'pip' | $(LOCK) --output-file .ci/pip.txt -
 
 clean: ## Remove everything that make has created in the checkout
-	rm -rf $(VENV) build dist generated *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) build dist generated targets/web_host/generated *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 $(BIN)/python:

@@ -1,9 +1,10 @@
 """Computes everything that is the same for every compile, and writes it as modules of the package.
 
 ``setup.py`` calls ``generate`` when a wheel is built or a checkout is installed. ``make demo`` and
-pytest run ``python -m burnish.generate``, which does so if something has changed.
-``compiler/precomputed.py`` loads the modules. They are like any other code of the package, and
-nothing is ever written to them while Burnish runs. This module is not in the wheel.
+pytest run ``python -m burnish.generate``, which does so if something has changed, and then gives
+editors the types of the host for web pages. ``compiler/precomputed.py`` loads the modules. They are
+like any other code of the package, and nothing is ever written to them while Burnish runs. This
+module is not in the wheel.
 """
 
 from __future__ import annotations
@@ -18,8 +19,11 @@ from .compiler.precomputed import Precomputations, precomputed
 from .compiler.syntax.lalr_tables import tables_to_generate
 from .targets import registry
 from .targets.emit.templates import functions_to_generate
+from .targets.web_host.checking import write_for_checking
+from .targets.web_host.serving.builtin_table import module_to_generate
 
 FOLDER = Path(__file__).parent / "generated"
+HOST = Path(__file__).parent / "targets" / "web_host"
 _HEAD = '"""Written by generate.py."""'
 
 
@@ -46,6 +50,7 @@ def _modules() -> dict[str, Precomputations]:
         "grammar": tables_to_generate(),
         "library": trees_to_generate(),
         "skeletons": functions_to_generate(dict.fromkeys(skeletons)),
+        "builtin_table": module_to_generate(),
     }
 
 
@@ -73,6 +78,8 @@ def _write(path: Path, lines: Iterable[str]) -> None:
     new.replace(path)
 
 
-if __name__ == "__main__" and not is_current():
-    generate(FOLDER)
-    compile_dir(FOLDER, quiet=1)
+if __name__ == "__main__":
+    if not is_current():
+        generate(FOLDER)
+        compile_dir(FOLDER, quiet=1)
+    write_for_checking(HOST)

@@ -18,7 +18,7 @@ HERE = Path(__file__).parent.resolve()
 ROOTS = ("commands", "compiler", "targets", "stdlib")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
-DATA = ("h", "j2", "txt", "json", "lark", "mjs", "ts", "css", "js", "html", "svg")
+DATA = ("h", "j2", "txt", "json", "lark", "mjs", "css", "js", "html", "svg")
 """The endings of files that belong to the package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])
@@ -62,6 +62,8 @@ setup(
     cmdclass={"build_py": BuildPackage},
     packages=["burnish", *(f"burnish.{name}" for name in sub_packages)],
     package_dir={"burnish": "."},
+    # What an editor has of it; pages get it of `generated`.
+    exclude_package_data={"burnish.targets": ["web_host/generated/*"]},
     package_data={
         "burnish": ["py.typed"],
         "burnish.stdlib": ["*.burnish", "*.toml"],

@@ -17,6 +17,7 @@ from typing import Any
 
 from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
+from ..web_host.serving.modules import host_modules
 from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import Device, DriverError
 from .drivers.draw_job import Job, Picture
@@ -169,10 +170,10 @@ class Runner(Closing):
 
 @cache
 def _runner_digest() -> str:
-    """A digest of the code that draws: of this package, and of the host for web pages, with which
-    browsers draw."""
-    here = Path(__file__).parent
-    return digest_of_sources(here, here.with_name("web_host"))
+    """A digest of the code that draws: of this package, and of the modules of the host for web
+    pages, with which browsers draw."""
+    host = chain.from_iterable(host_modules().items())
+    return digest(digest_of_sources(Path(__file__).parent), *host)
 
 
 _SIZES = struct.Struct("<III")

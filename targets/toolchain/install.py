@@ -55,11 +55,7 @@ CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
 """
-NPM_PACKAGES = {
-    "tint": "webgpu",
-    "typescript": "typescript",
-    "json-schema-to-typescript": "json-schema-to-typescript",
-}
+NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript"}
 """The packages of npm, by the tool that each of them is."""
 
 PATIENCE = 1800.0
@@ -356,7 +352,6 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "naga": _cargo_naga,
     "tint": partial(_npm, "tint"),
     "typescript": partial(_npm, "typescript"),
-    "json-schema-to-typescript": partial(_npm, "json-schema-to-typescript"),
 }
 
 

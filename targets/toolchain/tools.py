@@ -43,11 +43,6 @@ from .versions import (
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
-SCHEMA_TYPES = (
-    "node_modules/json-schema-to-typescript/package.json",
-    "node_modules/json-schema-to-typescript/dist/src/cli.js",
-    "node_modules/prettier/bin/prettier.cjs",
-)
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
 MESA_SAYS = rb"Mesa (\d+\.\d+\.\d+)"
@@ -149,7 +144,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="node",
-        purpose="runs tint, typescript and json-schema-to-typescript",
+        purpose="runs tint and typescript",
         place=Programs(("node",)),
         version=says("--version", r"v(\S+)"),
         source=Debian(("nodejs", "npm")),
@@ -163,17 +158,10 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="typescript",
-        purpose="compiles the host for web pages; only its tests need it",
+        purpose="checks the types of the host for web pages; only tests need it",
         place=FolderFiles(TYPESCRIPT),
         version=stated("version"),
         source=OwnInstaller("6.0.3"),
-    ),
-    Tool(
-        name="json-schema-to-typescript",
-        purpose="makes types of schemas for the host for web pages; only its tests need it",
-        place=FolderFiles(SCHEMA_TYPES),
-        version=stated("version"),
-        source=OwnInstaller("15.0.4"),
     ),
     Tool(
         name="clang",

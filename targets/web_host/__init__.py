@@ -1,1 +1,1 @@
-"""A host for web pages, in TypeScript, and what makes the packages that it draws."""
+"""A host for web pages, in JavaScript, and what makes the packages that it draws."""

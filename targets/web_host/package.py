@@ -11,7 +11,6 @@ from base64 import b64encode
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -46,9 +45,6 @@ from .documents import (
     ShaderTextRow,
 )
 from .webgpu import WGSL, format_of, pipelines, webgpu_pipeline
-
-MODULES = Path(__file__).with_name("modules")
-"""The folder with the modules that a page loads; ``host.js`` is the first of them."""
 
 VERSION: Literal[2] = 2
 """The version of the document; a host refuses others."""

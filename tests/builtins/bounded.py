@@ -17,9 +17,10 @@ from burnish.compiler.reference.bounds import Bounded, Bounds, as_bounded, exact
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.stdlib.builtins.accuracy import Platform
+from burnish.stdlib.builtins.overloads import Overload, Shape
 
 from .drawn import floats, integers
-from .overloads import Overload, Shape
+from .overloads import first_map
 from .samples import SIDE, Floats
 
 Flags = NDArray[np.bool_]
@@ -66,7 +67,7 @@ def _within_range(overload: Overload) -> Flags:
 
 
 def _operands(overload: Overload) -> list[tuple[Any, ...]]:
-    return [_operand(overload.map(k), shape) for k, shape in enumerate(overload.operands)]
+    return [_operand(first_map(overload, k), shape) for k, shape in enumerate(overload.operands)]
 
 
 def _operand(first: int, shape: Shape) -> tuple[Any, ...]:

@@ -20,13 +20,14 @@ from burnish.compiler.reference.bounds.errors import ulp
 from burnish.compiler.reference.functions import evaluate
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.accuracy import Error
+from burnish.stdlib.builtins.overloads import Overload, Shape
 from burnish.targets.conformance.envelope import Envelope
 from burnish.targets.runner.routes import DRIVERS, ROUTES, Route
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 
 from .drawn import compiled, floats, returned
-from .overloads import Overload, Shape, programs
+from .overloads import programs
 from .samples import Floats
 
 TABLE = Path(__file__).parents[2] / "targets" / "conformance" / "measured.py"

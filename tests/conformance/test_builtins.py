@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from burnish.stdlib.builtins.accuracy import Platform
+from burnish.stdlib.builtins.overloads import COMPUTING, Overload, overloads
 from burnish.targets.conformance.envelope import MARGIN
 from burnish.targets.conformance.measured import ENVELOPES
 from burnish.targets.runner.routes import DRIVERS, ROUTES, Route
@@ -20,7 +21,7 @@ from burnish.targets.runner.routes import DRIVERS, ROUTES, Route
 from ..builtins.bounded import operands_at, results
 from ..builtins.drawn import compiled, returned
 from ..builtins.measure import FUNCTIONS, measure
-from ..builtins.overloads import COMPUTING, Overload, Program, overloads, programs
+from ..builtins.overloads import Program, programs
 from ..builtins.samples import Floats
 from .kit import Studio
 

@@ -84,11 +84,12 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
+    "targets.web_host.serving": "stdlib precomputed reference",
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb ir documents promises reference "
-        "reflection budget closing toolchain"
+        "reflection budget closing toolchain serving"
     ),
-    "targets.web_host": "frozen constraints ir documents budget runner toolchain",
+    "targets.web_host": "frozen constraints ir documents budget runner toolchain serving",
     "targets.conformance": (
         "frozen stdlib diagnostics ir documents reference budget runner web_host toolchain"
     ),
@@ -105,9 +106,9 @@ FLOORS: dict[str, str] = {
     "commands": (
         "frozen garbage cache inputs diagnostics syntax ir documents passes frontend formula "
         "budget closing description emit registry availability selection runner web_host web_view "
-        "conformance toolchain compiled api"
+        "conformance toolchain serving compiled api"
     ),
-    "generate": "precomputed library syntax emit registry",
+    "generate": "precomputed library syntax emit registry web_host serving",
     "cli": "stack garbage commands",
     "__main__": "cli",
 }

@@ -97,6 +97,33 @@ def test_what_has_changed_is_computed_again(
     assert copy.compiled() == (text, False, False)
 
 
+TABLE = """
+from burnish.compiler.precomputed import precomputed
+from burnish.targets.web_host.serving.builtin_table import builtins_module, module_to_generate
+(key,) = module_to_generate()
+print(builtins_module())
+print(precomputed("builtin_table", key) is not None)
+"""
+
+
+def test_the_table_of_builtins_follows_the_reference(copy: Copy) -> None:
+    assert copy.run("-c", TABLE).endswith("\nTrue\n")
+    copy.change("compiler/reference/floats.py", "clamp(xp, x, 0.0, 1.0)", "clamp(xp, x, 0.0, 2.0)")
+    made = copy.run("-c", TABLE)
+    assert '  "saturate float": (x) => Math.min(Math.max(x, 0), 2),\n' in made
+    assert made.endswith("\nFalse\n")
+    copy.run("-m", "burnish.generate")
+    assert copy.run("-c", TABLE) == made.replace("\nFalse\n", "\nTrue\n")
+
+
+def test_editors_get_the_types_of_the_host(copy: Copy) -> None:
+    types = copy.root / "targets" / "web_host" / "generated" / "documents.d.ts"
+    assert "export interface FramePlan {\n" in types.read_text("utf-8")
+    types.unlink()
+    copy.run("-m", "burnish.generate")
+    assert types.is_file()
+
+
 def test_nothing_is_generated_twice(copy: Copy) -> None:
     paths = sorted((copy.root / "generated").glob("*.py"))
     before = [path.stat().st_mtime_ns for path in paths]

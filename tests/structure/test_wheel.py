@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import sys
@@ -13,14 +14,16 @@ from pathlib import Path
 
 import pytest
 
+from burnish.targets.web_host.serving.modules import host_modules
+
 from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {
-    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".ts", ".js", ".css", ".html", ".svg",
+    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css", ".html", ".svg",
     ".burnish", ".typed",
 }  # fmt: skip
-GENERATED = ("__init__", "grammar", "library", "skeletons")
+GENERATED = ("__init__", "builtin_table", "grammar", "library", "skeletons")
 PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
@@ -149,6 +152,23 @@ def test_drawing_where_it_is_installed(installed: Path, tmp_path: Path) -> None:
     assert drawn == (0, f"Plastic: {picture}\n")
     code, said = command(installed, "conform", "plastic.burnish", "--routes", "lavapipe:glsl")
     assert (code, said.splitlines()[-1]) == (0, "1 agrees"), said
+
+
+HOST = """
+import json
+from burnish.compiler.precomputed import precomputed
+from burnish.targets.web_host.serving.builtin_table import module_to_generate
+from burnish.targets.web_host.serving.modules import host_modules
+(key,) = module_to_generate()
+print(json.dumps([host_modules(), precomputed("builtin_table", key) is not None]))
+"""
+
+
+def test_the_host_for_web_pages_is_given_out_where_it_is_installed(installed: Path) -> None:
+    python = str(installed / "env" / "bin" / "python")
+    given, is_precomputed = json.loads(run([python, "-c", HOST], cwd=installed, check=True).stdout)
+    assert given == host_modules()
+    assert is_precomputed
 
 
 @pytest.mark.parametrize("what", ["targets", "check plastic.burnish", "explain B0201", "--help"])

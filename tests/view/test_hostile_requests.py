@@ -132,7 +132,7 @@ def test_names_that_lead_elsewhere(viewer: Viewer, name: str) -> None:
     """As the address of something to get, and as the name of a file to show."""
     plain = viewer.ask("/document?file=flat.burnish").json()
     for text in (quote(name, safe=""), quote(name), quote(name, safe="/\\%:.$")):
-        for path in (f"/{text}", f"/web_view/{text}", f"/web_host/modules/{text}"):
+        for path in (f"/{text}", f"/web_view/{text}", f"/web_host/{text}"):
             assert viewer.ask(path).status == 404, path
         for key in ("file", "subject", "rig", "pass", "mesh", "picture.paint", "profile"):
             found = viewer.ask(f"/document?file=flat.burnish&{key}={text}")

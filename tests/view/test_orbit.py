@@ -18,7 +18,7 @@ from burnish.targets.web_view.orbit import orbit
 
 from ..suite.processes import run
 
-MODULE = Path(__file__).parents[2] / "targets" / "web_view" / "modules" / "orbit.js"
+MODULE = Path(__file__).parents[2] / "targets" / "web_view" / "orbit.js"
 
 
 def moved(row: dict[str, Any], *moves: tuple[str, float, float]) -> tuple[Any, Any]:

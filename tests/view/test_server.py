@@ -31,7 +31,10 @@ def test_the_page_and_its_parts(viewer: Viewer) -> None:
     assert (page.status, page.headers["content-type"]) == (200, "text/html; charset=utf-8")
     assert b'src="/web_view/main.js"' in page.body
     assert "default-src 'none'" in page.headers["content-security-policy"]
-    for path in ("/web_view/main.js", "/web_host/host.js", "/web_host/webgpu/device.js"):
+    for path in (
+        "/web_view/main.js", "/web_host/host.js", "/web_host/webgpu/device.js",
+        "/web_host/generated/builtins.js",
+    ):  # fmt: skip
         assert viewer.ask(path).headers["content-type"] == "text/javascript; charset=utf-8", path
 
 
@@ -39,6 +42,7 @@ def test_nothing_but_the_page_is_served(viewer: Viewer) -> None:
     for path in (
         "/flat.burnish", "/../flat.burnish", "/%2e%2e/flat.burnish", "/etc/passwd", "//etc/passwd",
         "/web_view/../../api.py", "/web_view/controls.py", "/web_host/package.py", "/web_view/",
+        "/web_host/datum.d.ts", "/web_host/generated/documents.d.ts", "/web_host/package.json",
     ):  # fmt: skip
         assert viewer.ask(path).status == 404, path
     assert viewer.ask("/document", "POST").status == 405

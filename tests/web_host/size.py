@@ -2,8 +2,8 @@
 
 A line counts if it has code: no blank one, and none that only has comment. The host for WebGPU
 consists of the modules that APIs share and of those in ``webgpu``. What is generated is left out:
-types of the documents, and the table of builtins with the few functions that it needs
-(``builtin_table.py``), which nobody writes or reads line by line.
+the table of builtins with the few functions that it needs (``serving/builtin_table.py``), which
+nobody writes or reads line by line.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def code_lines(text: str) -> int:
 
 def sizes(*folders: str) -> dict[str, int]:
     """The lines of each module that lies in these folders of the host."""
-    paths = sorted(path for folder in folders for path in (FOLDER / folder).glob("*.ts"))
+    paths = sorted(path for folder in folders for path in (FOLDER / folder).glob("*.js"))
     return {
         path.relative_to(FOLDER).as_posix(): code_lines(path.read_text(encoding="utf-8"))
         for path in paths
@@ -35,7 +35,7 @@ def sizes(*folders: str) -> dict[str, int]:
 
 def main() -> None:
     """Print a table."""
-    for folders in ((".", "webgpu"), ("webgl2",), ("generated",)):
+    for folders in ((".", "webgpu"), ("webgl2",)):
         found = sizes(*folders)
         for name, count in found.items():
             print(f"{count:5} {name}")

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from burnish.compiler.reference.functions import evaluate
+from burnish.stdlib.builtins.overloads import COMPUTING, Shape, overloads
 
-from ..builtins.overloads import COMPUTING, Shape, overloads
 from ..builtins.samples import SPECIAL, SPECIAL_INTEGERS
 from .kit import in_node
 

@@ -1,50 +1,73 @@
-"""What is generated of the host, and its compiled modules, are what their sources make now.
-
-``BURNISH_UPDATE_GOLDEN=1`` writes them anew.
-"""
+"""The modules of the host: their types, what is given out of them, and how large they are."""
 
 from __future__ import annotations
 
 import json
-import os
-import shutil
 from pathlib import Path
 
 import pytest
 
 from burnish.targets.toolchain.sources import OwnInstaller
-from burnish.targets.toolchain.tools import program, tool_named
+from burnish.targets.toolchain.tools import tool_named
+from burnish.targets.web_host.serving.builtin_table import builtins_module
+from burnish.targets.web_host.serving.modules import BUILTINS, host_modules, write_modules
 
-from ..suite.processes import run
+from ..structure.kit import ROOT, files
 from . import size
-from .generated import generated_modules
-from .kit import FOLDER, MODULES
+from .kit import FOLDER, checked, copied, too_long
 
 
-def texts(folder: Path) -> dict[str, str]:
-    return {path.relative_to(folder).as_posix(): path.read_text() for path in folder.rglob("*.js")}
+def test_the_types_are_right(tmp_path: Path) -> None:
+    copied(tmp_path)
+    seen, wrong = checked(tmp_path / "web_host")
+    assert not wrong
+    assert {str(tmp_path / "web_host" / name) for name in host_modules()} <= seen
 
 
-def test_what_is_generated_is_what_its_sources_make() -> None:
-    folder = FOLDER / "generated"
-    made = generated_modules()
-    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
-        for name, text in made.items():
-            (folder / name).write_text(text, encoding="utf-8")
-    assert {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()} == made
+@pytest.mark.parametrize(
+    ("module", "old", "new", "error"),
+    [
+        ("resources.js", "this.#from.formats[number]", "this.#from.format[number]",
+         "error TS2551: Property 'format' does not exist on type 'Package'. "
+         "Did you mean 'formats'?"),
+        ("bytes.js", "present(/\\d+/.exec(format))", "/\\d+/.exec(format)",
+         "error TS2531: Object is possibly 'null'."),
+        ("steps.js", "WHOLE[[name, kind, ...shapes].join(\" \")]", "WHOLE.join(name)",
+         "error TS2349: This expression is not callable."),
+        ("webgpu/device.js", "GPUBufferUsage.MAP_READ", "GPUBufferUsage.READ",
+         "error TS2339: Property 'READ' does not exist on type "
+         "'Constants<\"COPY_DST\" | \"COPY_SRC\" | \"MAP_READ\" | \"INDEX\" | \"VERTEX\" | "
+         "\"UNIFORM\" | \"STORAGE\">'."),
+    ],
+)  # fmt: skip
+def test_wrong_types_are_found(tmp_path: Path, module: str, old: str, new: str, error: str) -> None:
+    copied(tmp_path)
+    path = tmp_path / "web_host" / module
+    text = path.read_text("utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new), "utf-8")
+    _, wrong = checked(tmp_path / "web_host")
+    assert [line for line in wrong if error in line], wrong
 
 
-def test_the_modules_are_those_of_the_sources(tmp_path: Path) -> None:
-    node, compiler = program("node", "node"), program("typescript", "tsc")
-    assert node is not None
-    assert compiler is not None
-    command = [str(node), str(compiler), "-p", str(FOLDER), "--outDir", str(tmp_path)]
-    done = run(command)
-    assert done.stdout == "", "TypeScript refuses the sources"
-    if os.environ.get("BURNISH_UPDATE_GOLDEN"):
-        shutil.rmtree(MODULES)
-        shutil.copytree(tmp_path, MODULES)
-    assert texts(MODULES) == texts(tmp_path)
+def test_nothing_in_the_tree_is_made_of_something_else_in_it() -> None:
+    """Neither compiled modules nor generated ones; types alone stand in files of TypeScript."""
+    texts = [path for path in files(ROOT / "targets") if path.suffix in (".ts", ".js", ".mjs")]
+    assert not [path for path in texts if path.name.endswith(".ts") and ".d." not in path.name]
+    assert not [path for path in texts if path.read_text("utf-8") == builtins_module()]
+    ignored = (ROOT / ".gitignore").read_text("utf-8").splitlines()
+    assert "/targets/web_host/generated/" in ignored
+
+
+def test_all_modules_are_given_out(tmp_path: Path) -> None:
+    """As they are in the tree, and one that is not there."""
+    write_modules(tmp_path / "host")
+    written = [path for path in (tmp_path / "host").rglob("*") if path.is_file()]
+    given = {path.relative_to(tmp_path / "host").as_posix(): path.read_text() for path in written}
+    assert given == host_modules()
+    own = {path.relative_to(FOLDER).as_posix() for path in files(FOLDER) if path.suffix == ".js"}
+    assert given.keys() == own | {BUILTINS}
+    assert given[BUILTINS].startswith("// What builtins mean, as compiler/reference says it.")
 
 
 def test_the_package_names_the_tools_of_the_toolchain() -> None:
@@ -74,11 +97,4 @@ def test_lines_of_code_are_counted(text: str, count: int) -> None:
 
 
 def test_lines_have_the_length_of_the_tree() -> None:
-    lines = [
-        f"{path.relative_to(FOLDER)}:{number}"
-        for path in FOLDER.rglob("*.ts")
-        if path.parent.name != "generated"
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
-        if len(line) > 100
-    ]
-    assert not lines
+    assert not too_long(FOLDER)

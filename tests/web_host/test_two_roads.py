@@ -1,7 +1,7 @@
 """Frames in a browser, of which the host executes the plan, or Python does with frame jobs.
 
 Both end with the same renderers, so their pictures are equal to the last bit, if the host in
-TypeScript and the one in Python understand plans alike.
+JavaScript and the one in Python understand plans alike.
 """
 
 from __future__ import annotations

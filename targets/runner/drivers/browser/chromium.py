@@ -20,6 +20,7 @@ from playwright.sync_api import Browser, Error, Playwright, Route, sync_playwrig
 
 from ....toolchain.tools import tool_named
 from ....toolchain.versions import refuses_sandbox
+from ....web_host.serving.modules import host_modules
 from ..device import DriverError
 
 # Only a page with a secure origin may use WebGPU. This address is never requested from the network,
@@ -27,7 +28,6 @@ from ..device import DriverError
 PAGE = "https://burnish.invalid/"
 HOST = "host/"
 """The path at which the page finds the modules of the host for web pages."""
-_HOST_PACKAGE = f"{__package__.partition('.runner.')[0]}.web_host"
 START_LIMIT = 50_000.0
 """The milliseconds that the browser may take to start; it is slow on a busy machine."""
 
@@ -89,7 +89,8 @@ class Chromium:
         try:
             self._browser, sandboxed = launch(self._playwright, paths[0])
             self._page = self._browser.new_page()
-            self._page.route("**/*", partial(_serve, folder or files(__package__)))
+            own = folder or files(__package__)
+            self._page.route("**/*", partial(_serve, own, host_modules()))
             self._page.goto(PAGE, timeout=START_LIMIT)
             self._module = self._page.evaluate_handle("module => import(module)", f"./{module}")
         except Error as error:
@@ -113,15 +114,14 @@ class Chromium:
         self._playwright.stop()
 
 
-def _serve(folder: Traversable, route: Route) -> None:
+def _serve(folder: Traversable, host: Mapping[str, str], route: Route) -> None:
     """Answer the page's requests with an empty page, with a module of the folder, or with one of
     the host's."""
     name = urlsplit(route.request.url).path.removeprefix("/")
     if not name:
         route.fulfill(body="<!doctype html>", content_type="text/html")
-    elif name.startswith(HOST) and name.endswith(".js"):
-        module = files(_HOST_PACKAGE).joinpath("modules", name.removeprefix(HOST))
-        route.fulfill(body=module.read_text(), content_type="text/javascript")
+    elif name.startswith(HOST) and name.removeprefix(HOST) in host:
+        route.fulfill(body=host[name.removeprefix(HOST)], content_type="text/javascript")
     elif name.endswith(".mjs"):
         module = folder.joinpath(name)
         route.fulfill(body=module.read_text(), content_type="text/javascript")

@@ -1,0 +1,29 @@
+"""Makes what TypeScript needs besides the host's modules to check their types.
+
+``python -m burnish.generate`` writes it beside the modules, so that editors find it, and the tests
+write it into a copy of the host. Git ignores it there, and nothing is served of it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ...compiler.documents.typescript import typescript
+from .documents import Package
+from .serving.builtin_table import builtins_module
+from .serving.modules import BUILTINS
+
+_TYPES = "generated/documents.d.ts"
+"""Where the modules find the types of documents."""
+_BANNER = "// Made of the records of documents by `python -m burnish.generate`: do not edit."
+
+
+def write_for_checking(host: Path) -> None:
+    """Write the types of documents and the table of builtins into a folder with the host's modules,
+    unless they are there already. Raises ``OSError``."""
+    made = {_TYPES: f"{_BANNER}\n\n{typescript(Package)}", BUILTINS: builtins_module()}
+    for name, text in made.items():
+        path = host / name
+        if not path.is_file() or path.read_text("utf-8") != text:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")

@@ -1,2 +1,0 @@
-// Generated from the records of documents (compiler/documents, documents.py) by the tests: do not edit.
-export {};

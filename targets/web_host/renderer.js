@@ -1,0 +1,100 @@
+// What an API of the browser has to do for frames: `frame.js` says when.
+
+/**
+ * @import {
+ *   PackagedShader, PictureRow, AttachmentRow, FrameTextureRow,
+ * } from "./generated/documents.js"
+ * @import { Mesh } from "./geometry.js"
+ * @import { Values } from "./values.js"
+ */
+
+/**
+ * A texture that a frame draws to.
+ * @typedef {Pick<FrameTextureRow, "dimension" | "layers" | "levels" | "samples" | "uses"> & {
+ *   format: GPUTextureFormat, width: number, height: number,
+ * }} TextureSize
+ */
+
+/**
+ * A shader of a frame, by its number, with everything that it reads.
+ * @template Texture, Buffer
+ * @typedef {object} Bound
+ * @property {number} shader
+ * @property {Values} values
+ * @property {Map<string, Texture>} textures By the reflection's names.
+ * @property {Map<string, Buffer>} buffers
+ */
+
+/**
+ * What is drawn by one call.
+ * @template Texture, Buffer
+ * @typedef {Bound<Texture, Buffer> & { mesh: Mesh }} DrawCall
+ */
+
+/**
+ * What a target, or the depths, are drawn to.
+ * @template Texture
+ * @typedef {object} Attachment
+ * @property {Pick<AttachmentRow, "level" | "load" | "store" | "stencil">} target
+ * @property {Texture} texture
+ * @property {number} layer
+ * @property {{ texture: Texture, layer: number, level: number } | null} resolve Where the means of
+ *   its samples are written behind the draws.
+ * @property {number[]} clear What it is cleared to: a colour, or a depth.
+ */
+
+/**
+ * A part of a picture: left, top, width and height.
+ * @typedef {[number, number, number, number]} Area
+ */
+
+/**
+ * What a step sets for all that it draws.
+ * @typedef {object} DrawSettings
+ * @property {Area} viewport Into which part of the targets the clip volume is drawn.
+ * @property {Area} scissor To which part of the targets is drawn: nothing outside of the viewport.
+ * @property {[number, number, number, number]} blendConstant What the factor `constant` means
+ *   where targets are blended.
+ */
+
+/**
+ * Layer by layer and row by row from the top, four linear numbers a pixel. Lanes that the format
+ * lacks are 0, 0, 1; depths are in the first lane.
+ * @typedef {object} Pixels
+ * @property {number} width
+ * @property {number} height
+ * @property {number} layers
+ * @property {Float32Array} texels
+ */
+
+/**
+ * What draws with an API.
+ * @template Texture, Buffer
+ * @typedef {object} Renderer
+ * @property {string} profile The profile whose texts it draws.
+ * @property {PackagedShader[]} shaders
+ * @property {(size: TextureSize) => Texture} makeTexture A texture without contents: transparent
+ *   black, and depths of 1.
+ * @property {(picture: PictureRow) => Texture} makePicture
+ * @property {(bytes: Uint8Array<ArrayBuffer>) => Buffer} makeBuffer
+ * @property {(made: Texture | Buffer) => void} free
+ * @property {(texture: Texture) => number[]} sizeOf
+ * @property {(buffer: Buffer) => number} bytesIn
+ * @property {(buffer: Buffer, bytes: Uint8Array<ArrayBuffer>) => void} fill Fill a buffer again,
+ *   before anything that is still to be drawn.
+ * @property {() => void} begin
+ * @property {(
+ *   targets: Attachment<Texture>[], depth: Attachment<Texture> | null,
+ *   calls: DrawCall<Texture, Buffer>[], settings: DrawSettings,
+ * ) => void} draw
+ * @property {(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]) => void} run
+ * @property {(from: Texture, to: Texture) => void} copy
+ * @property {() => void} end
+ * @property {(texture: Texture) => void} show
+ * @property {(texture: Texture) => Promise<Pixels>} read
+ * @property {(buffer: Buffer) => Promise<Uint8Array<ArrayBuffer>>} readBuffer
+ * @property {() => Promise<void>} finished
+ * @property {() => void} dispose
+ */
+
+export {};

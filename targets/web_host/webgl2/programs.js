@@ -1,0 +1,117 @@
+// Programs of WebGL 2, each linked once when a frame is opened.
+
+import { present } from "../present.js";
+import { checkInterface } from "./interface.js";
+
+/**
+ * @import { PackagedShader, SamplerRow } from "../generated/documents.js"
+ * @import { Context, Gl } from "./context.js"
+ */
+
+export const PROFILE = "glsl:es300";
+
+/**
+ * A program with the numbers at which it finds what it reads.
+ * @typedef {object} Program
+ * @property {WebGLProgram} gl
+ * @property {string[]} blocks The name of the block at each binding.
+ * @property {{ name: string, state: SamplerRow["state"] | null }[]} textures The texture of each
+ *   unit, with its sampler; null where its texels are only loaded.
+ * @property {Map<string, number>} inputs The location of each vertex input that the program reads,
+ *   by name.
+ * @property {WebGLUniformLocation[]} heights Uniforms that are the height of what is drawn to.
+ */
+
+/** WebGL links no program without a fragment shader, also where vertices are captured. */
+const NO_FRAGMENTS = { text: "#version 300 es\nvoid main() {}\n" };
+
+/**
+ * The programs of all shaders. The browser compiles them at the same time.
+ * @param {Context} context
+ * @param {PackagedShader[]} shaders
+ * @returns {Program[]}
+ */
+export function linked({ gl }, shaders) {
+  const started = shaders.map((shader) => start(gl, shader));
+  return shaders.map((shader, at) => finished(gl, shader, started[at]));
+}
+
+/**
+ * @param {Gl} gl
+ * @param {PackagedShader} shader
+ * @returns {WebGLProgram}
+ */
+function start(gl, { reflection, texts }) {
+  const { vertex, fragment = reflection.capture && NO_FRAGMENTS } = texts[PROFILE] ?? {};
+  if (!vertex || !fragment) {
+    throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
+  }
+  const program = gl.createProgram();
+  gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, vertex.text));
+  gl.attachShader(program, compiled(gl, gl.FRAGMENT_SHADER, fragment.text));
+  const { capture, backends } = reflection;
+  if (capture) {
+    const { captures } = backends[PROFILE];
+    const names = capture.members.map(({ name }) => captures[name].identifier);
+    gl.transformFeedbackVaryings(program, names, gl.INTERLEAVED_ATTRIBS);
+  }
+  gl.linkProgram(program);
+  return program;
+}
+
+/**
+ * A shader of a text. What is wrong with the text is told when its program is linked.
+ * @param {Gl} gl
+ * @param {number} kind
+ * @param {string} text
+ * @returns {WebGLShader}
+ */
+export function compiled(gl, kind, text) {
+  const shader = present(gl.createShader(kind));
+  gl.shaderSource(shader, text);
+  gl.compileShader(shader);
+  return shader;
+}
+
+/**
+ * @param {Gl} gl
+ * @param {PackagedShader} shader
+ * @param {WebGLProgram} program
+ * @returns {Program}
+ */
+function finished(gl, { reflection }, program) {
+  const shaders = present(gl.getAttachedShaders(program));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    const logs = shaders.map((each) => gl.getShaderInfoLog(each));
+    const told = [...logs, gl.getProgramInfoLog(program)].filter(Boolean).join("\n");
+    throw new Error(`the browser refuses a text of ${reflection.material}:\n${told}`);
+  }
+  shaders.forEach((each) => gl.deleteShader(each));
+  checkInterface(gl, program, reflection, PROFILE);
+  const { blocks, textures, ...others } = reflection.backends[PROFILE];
+  const { vertex_inputs: inputs, host_uniforms: heights } = others;
+  gl.useProgram(program);
+  const bound = reflection.blocks.map(({ name }) => name).filter((name) => blocks[name]);
+  bound.forEach((name, at) => {
+    const index = gl.getUniformBlockIndex(program, blocks[name].identifier);
+    // Else nothing reads it.
+    if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, at);
+  });
+  const read = reflection.textures.filter(({ name }) => textures[name]);
+  read.forEach(({ name }, unit) => {
+    gl.uniform1i(gl.getUniformLocation(program, textures[name].identifier), unit);
+  });
+  const located = Object.entries(inputs).map(([name, { identifier }]) =>
+    /** @type {const} */ ([name, gl.getAttribLocation(program, identifier)]),
+  );
+  return {
+    gl: program,
+    blocks: bound,
+    textures: read.map(({ name, layout }) => {
+      const row = reflection.samplers.find((each) => each.texture === name);
+      return { name, state: layout.sampler === null ? null : present(row).state };
+    }),
+    inputs: new Map(located.filter(([, location]) => location >= 0)),
+    heights: heights.flatMap((name) => gl.getUniformLocation(program, name) ?? []),
+  };
+}

@@ -1,0 +1,121 @@
+// What the server tells the page: the documents of `burnish view`, and word of every change.
+
+/**
+ * @import { FramePackage, Value } from "../web_host/host.js"
+ * @import { OrbitRow } from "./orbit.js"
+ */
+
+/**
+ * What somebody can set: a row of `controls.py`.
+ * @typedef {object} Control
+ * @property {string} name
+ * @property {string} section
+ * @property {string} doc
+ * @property {"number" | "angle" | "vector" | "direction" | "matrix" | "color" | "checkbox"
+ *   | "checkboxes" | "texture"} kind
+ * @property {string} type
+ * @property {boolean} is_light
+ * @property {{ count: string | null, index: number } | null} element Of a light in an array: its
+ *   number, and the parameter that says how many shine.
+ * @property {Value} value
+ * @property {number} [lanes]
+ * @property {number} [columns]
+ * @property {boolean} [whole]
+ * @property {[number, number] | null} [range]
+ * @property {boolean} [is_given] Of a texture: whether it is something else than the default,
+ *   which `value` names.
+ * @property {{ file: string, is_float: boolean, is_srgb: boolean } | null} picture The picture
+ *   that the page has given it.
+ * @property {boolean} [is_timed] Whether it is a number that changes from frame to frame, such as
+ *   a time.
+ */
+
+/**
+ * What a page shows of the file.
+ * @typedef {object} Choice
+ * @property {string | null} file One of a folder's files.
+ * @property {string | null} subject
+ * @property {string | null} rig
+ * @property {string | null} pass
+ * @property {string | null} mesh
+ * @property {string | null} [output] Which output is shown of it; the server need not know.
+ */
+
+/**
+ * What every document has.
+ * @typedef {object} Head
+ * @property {string} version
+ * @property {string} file
+ * @property {{ name: string, kind: "frame" | "material" | "kernel" }[]} subjects
+ * @property {string[]} rigs
+ * @property {string[]} passes
+ * @property {string[]} meshes
+ * @property {number} most_bytes How large the file of a picture may be.
+ */
+
+/**
+ * What is wrong, as the compiler shows it on a terminal.
+ * @typedef {Head & { error: string }} Broken
+ */
+
+/**
+ * What the page draws.
+ * @typedef {Head & {
+ *   error?: undefined,
+ *   chosen: Choice,
+ *   doc: string,
+ *   controls: Control[],
+ *   orbit: OrbitRow,
+ *   package: FramePackage,
+ * }} Drawable
+ */
+
+/** @typedef {Broken | Drawable} Document */
+
+/**
+ * The document of a choice; `further` are names and values of the query besides.
+ * @param {Choice} choice
+ * @param {string} profile
+ * @param {[string, string][]} further
+ * @returns {Promise<Document>}
+ */
+export async function fetchDocument(choice, profile, further) {
+  const asked = new URLSearchParams([["profile", profile], ...further]);
+  for (const [name, value] of Object.entries(choice)) if (value) asked.set(name, value);
+  const answer = await fetch(`/document?${asked}`);
+  if (!answer.ok) throw new Error(`The server answered: ${answer.status} ${await answer.text()}`);
+  return /** @type {Document} */ (await answer.json());
+}
+
+/**
+ * Files of a folder under one heading.
+ * @typedef {object} Group
+ * @property {string} title
+ * @property {{ name: string, what: string, subjects: string[] }[]} files
+ */
+
+/**
+ * The files of the folder that is shown; none, if it is a single file.
+ * @returns {Promise<Group[]>}
+ */
+export async function fetchFiles() {
+  const answer = await fetch("/files");
+  return answer.ok ? /** @type {Group[]} */ (await answer.json()) : [];
+}
+
+/**
+ * Calls `changed` with a file and its version, now and after each change; `connected` is told
+ * whether the server is there.
+ * @param {(file: string, version: string) => void} changed
+ * @param {(is: boolean) => void} connected
+ */
+export function listen(changed, connected) {
+  const source = new EventSource("/changes");
+  source.onopen = () => connected(true);
+  source.onerror = () => connected(false);
+  source.onmessage = (event) => {
+    /** @type {{ file: string, version: string }} */
+    const { file, version } = JSON.parse(event.data);
+    changed(file, version);
+  };
+}

@@ -1,0 +1,183 @@
+// The pictures that somebody gives textures: files go to the server, which knows each by a word.
+
+import { make } from "./elements.js";
+
+/** @import { Control } from "./documents.js" */
+
+/** Before the word of a picture whose colours are sRGB. */
+const SRGB = "srgb:";
+/** What a browser offers to choose from. */
+const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr";
+
+/**
+ * What of a texture's control this module reads.
+ * @typedef {Control & { dimension: string, sample: string }} TextureControl
+ */
+
+/** @type {(control: Control) => control is TextureControl} */
+export const isTexture = (control) => control.kind === "texture";
+
+/** The pictures of what is shown, and for as long as the tab is open, those of all else. */
+export class Pictures {
+  /** By the texture's name, what is asked of the server. @type {Record<string, string>} */
+  #asked = {};
+  /** @type {string | null} */
+  #key = null;
+  /** By the word of a picture, what it looks like. @type {Map<string, string>} */
+  #looks = new Map();
+
+  #changed;
+
+  /**
+   * `changed` is called when the server has to be asked again.
+   * @param {() => void} changed
+   */
+  constructor(changed) {
+    this.#changed = changed;
+  }
+
+  /**
+   * What to ask the server for, by names of a query.
+   * @returns {[string, string][]}
+   */
+  get query() {
+    return Object.entries(this.#asked).map(([name, word]) => [`picture.${name}`, word]);
+  }
+
+  /**
+   * Go on with the pictures of something, by its name. Returns whether they are others than those
+   * that were asked for.
+   * @param {string} key
+   * @returns {boolean}
+   */
+  enter(key) {
+    if (key === this.#key) return false;
+    const before = JSON.stringify(this.#asked);
+    this.#key = key;
+    this.#asked = load(key);
+    return JSON.stringify(this.#asked) !== before;
+  }
+
+  /**
+   * Give a texture the picture of a file. An error says why that cannot be.
+   * @param {TextureControl} control
+   * @param {File} file
+   * @param {number} mostBytes
+   * @returns {Promise<void>}
+   */
+  async give(control, file, mostBytes) {
+    if (file.size > mostBytes) {
+      const [size, most] = [megabytes(file.size), megabytes(mostBytes)];
+      throw new Error(`${file.name} has ${size}, and may have ${most}`);
+    }
+    const { dimension, sample } = control;
+    const query = new URLSearchParams({ name: file.name, dimension, sample });
+    const answer = await fetch(`/picture?${query}`, { method: "POST", body: file });
+    const said = await answer.text();
+    if (!answer.ok) throw new Error(said);
+    if (file.type.startsWith("image/")) this.#looks.set(said, URL.createObjectURL(file));
+    // A map whose default is a normal holds numbers; else a picture most likely shows colours.
+    const isColor = control.picture?.is_srgb ?? String(control.value) !== "flat_normal";
+    this.#ask(control.name, `${isColor ? SRGB : ""}${said}`);
+  }
+
+  /**
+   * @param {string} name
+   * @param {boolean} isSrgb
+   */
+  setSrgb(name, isSrgb) {
+    this.#ask(name, `${isSrgb ? SRGB : ""}${this.#word(name)}`);
+  }
+
+  /** @param {string} name */
+  drop(name) {
+    if (!(name in this.#asked)) return;
+    delete this.#asked[name];
+    this.#keep();
+  }
+
+  /**
+   * The address of what the picture of a texture looks like, if the page knows that.
+   * @param {string} name
+   * @returns {string | null}
+   */
+  look(name) {
+    return this.#looks.get(this.#word(name)) ?? null;
+  }
+
+  /**
+   * @param {string} name
+   * @returns {string}
+   */
+  #word(name) {
+    return (this.#asked[name] ?? "").replace(SRGB, "");
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} word
+   */
+  #ask(name, word) {
+    this.#asked[name] = word;
+    this.#keep();
+  }
+
+  #keep() {
+    try {
+      sessionStorage.setItem(storageKey(this.#key), JSON.stringify(this.#asked));
+    } catch {
+      // The browser keeps nothing: then pictures last as long as the page.
+    }
+    this.#changed();
+  }
+}
+
+/**
+ * The field of a texture: what it has now, a button to choose another picture, and what is wrong
+ * with the one that was chosen last.
+ * @param {TextureControl} control
+ * @param {string} label
+ * @param {Pictures} pictures
+ * @param {(file: File) => Promise<void>} give
+ * @returns {HTMLElement}
+ */
+export function textureField(control, label, pictures, give) {
+  const { name, picture } = control;
+  const chooser = make("input", { type: "file", accept: KINDS, class: "hidden", tabindex: -1 });
+  const button = make("button", { type: "button", "aria-describedby": label }, "Choose…");
+  button.addEventListener("click", () => chooser.click());
+  chooser.addEventListener("change", () => {
+    const [file] = chooser.files ?? [];
+    if (file) void give(file);
+    chooser.value = "";
+  });
+  const given = control.is_given ? "A picture" : `All ${String(control.value)}`;
+  const look = pictures.look(name);
+  const shown = look ? make("img", { src: look, alt: "", class: "look" }) : "";
+  const called = make("span", { class: "file" }, picture?.file ?? given);
+  const line = make("div", { class: "pick" }, shown, called, button);
+  const element = make("div", { class: "texture" }, line, chooser);
+  if (picture && !picture.is_float && control.sample === "float") {
+    const box = make("input", { type: "checkbox", checked: picture.is_srgb });
+    box.addEventListener("change", () => pictures.setSrgb(name, box.checked));
+    element.append(make("label", {}, box, " Its colours are sRGB"));
+  }
+  return element;
+}
+
+/** @type {(bytes: number) => string} */
+const megabytes = (bytes) => `${Math.ceil(bytes / 2 ** 20)} MB`;
+/** @type {(key: string | null) => string} */
+const storageKey = (key) => `pictures of ${key ?? ""}`;
+
+/**
+ * @param {string} key
+ * @returns {Record<string, string>}
+ */
+function load(key) {
+  try {
+    return JSON.parse(sessionStorage.getItem(storageKey(key)) ?? "{}");
+  } catch {
+    return {};
+  }
+}
