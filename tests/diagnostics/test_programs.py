@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import burnish
-from burnish.commands.explain import told
+from burnish.commands.explain.command import told
+from burnish.commands.explain.programs import Shown, every_shown
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
-from burnish.compiler.diagnostics.programs import Shown, every_shown
 from burnish.compiler.diagnostics.render import render_all
 from burnish.targets.selection import DEFAULT
 

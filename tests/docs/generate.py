@@ -12,10 +12,10 @@ from itertools import groupby
 from pathlib import Path
 from textwrap import indent
 
+from burnish.commands.explain.programs import Shown, every_shown
 from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
-from burnish.compiler.diagnostics.programs import Shown, every_shown
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.passes.rules.notation import conditions, equations
 from burnish.compiler.passes.rules.table import RULES as SIMPLIFICATIONS

@@ -1,4 +1,4 @@
-"""``burnish explain``: explains the code of a diagnostic."""
+"""The command ``burnish explain``."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .console import say, say_finding
+from ..console import say, say_finding
 
 if TYPE_CHECKING:
-    from ..compiler.diagnostics.diagnostic import Diagnostic, Rule
-    from ..compiler.diagnostics.programs import Shown
+    from ...compiler.diagnostics.diagnostic import Diagnostic, Rule
+    from .programs import Shown
 
 
 @click.command()
@@ -26,7 +26,7 @@ def explain(code: str) -> None:
     rules = _rules()
     rule = rules.get(code.upper())
     if rule is None:
-        from ..compiler.diagnostics.nearest import suggestion
+        from ...compiler.diagnostics.nearest import suggestion
 
         hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
         raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
@@ -34,7 +34,7 @@ def explain(code: str) -> None:
     say(f"{rule.severity}[{rule.code}]: {message}")
     _say_paragraph(rule.help)
 
-    from ..compiler.diagnostics.programs import shown
+    from .programs import shown
 
     _say_programs(shown(rule.code))
 
@@ -44,8 +44,8 @@ def told(program: str, targets: str) -> tuple[Diagnostic, ...]:
 
     ``burnish check`` says it or, if ``targets`` are named, ``burnish compile``.
     """
-    from .. import api
-    from ..compiler.diagnostics.diagnostic import CompileError
+    from ... import api
+    from ...compiler.diagnostics.diagnostic import CompileError
 
     if not targets:
         return api.check(program)
@@ -79,7 +79,7 @@ def _say_paragraph(text: str) -> None:
 
 
 def _rules() -> dict[str, Rule]:
-    from ..compiler.diagnostics import rules
-    from ..compiler.diagnostics.diagnostic import Rule
+    from ...compiler.diagnostics import rules
+    from ...compiler.diagnostics.diagnostic import Rule
 
     return {rule.code: rule for rule in vars(rules).values() if isinstance(rule, Rule)}

@@ -1,6 +1,7 @@
 """The programs that show diagnostics: for each code a shortest wrong one, and the same one mended.
 
-They stand in a text file beside the rows of each section, such as ``rules/b03_types.txt``. Only
+Each file of rows in ``compiler/diagnostics/rules`` has a text file of this name here, such as
+``b03_types.txt``. They use the library, which the compiler's own folder knows nothing of. Only
 ``burnish explain``, the generator of docs/diagnostics.md and tests read them: a compile never does.
 An entry of a file is one of these two::
 
@@ -21,7 +22,7 @@ from pathlib import Path
 
 from ...frozen import frozen
 
-_FOLDER = Path(__file__).parent / "rules"
+_FOLDER = Path(__file__).parent
 _TITLE = "=== "
 _FOR = " for "
 _RIGHT = "--- right\n"
