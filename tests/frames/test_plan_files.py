@@ -40,7 +40,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def said(folder: Path) -> str:
-    """What is said of the plan in a folder."""
+    """The error of the plan in a folder, as text."""
     with pytest.raises((PlanError, FileError, BudgetError)) as failed:
         read_frame(folder / "Deferred.plan.json", PROFILES)
     return str(failed.value)

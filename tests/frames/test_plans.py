@@ -62,7 +62,7 @@ def lines(plan: FramePlan) -> Iterator[str]:
 
 
 def source_text(source: Source) -> str:
-    """What an input is set to."""
+    """The source of an input, as text."""
     match source:
         case ValueSource():
             return f"value {source.value}"
@@ -82,7 +82,7 @@ def in_texture(texture: int | None) -> str:
 
 
 def waits(place: PlanStep | WaitingRow) -> Iterator[str]:
-    """What is waited for before a step, or behind the last one."""
+    """The barriers before a step, or behind the last one, as text."""
     for row in place.barriers:
         yield f"  texture {row.texture}: {row.before} -> {row.after}"
     for each in place.buffer_barriers:
@@ -122,7 +122,7 @@ def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
 
 
 def places_of_sources(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
-    """What the inputs of a step are set to, and where that stands in the plan."""
+    """The sources of a step's inputs, each with its place in the plan."""
     uses: list[tuple[Place, Any]] = [
         (("steps", number, "draws", d, "uses", u), use)
         for d, drawn in enumerate(step.get("draws", []))
