@@ -72,7 +72,7 @@ def _over_buffers(writer: Writer, outside: Scope) -> Node:
 
 
 def scatters(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """What a kernel scatters, to elements that may not exist."""
+    """The scattered results of a kernel; some of the elements that it writes to do not exist."""
     kind = writer.chance.choice(("int", "uint"))
     value, place = (writer.expression(type_, scope, FUEL // 3) for type_ in (kind, "int"))
     operator = writer.chance.choice(OPERATORS)

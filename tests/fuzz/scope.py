@@ -1,4 +1,4 @@
-"""What an expression of a random program may use at its place."""
+"""The scope of an expression in a random program: the names and abilities that it may use."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ VALUES = (
 
 
 def trial() -> Callable[[Random, Path], None]:
-    """What shows a random folder."""
+    """The function that shows a random folder."""
     return _show
 
 
