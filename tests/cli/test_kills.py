@@ -62,7 +62,7 @@ NEW = {"a": b"new", "b": b"new", "c": b"new"}
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    """What the files of a folder hold; temporary ones are left out."""
+    """The contents of a folder's files by their names; temporary files are left out."""
     files = (path for path in folder.iterdir() if not path.name.startswith(TEMPORARY))
     return {path.name: path.read_bytes() for path in files}
 
@@ -183,7 +183,7 @@ def test_a_file_system_without_second_names(
 def test_an_interruption_takes_back_as_well(
     call: str, links: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It comes when the first call that involves `b` is done, before anything else happens."""
+    """The interruption comes directly after the first call that involves `b`."""
     put_old(tmp_path)
     if not links:
         monkeypatch.setattr(os, "link", _cannot_link)
@@ -235,7 +235,10 @@ def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 PLANTED = ("lock", "whole", "new", "new/a", "old", "old/id", "journal")
-"""What an earlier version kept in a folder while it wrote there, and believed when it found it."""
+"""Files of the journal that an earlier version kept in a folder while it wrote there.
+
+It believed the journal when it found one.
+"""
 
 
 @pytest.mark.parametrize("linked", PLANTED)
@@ -267,7 +270,7 @@ def _plant(journal: Path, linked: str, victim: Path) -> None:
 
 
 def _everything(folder: Path) -> dict[str, object]:
-    """What there is below a folder, with the number of each file, its kind and its content."""
+    """All entries below a folder: the number, kind, links and content of each."""
     found: dict[str, object] = {}
     for path in folder.rglob("*"):
         status = path.lstat()

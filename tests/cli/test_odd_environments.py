@@ -56,7 +56,7 @@ def place(tmp_path: Path) -> Path:
 
 
 def environment(place: Path, **variables: str) -> dict[str, str]:
-    """What Python and Burnish need, and nothing else, with some variables."""
+    """The variables that Python and Burnish need, and nothing else but ``variables``."""
     return {"PATH": os.environ["PATH"], "HOME": str(place.parent / "home")} | variables
 
 
@@ -141,7 +141,7 @@ def test_nobody_in_a_narrow_world(place: Path, command: str) -> None:
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_full_disk_behind_the_output(place: Path, command: str) -> None:
-    """What was to succeed fails with a message, and what was to fail keeps its exit code."""
+    """A command that would succeed fails with a message; one that fails keeps its exit code."""
     code, said = outcome(place, command, environment(place), "exec >/dev/full")
     silent = command == "check main.burnish"
     assert code == (0 if silent else COMMANDS[command] or 1)

@@ -1,4 +1,4 @@
-"""Where answers of ``burnish compile`` are kept: odd folders, damage, many at once, bounds."""
+"""The cache of answers of ``burnish compile``: odd folders, damage, many at once, bounds."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _is_empty(_: Path) -> Mapping[str, str]:
 
 
 def _is_relative(_: Path) -> Mapping[str, str]:
-    """Where the commands run is not where a user's caches are."""
+    """The cache must not be in the current folder, as a relative path would have it."""
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "caches", "HOME": "home"}
 
 
@@ -129,7 +129,7 @@ def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_clock_that_goes_backwards(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What was kept before then seems to be newer than all that follows."""
+    """Answers from before the change seem to be newer than all later ones."""
     monkeypatch.setattr(cache, "KEPT", 2)
     place.write(main="material Main { }")
     for number in range(3):
@@ -176,7 +176,7 @@ def test_an_answer_writes_nowhere_else(place: Place, changes: dict[str, object])
 
 
 def test_a_source_that_has_become_huge(place: Place) -> None:
-    """It is not read to its end only to see that it is another one."""
+    """The source is not read to its end only to see that it has changed."""
     place.write(main="material Main { }")
     place.run()
     main = place.folder / "main.burnish"

@@ -65,7 +65,7 @@ SETTINGS = {
         "khronos_validation.log_filename = {marks}/layer\n"
     ),
 }
-"""What other programs read of the current folder."""
+"""Files in the current folder that other programs read."""
 COMMANDS = (
     "compile good.burnish -o build",
     "compile good.burnish -o build --validate",

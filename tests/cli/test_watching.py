@@ -1,4 +1,4 @@
-"""What tells commands that files have changed: ``commands/watch.py``."""
+"""The events that tell commands about changed files: ``commands/watch.py``."""
 
 from __future__ import annotations
 
@@ -145,7 +145,7 @@ def test_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
 
 
 def test_other_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
-    """They are reported like all others, which the package that watches cannot tell."""
+    """The watching package fails on such names beside a followed file; its changes are still seen."""
     file = tmp_path / "m.burnish"
     file.write_text(PLAIN)
     told.follow(file)
@@ -174,7 +174,7 @@ def test_an_exhausted_system_is_told_once(
 
 
 def test_one_watch_for_all_files_of_a_folder(tmp_path: Path) -> None:
-    """However many are followed: the system allows a user some 128."""
+    """This holds for any number of files: the system allows a user some 128 watches."""
 
     def watches() -> int:
         opened = [each for each in Path("/proc/self/fd").iterdir() if each.is_symlink()]
