@@ -1,4 +1,4 @@
-"""What the table of capabilities promises of a profile, its routes draw or compute.
+"""The routes of a profile draw or compute all that the table of capabilities promises of it.
 
 ``tests/targets/test_capabilities.py`` holds the table against the texts. Where a stage is native as
 well as lowered, what is run here is the lowered form; ``test_geometry_stage.py`` compares both.

@@ -1,4 +1,4 @@
-"""What makes two pictures agree, by pictures of a few pixels."""
+"""The comparison of two pictures, by pictures of a few pixels."""
 
 from __future__ import annotations
 

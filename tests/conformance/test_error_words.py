@@ -1,4 +1,4 @@
-"""What is said of the error of a pixel, by its rendered text."""
+"""The rendered text of the explanation of a pixel's error."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
-    """What a run over a file finds, with all its rigs, passes and materials."""
+    """The rows of a run over a file, with all its rigs, passes and materials."""
 
     @keeping_the_last
     def found(path: Path) -> dict[Key, Row]:
