@@ -64,7 +64,7 @@ def noise(seed: int, cells: int, side: int = SIDE) -> Floats:
 
 
 def brick_depths() -> Floats:
-    """How deep it is below the surface of bricks: joints are 1."""
+    """The depth below the surface of bricks: joints are 1."""
     right, down = places()
     rows = down * 6
     along = right * 3 + 0.5 * (np.floor(rows) % 2)
@@ -99,7 +99,7 @@ def grounds(dark: str, light: str, seed: int, cells: int) -> Floats:
 
 
 def weights() -> Floats:
-    """How much there is of four kinds of ground."""
+    """The shares of four kinds of ground."""
     first, second = noise(21, 3), noise(22, 3)
     shares = np.stack([first, 1 - first, second, 1.2 * (1 - second) - 0.3], axis=-1)
     return np.clip(2.2 * shares - 0.7, 0, 1)
@@ -211,7 +211,7 @@ def palette() -> Floats:
 
 
 def letter() -> Floats:
-    """How far it is to the outline of an R, alike in all channels: 1 is deep inside."""
+    """The distance to the outline of an R, the same in all channels: 1 is deep inside."""
     size = 48
     right, down = places(size, size)
     x, y = (right - 0.5) * 1.3 + 0.5, (down - 0.5) * 1.3 + 0.5
@@ -255,10 +255,10 @@ PICTURES: Mapping[str, Callable[[], Floats]] = {
     "star": star,
     "weights": weights,
 }
-"""What is painted in 8 bits, by the names of the files."""
+"""The pictures that are painted in 8 bits, by the names of the files."""
 
 PANORAMAS: Mapping[str, Callable[[], Floats]] = {"garden": garden, "room": room}
-"""What is painted in floats, of all directions: skies that are brighter than white."""
+"""The pictures in floats, of all directions: skies that are brighter than white."""
 
 
 def painted(name: str) -> Image.Image:
