@@ -58,7 +58,7 @@ def blended(
     destination: Sequence[float],
     constant: Sequence[float] = (0.0,) * 4,
 ) -> list[float]:
-    """What a state makes of two colours without a range."""
+    """The blend of two colours by a state, with an unlimited range."""
     if blend is None:
         return list(source)
     found = []

@@ -187,7 +187,7 @@ def test_wgsl_warnings_are_errors() -> None:
 
 
 def test_texture_reads_in_varying_control_flow() -> None:
-    """What Chromium refuses and naga takes."""
+    """Chromium refuses such reads, although naga accepts them."""
     wgsl = shaders.TEXTURED_WGSL.replace(
         "return textureSample", "if (color.x > 0.5) { return color; }\n return textureSample"
     )

@@ -1,4 +1,4 @@
-"""What the reference has drawn is found again for the same question only."""
+"""The reference's pictures are found again for the same question only."""
 
 from __future__ import annotations
 

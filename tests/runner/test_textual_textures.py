@@ -1,4 +1,4 @@
-"""How OpenGL, WebGPU and WebGL 2 read textures."""
+"""Reads of textures by OpenGL, WebGPU and WebGL 2."""
 
 from __future__ import annotations
 

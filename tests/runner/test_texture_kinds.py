@@ -1,4 +1,4 @@
-"""How every driver reads arrays, volumes, cubes, integers and depths: known by hand."""
+"""Reads of arrays, volumes, cubes, integers and depths by every driver: known by hand."""
 
 from __future__ import annotations
 

@@ -140,9 +140,9 @@ def test_depth_is_cleared_to_one(vulkan: Asker, depth: float, there: bool) -> No
 
 
 AT_HALF = ("less", "less_equal", "not_equal", "always")
-"""What lets a depth of 0.5 through where 1 is."""
+"""The comparisons that a depth of 0.5 passes where 1 is stored."""
 AT_ONE = ("equal", "less_equal", "greater_equal", "always")
-"""What lets a depth of 1 through there."""
+"""The comparisons that a depth of 1 passes there."""
 
 
 @pytest.mark.parametrize("compare", get_args(Compare))

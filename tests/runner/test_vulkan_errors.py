@@ -1,4 +1,4 @@
-"""What a Vulkan worker says of jobs that cannot be drawn, and that it survives them."""
+"""A Vulkan worker reports jobs that cannot be drawn, and survives them."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ def test_a_varying_that_nobody_reads_is_no_mistake(vulkan: Asker) -> None:
 
 
 def test_the_layer_does_not_tire_of_saying_it(vulkan: Asker) -> None:
-    """It can be set to report a message but a few times; then later jobs would pass."""
+    """The layer can be set to report a message only a few times; then later jobs would pass."""
     pipeline = MISTAKES["nothing bound"]()
     said = {refusal(vulkan, pipeline).partition("]")[0] for _ in range(15)}
     assert len(said) == 1
