@@ -47,7 +47,7 @@ PLACES: Sequence[tuple[Any, ...]] = (
     ("extensions", "KHR_lights_punctual", "lights", 0, "range"),
     ("extensions", "KHR_lights_punctual", "lights", 0, "spot", "innerConeAngle"),
 )  # fmt: skip
-"""Where a number stands, or several that all become the same."""
+"""The paths of numbers, or of lists of numbers that all become the same."""
 
 
 @pytest.fixture(scope="module")

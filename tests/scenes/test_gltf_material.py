@@ -45,8 +45,10 @@ def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
 
 
 def reflected(base: float, metallic: float, roughness: float, angle: float) -> float:
-    """What the model sends straight to the viewer of a white light at an angle: appendix B of the
-    specification, with its factors under their names there."""
+    """The light that the model reflects straight back to the viewer, of a white light at an angle.
+
+    This is appendix B of the specification, with its factors under their names there.
+    """
     alpha = roughness**2
     f0 = 0.04 * (1 - metallic) + base * metallic
     h_dot_v = n_dot_h = math.cos(angle / 2)

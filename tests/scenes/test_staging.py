@@ -1,4 +1,4 @@
-"""What ``burnish render --scene`` draws of a glTF file, and with which materials and lights."""
+"""The pictures of a glTF file by ``burnish render --scene``, with its materials and lights."""
 
 from __future__ import annotations
 
