@@ -1,4 +1,4 @@
-"""What an expansion in a pass means: what it would in the material, and the pass's slots too."""
+"""Expansions in passes: they mean the same as in the material, and set the pass's slots too."""
 
 from __future__ import annotations
 
@@ -193,7 +193,7 @@ error[B0201]: unknown name `primitive_index`
 
 
 def told(source: str) -> str:
-    """What is said of a source."""
+    """The diagnostics of a source as text."""
     return render_all(burnish.check(source, pass_="P"))
 
 

@@ -1,4 +1,4 @@
-"""What the library's lights and terms compute, against NumPy (``library_kit`` says why)."""
+"""The library's lights and terms, against NumPy (``library_kit`` says why)."""
 
 from __future__ import annotations
 

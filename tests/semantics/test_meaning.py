@@ -1,4 +1,4 @@
-"""What values mean: kinds, spaces, conversions; and that each rule of the algebra has its bite."""
+"""The meanings of values: kinds, spaces, conversions; each typing rule refuses a program."""
 
 from __future__ import annotations
 
