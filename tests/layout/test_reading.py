@@ -1,4 +1,4 @@
-"""What is said of documents that have another shape than their kind declares."""
+"""The errors of documents that have another shape than their kind declares."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ GOOD: Mapping[str, Any] = {
 
 
 def told(**wrong: object) -> list[str]:
-    """What is said of the document with other members."""
+    """The errors of the document with other members."""
     with pytest.raises(ShapeError) as failed:
         read(Whole, {**GOOD, **wrong})
     return str(failed.value).splitlines()

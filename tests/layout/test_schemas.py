@@ -48,8 +48,11 @@ DOCUMENTS: Mapping[type, Callable[[str], list[Any]]] = {
 
 @cache
 def standard(kind: type) -> Draft202012Validator:
-    """What a library makes of a schema. It reads patterns as Python's, of which ``$`` also stands
-    before a last line break; in those of the standard it does not."""
+    """A library's validator for the schema of a kind.
+
+    The library reads patterns as Python does, where ``$`` also matches before a last line break; by
+    the standard it does not.
+    """
     text = json.dumps(json_schema(kind))
     return Draft202012Validator(json.loads(text.replace(')$"', ')\\\\Z"')))
 
@@ -60,7 +63,7 @@ def without_points(document: Any) -> Any:
 
 
 def is_read(kind: type, document: Any) -> bool:
-    """Whether a document can be read."""
+    """True if a document can be read."""
     try:
         read(kind, document)
     except ShapeError:
