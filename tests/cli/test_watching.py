@@ -145,7 +145,7 @@ def test_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
 
 
 def test_other_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
-    """The watching package fails on such names beside a followed file; its changes are still seen."""
+    """Changes of a file are seen although the watching package fails on such names beside it."""
     file = tmp_path / "m.burnish"
     file.write_text(PLAIN)
     told.follow(file)

@@ -79,7 +79,7 @@ def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[
 
 
 def disagreements(given: Shader, worlds: list[World], options: Options | None = None) -> list[str]:
-    """Where a pass changes a shader's value; empty if no pass does."""
+    """The changes of a shader's values by passes, as texts; empty if no pass changes a value."""
     past = history(given, options)
     original = past.roots["semantics"]
     shaken = noisy(given.graph, original)

@@ -16,7 +16,7 @@ Array = Any
 
 
 class Arithmetic(Protocol):
-    """What a lane asks of its device."""
+    """The operations that a lane asks of its device."""
 
     def lane(self, value: Any) -> Chosen:
         """A lane as it is, or one of a constant."""
@@ -65,7 +65,7 @@ class Chosen:
         return bool(self.value)
 
     def any(self) -> bool:
-        """Whether a condition holds anywhere."""
+        """True if a condition holds anywhere."""
         return bool(self.value.any())
 
     def __add__(self, other: Any) -> Chosen:

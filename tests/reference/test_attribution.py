@@ -202,7 +202,7 @@ def test_a_pixel_that_may_be_discarded() -> None:
 
 
 def test_values_beyond_float32() -> None:
-    """What is infinite has no slope; the rest is explained."""
+    """An infinite value has no slope; the rest is explained."""
     found = explained("value = vec4(exp(s.x * 5000), s.x * 1.7, 0, 1)")
     assert math.isfinite(found.error)
 

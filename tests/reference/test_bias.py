@@ -29,7 +29,7 @@ def faces(depths: tuple[float, float, float], state: DepthState) -> Faces:
 
 
 def moved(depths: tuple[float, float, float], **bias: float) -> tuple[float, float]:
-    """How far the face is moved, and by how much devices may differ in that."""
+    """The distance by which the face is moved, and the error of that which devices may make."""
     usual = faces(depths, DepthState())
     found = faces(depths, DepthState(**bias))  # type: ignore[arg-type]
     by = (found.z - usual.z)[0]

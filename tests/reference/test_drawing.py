@@ -380,7 +380,7 @@ BY_FACTORS: dict[str, tuple[float, float, float, float]] = {
     "{ source = src, destination = dst }": (0.89, 0.2225, 1.0, 0.3125),
     "{ source = constant, destination = one_minus_constant }": (0.65, 0.3625, 1.0, 0.4375),
 }  # fmt: skip
-"""What is left of a colour over another, by hand from the tables of OpenGL 4.6, 17.3.6."""
+"""The results of blending a colour over another, by hand from the tables of OpenGL 4.6, 17.3.6."""
 
 
 @pytest.mark.parametrize("blend", BY_FACTORS)
@@ -431,8 +431,8 @@ def test_lanes_that_a_format_lacks() -> None:
 
 
 def jumps(members: str) -> list[int]:
-    """Where a value may be on either side of a jump, in a row of pixels over which `s` grows from
-    -4 to 4."""
+    """The pixels whose value may be on either side of a jump, in a row over which `s` grows from -4
+    to 4."""
     given = passing("attribute s : float\n" + members)
     mesh = triangles(FULL, s=[-4, 12, -4])
     found = picture(given, mesh, RasterRules(9, 1, varying_bits=20), errors=few_ulps)

@@ -1,4 +1,4 @@
-"""What the reference computes of kernels by itself: of which elements nothing is defined."""
+"""The elements of kernels of which nothing is defined, as the reference computes them by itself."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ def read(
 
 
 def row(texture: Texels, state: str, u: tuple[float, float], **rules: Any) -> list[float]:
-    """What the picture's first row reads along u."""
+    """The values that the picture's first row reads along u."""
     found: list[float] = read(texture, state, u, **rules).targets[0][0, :, 0].tolist()
     return found
 

@@ -50,7 +50,7 @@ def compiled(row: Capability, name: str) -> CompiledMaterial:
 
 
 def refused(probe: Probe, profile: str, *, native: bool = False) -> tuple[Diagnostic, ...]:
-    """What is said of a probe that cannot be compiled for a profile."""
+    """The errors about a probe that cannot be compiled for a profile."""
     with pytest.raises(burnish.CompileError) as caught:
         probe.compile(profile, native=native)
     return tuple(caught.value.diagnostics)

@@ -76,7 +76,7 @@ def test_texts_of_kernels(profile: str) -> None:
 
 @pytest.mark.parametrize("captured", ["place : vec2 = uv", "number : uint = vertex_index"])
 def test_kernels_hand_on_what_stands_nowhere(captured: str) -> None:
-    """What is read of the mesh or counted is written in no equation that could be pointed at."""
+    """Values that are read from the mesh, or counted, have no equation to refer to."""
     text = f"material Plain {{ color = vec3(1) }} pass Step {{ capture {captured} }}"
     (material,) = burnish.compile(text, "wgsl", pass_="Step").materials
     (file,) = material.files

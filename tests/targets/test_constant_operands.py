@@ -158,7 +158,7 @@ def shaders(row: Builtin) -> Iterator[Shader]:
 
 
 def jobs(row: Builtin) -> Iterator[Job]:
-    """What every profile's checkers are to accept."""
+    """The texts that every profile's checkers must accept."""
     for made in shaders(row):
         staged = stage(made, Options())
         for selected in PROFILES:
