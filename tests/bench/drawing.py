@@ -1,4 +1,4 @@
-"""How long pictures take: the reference's own, and a conformance run, from nothing and again."""
+"""The times of pictures: the reference's own, and a conformance run, from nothing and again."""
 
 from __future__ import annotations
 

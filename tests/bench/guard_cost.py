@@ -1,4 +1,4 @@
-"""What guards cost in the examples of local shading: instructions with them and without any.
+"""The cost of guards in the examples of local shading: instructions with them and without any.
 
 The examples are those that ``examples/README.md`` lists under "Local shading". Each is compiled
 twice; the second time every operation with a domain counts as safe, as hand-written code takes it

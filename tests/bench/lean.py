@@ -1,4 +1,4 @@
-"""How long the shaders are, beside hand-written ones: with the same defined meaning, and with none.
+"""The lengths of the shaders beside hand-written ones, with the same meaning and with none.
 
 ``floors`` is the surface as short as hand can write it, with no care for what happens at the edges.
 ``twins`` is the floor plus what the meaning asks for, and nothing else:

@@ -1,7 +1,7 @@
-"""How long geometry and tessellation stages are, beside stages that are written by hand.
+"""The lengths of geometry and tessellation stages beside stages that are written by hand.
 
-The ``twins`` compute the same as the examples with the same meaning: where a normal may vanish that
-is interpolated, they take care of it, too.
+The ``twins`` compute the same as the examples with the same meaning: if an interpolated normal may
+vanish, they take care of it, too.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How long it takes to draw what has no stage of its own: lowered forms beside native ones.
+"""The time to draw programs whose stages are lowered, beside the same programs with native stages.
 
 Both forms of a material draw the same picture on lavapipe, in this process, so that nothing but the
 driver's work is measured. A draw with a new pipeline also compiles it, so each time is that of more
@@ -37,9 +37,9 @@ SPRITES = 100_000
 LIMIT = 1.5
 """For the lowered form, beside the native one."""
 ROUNDS = 5
-"""How often the forms take turns; the best time of each counts."""
+"""The number of turns of each form; its best time counts."""
 DRAWS = 4
-"""How many draws are timed together."""
+"""The number of draws that are timed together."""
 
 FORMS: Mapping[str, Mapping[str, Any]] = {"native": {"native_stages": True}, "lowered": {}}
 """By form, what ``compile`` is told."""

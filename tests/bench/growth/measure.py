@@ -30,7 +30,7 @@ LEAST = 0.02
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """What a compile of one size took."""
+    """The time and memory of a compile of one size."""
 
     size: int
     seconds: dict[str, float]
@@ -45,7 +45,7 @@ class Curve:
     shape: Shape
     points: tuple[Point, ...]
     end: str
-    """What became of it: ``compiles``, ``reported``, or why it went no further."""
+    """The end of the curve: ``compiles``, ``reported``, or the reason why it went no further."""
 
     def exponent(self, phase: str) -> float | None:
         """The power of the size with which a phase grows at the end of the curve.
