@@ -88,10 +88,10 @@ class Function:
     fit: Fit
     low: float = -LARGE
     high: float = LARGE
-    """Between which operands it is measured."""
+    """The largest operand with which it is measured; ``low`` is the smallest."""
     operands: int = 1
     divisor: bool = False
-    """Whether the error depends on the second operand."""
+    """True if the error depends on the second operand."""
 
 
 FUNCTIONS: Mapping[str, Function] = {

@@ -14,7 +14,7 @@ from burnish.stdlib.builtins.accuracy import Platform
 
 @dataclass(frozen=True)
 class Table:
-    """What one specification says, by the names of Burnish's builtins."""
+    """The promises of one specification, by the names of Burnish's builtins."""
 
     document: str
     section: str

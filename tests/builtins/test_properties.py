@@ -306,5 +306,5 @@ def naive(name: str, lanes: list[float]) -> float:
 
 
 def flushed(lane: float) -> float:
-    """What a device without subnormals makes of a lane."""
+    """The value of a lane on a device without subnormals."""
     return lane if abs(lane) >= SMALLEST_NORMAL else 0.0
