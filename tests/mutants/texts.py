@@ -182,7 +182,7 @@ def _verdict(row: Row, unchanged: Row) -> str:
 
 
 def _needed(row: Row) -> float:
-    """How much of its bound the worst pixel needs."""
+    """The largest share of its bound that a pixel needs."""
     return max((result.comparison.excess for result in row.results), default=0.0)
 
 

@@ -1,4 +1,4 @@
-"""What a material or a frame comes to: its texts, and what drivers are told, as digests."""
+"""The behaviour of a material or a frame: its texts, and what drivers are told, as digests."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def shaders_of(subject: Judged) -> Sequence[CompiledMaterial]:
 
 
 def description(subject: Judged) -> object:
-    """What a host knows of it: the reflection, or the plan and what the reference draws by."""
+    """The host's description of a subject: the reflection, or the plan and the reference's plan."""
     from burnish.api import CompiledFrame
 
     if isinstance(subject, CompiledFrame):
@@ -81,7 +81,7 @@ def description(subject: Judged) -> object:
 
 
 def lacks(subject: Judged, route: Route) -> str | None:
-    """What a route lacks to draw it, or ``None``."""
+    """The feature that a route lacks to draw a subject, or ``None``."""
     every = (shader.lacking.get(route.profile) for shader in shaders_of(subject))
     return next(filter(None, every), None)
 
