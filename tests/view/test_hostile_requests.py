@@ -1,4 +1,4 @@
-"""What others send to the server of ``burnish view``: it refuses all of it, and goes on."""
+"""Hostile requests to the server of ``burnish view``: it refuses all of them, and goes on."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Viewer]:
 
 
 def sent(viewer: Viewer, *pieces: bytes) -> bytes:
-    """What the server answers to these bytes, until it closes the connection."""
+    """The server's answer to these bytes, until it closes the connection."""
     with connection(viewer) as stream:
         for piece in pieces:
             stream.sendall(piece)
@@ -212,7 +212,7 @@ def test_bodies_that_end_too_early(viewer: Viewer) -> None:
 
 
 def test_texts_that_nobody_means(viewer: Viewer) -> None:
-    """What a page asks for is a name or nothing: neither numbers nor structures nor markup."""
+    """Every value in a page's query is a name or ignored: no number, structure or markup."""
     plain = viewer.ask("/document").json()
     deep = quote("[" * 5000 + "]" * 5000)
     for text in ("1e999", "-1", "NaN", "null", "{}", deep, quote("<script>"), "%ff%fe", "%00"):

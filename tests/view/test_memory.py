@@ -1,4 +1,4 @@
-"""What ``burnish view`` keeps: no more than a limit, whatever pages send and files become."""
+"""The memory of ``burnish view`` keeps to a limit, whatever pages send and files become."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_more_pictures_than_a_page_can_have(tmp_path: Path) -> None:
 
 
 def test_what_is_dropped_first() -> None:
-    """What was asked for longest ago; of the first shelf, before anything of the others."""
+    """The entries used longest ago go first: those of the first shelf before all others."""
     keeping = Keeping()
     easy, hard = (Shelf[str, bytes](keeping, len) for _ in range(2))
     key = len(repr("a"))

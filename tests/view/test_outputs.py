@@ -1,4 +1,4 @@
-"""What the page of ``burnish view`` shows of outputs: pictures of any size, and buffers."""
+"""The outputs in the page of ``burnish view``: pictures of any size, and buffers."""
 
 from __future__ import annotations
 
