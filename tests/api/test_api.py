@@ -111,7 +111,7 @@ pass Early : Forward {
 
 
 def test_a_blending_that_a_profile_lacks_is_told_where_the_target_is_declared() -> None:
-    """Also of a target whose value is a constant, which stands nowhere."""
+    """This holds also for a target whose value is a constant, which has no place in the text."""
     with pytest.raises(burnish.CompileError) as caught:
         burnish.compile(MASKED, ("glsl:es310",), pass_="Early")
     (told,) = caught.value.diagnostics
@@ -195,7 +195,7 @@ def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
 
 
 def test_what_was_compiled_before_changes_nothing() -> None:
-    """Not even the order of a reflection's lists: hosts compare them with stored ones."""
+    """The order of a reflection's lists stays, too: hosts compare reflections with stored ones."""
     script = (
         "import burnish, json, sys\n"
         "from burnish.compiler.documents.writing import to_json\n"

@@ -51,7 +51,7 @@ class Number:
     aim: float | None
     rounds: int
     of: Mapping[str, Measure]
-    """By the checkout's name."""
+    """The measures by the checkout's name."""
 
     def row(self) -> Row:
         """Measure the checkouts in turn; the last one is what the aim is for."""
@@ -151,7 +151,7 @@ class _Start:
         return self._best(*self._compile())[0]
 
     def unchanged_wall(self) -> float:
-        """The same, by the clock on the wall."""
+        """The wall-clock time of a compile of a text that was compiled before."""
         self._example().write_text(self._text(), "utf-8")
         self._once(*self._compile())
         return self._best(*self._compile())[1]

@@ -86,7 +86,7 @@ def _compile(folder: Path, python: Path, number: int) -> float:
 
 
 def _environment(folder: Path) -> dict[str, str]:
-    """As a user has it, who has never run Burnish; no byte code is kept from being written."""
+    """The environment of a user who has never run Burnish; byte code may be written."""
     dropped = ("PYTHONDONTWRITEBYTECODE", "PYTHONPATH")
     kept = {name: value for name, value in os.environ.items() if name not in dropped}
     return kept | {"BURNISH_CACHE": str(folder / "cache")}

@@ -67,7 +67,10 @@ def _trusted(row: Builtin) -> Builtin:
 
 
 def _unless_fractional(domain: Domain) -> Domain:
-    """No language has a remainder of floats that is rounded down: that is no guard."""
+    """A domain that trusts all operands except a remainder of floats.
+
+    No language rounds that remainder down, so the operations that do it are no guard.
+    """
 
     def trusted(facts: tuple[Fact, ...]) -> bool:
         return domain is not BUILTINS["mod"].domain or facts[0].kind != "float"

@@ -18,7 +18,7 @@ from .table import Row, Section
 TWINS = Path(__file__).with_name("twins")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COMPILERS = {"glsl": ("glslang-vulkan", "glsl:vulkan"), "hlsl": ("dxc-spirv", "hlsl:sm6")}
-"""By language, what makes SPIR-V of a text, and the profile whose texts it takes."""
+"""The compiler to SPIR-V of each language, and the profile whose texts it takes."""
 LIMIT = 1.05
 
 MEASURED = (

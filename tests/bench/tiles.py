@@ -91,7 +91,7 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
 
 
 def milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
-    """Of the commands alone, without what goes to the device before and comes back afterwards."""
+    """The best time of the commands alone, without the transfers before and after them."""
     taken: list[float] = []
     with patch.object(frame, "recording", lambda gpu: _Timed(gpu, taken)):
         for _ in range(RUNS):

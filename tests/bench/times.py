@@ -133,7 +133,10 @@ def _run(command: list[str]) -> str:
 
 
 def _imports() -> list[Row]:
-    """From ``-X importtime``, whose lines are ``import time: own | with imports | module``."""
+    """The times of imports.
+
+    They are from ``-X importtime``, with lines ``import time: own | with imports | module``.
+    """
     own: dict[str, float] = {}
     for line in _run(_command("-X", "importtime")).splitlines():
         _, _, figures = line.partition("import time:")

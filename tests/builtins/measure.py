@@ -60,7 +60,7 @@ def _of_exponents(sampled: Sampled) -> Error:
 
 
 def _absolute(sampled: Sampled, ulps: float = 1.0) -> Error:
-    """One unit in the last place, and further an absolute error, as polynomials have."""
+    """An error of one unit in the last place plus an absolute error, as polynomials have."""
     return Error(ulp=ulps, absolute=_most(sampled.error - ulps * ulp(sampled.result)))
 
 

@@ -121,7 +121,7 @@ def test_a_pass_that_fits_some_materials() -> None:
 
 
 def test_the_errors_of_all_files_are_told() -> None:
-    """So is a slot of which no material knows."""
+    """An unknown slot in one file does not hide the errors of another file."""
     Path("a.burnish").write_text(GLOW.replace("material.glow", "material.gleam"))
     Path("b.burnish").write_text(UP.replace("normal", "norml"))
     result = invoke("conform", "a.burnish", "m.burnish", "b.burnish", "--routes", "llvmpipe:gl330")
@@ -278,7 +278,7 @@ def test_nothing_to_draw_with() -> None:
 
 
 def without(monkeypatch: pytest.MonkeyPatch, tool: str) -> None:
-    """One tool is not there."""
+    """Makes one tool seem to be missing."""
     find = tools.inspect_all
 
     def found(wanted: Iterable[Tool]) -> Mapping[str, ToolState]:

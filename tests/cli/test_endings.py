@@ -36,7 +36,7 @@ def place(tmp_path: Path) -> Path:
 
 
 def environment(place: Path, command: str) -> Mapping[str, str]:
-    """In it, glslang answers nothing but what its version is, to all commands but ``doctor``."""
+    """An environment in which glslang ends only for ``--version``, and for ``doctor`` never."""
     tool = place.parent / "tools" / "glslang" / "bin" / "glslangValidator"
     tool.parent.mkdir(parents=True)
     version = "" if command == "doctor" else 'test "$1" = --version && '

@@ -17,7 +17,7 @@ from ..suite.processes import run
 MOST = 10**6
 """Kibibytes that a command may have in memory at the same time, as each of its children."""
 SECONDS = 60.0
-"""After this a command has hung. It takes a few seconds."""
+"""The time in seconds after which a command counts as hanging. It takes a few seconds."""
 MEASURED = """
 import resource
 from pathlib import Path

@@ -55,7 +55,7 @@ for fatal, folder in enumerate(sys.argv[2:], start=1):
         killed(folder, fatal, moment)
     print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
-"""For each folder in turn, a process that writes there and is killed at the call of that number."""
+"""Kills a process for each folder while it writes there, at the call with the folder's number."""
 
 OLD = {"a": b"old", "b": b"old"}
 NEW = {"a": b"new", "b": b"new", "c": b"new"}
@@ -225,7 +225,7 @@ def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """There, a second file must not silently take the place of the first."""
+    """A second file must not silently replace the first one there."""
     put_old(tmp_path)
     monkeypatch.setattr(replacing._Folder, "_at", lambda _, name: name.lower())
     with pytest.raises(FileExistsError, match=r"here `a` is the same name: '.*/A'$"):

@@ -132,7 +132,7 @@ def test_processes(place: Path, shell: str) -> None:
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_nobody_in_a_narrow_world(place: Path, command: str) -> None:
-    """No home, password entry, terminal, temporary folder or standard input, and ASCII only."""
+    """No home, password entry, terminal, temporary folder or standard input exists; only ASCII."""
     variables = environment(place, TMPDIR="/nowhere", LC_ALL="C", PYTHONUTF8="0", COLUMNS="0")
     variables |= {"HOME": "", "PYTHONIOENCODING": "ascii"}
     code, said = outcome(place, command, variables, "exec <&-", NOBODY)
@@ -157,7 +157,7 @@ def test_no_output_at_all(place: Path, command: str) -> None:
 
 
 def test_a_mask_that_forbids_everything(place: Path) -> None:
-    """Who may do everything, as root, may also use the files; others are told."""
+    """A user with all rights, such as root, may use the files; others get an error."""
     compile_ = "compile main.burnish -t wgsl -o out"
     code, said = outcome(place, compile_, environment(place), "umask 777")
     assert code == 0 or "cannot write to `out`" in said

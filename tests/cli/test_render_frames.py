@@ -61,7 +61,7 @@ def render(folder: Path, name: str, count: int) -> str:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """With a folder for pictures."""
+    """A folder with an empty folder for pictures."""
     (tmp_path / "out").mkdir()
     return tmp_path
 

@@ -37,7 +37,7 @@ def _is_circular(folder: Path) -> Mapping[str, str]:
 
 
 def _is_nowhere(_: Path) -> Mapping[str, str]:
-    """As where there is no ``HOME``, and the user has none."""
+    """The home is unknown: there is no ``HOME``, and the user has no home folder."""
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": "~"}
 
 
@@ -52,7 +52,7 @@ def _is_relative(_: Path) -> Mapping[str, str]:
 
 
 def _is_chosen_and_relative(_: Path) -> Mapping[str, str]:
-    """Who has made the current folder does not make the cache."""
+    """A relative choice is ignored: the maker of the current folder must not make the cache."""
     return {"BURNISH_CACHE": "caches", "XDG_CACHE_HOME": "caches", "HOME": "home"}
 
 
@@ -187,7 +187,7 @@ def test_a_source_that_has_become_huge(place: Place) -> None:
 
 
 def test_what_was_kept_for_others_is_ignored(place: Place) -> None:
-    """As former versions did, whose folders anybody can read."""
+    """Former versions kept answers in folders that anybody can read."""
     place.write(main="material Main { color = vec3(1) }\n")
     before = place.run()
     (place.cache / "private").chmod(0o755)

@@ -66,7 +66,7 @@ def watching() -> Iterator[Told]:
 
 @pytest.fixture(params=["reported", "polled"])
 def told(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Told]:
-    """Both where the system reports changes, and where it cannot."""
+    """A watcher whose system reports changes, and one whose system cannot."""
     if request.param == "polled":
         monkeypatch.setattr(watchfiles, "watch", _exhausted)
     with watching() as told:
@@ -105,7 +105,7 @@ def test_files_that_are_written_and_replaced(told: Told, tmp_path: Path) -> None
 
 
 def test_imports_that_appear_later(told: Told, tmp_path: Path) -> None:
-    """Also the folder in which they lie; and they are followed from then on."""
+    """Their folder may appear later as well; from then on they are followed."""
     file, half = tmp_path / "m.burnish", tmp_path / "parts" / "half.burnish"
     file.write_text(IMPORTING)
     told.follow(file)

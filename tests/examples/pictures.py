@@ -34,7 +34,7 @@ def rgb(text: str) -> Floats:
 
 
 def mixed(dark: str, light: str, share: Floats) -> Floats:
-    """From one colour to another."""
+    """A mixture of two colours: ``dark`` where the share is 0, ``light`` where it is 1."""
     return rgb(dark) + (rgb(light) - rgb(dark)) * np.clip(share, 0, 1)[..., None]
 
 
@@ -136,7 +136,7 @@ def star() -> Floats:
 
 
 def directions() -> Floats:
-    """Of each pixel of a panorama, twice as wide as high."""
+    """The direction of each pixel of a panorama, which is twice as wide as high."""
     right, down = places(2 * SIDE, SIDE)
     around, above = 2 * np.pi * (right - 0.5), np.pi * (0.5 - down)
     level = np.cos(above)
@@ -231,7 +231,7 @@ def letter() -> Floats:
 
 
 def ramp() -> Floats:
-    """From shade to light in four steps."""
+    """A ramp of four colours from shade to light."""
     steps = ("#5b2a3c", "#a8473f", "#e8843c", "#ffd98a")
     return np.array([[rgb(color) for color in steps for _ in range(8)]])
 

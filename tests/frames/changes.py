@@ -97,7 +97,7 @@ def _others(path: Path, value: Any, known: dict[str, list[Any]]) -> Iterator[tup
 
 
 def _other_lists(value: Sequence[Any]) -> Iterator[tuple[str, list[Any]]]:
-    """Without a row, with a row twice, with two rows exchanged."""
+    """Other lists: without a row, with a row twice, with two rows exchanged."""
     for number, row in enumerate(value):
         yield f"without row {number}", [*value[:number], *value[number + 1 :]]
         yield f"row {number} twice", [*value[: number + 1], *value[number:]]

@@ -156,7 +156,7 @@ def _changed(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -
 
 
 def _changed_element(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -> Any:
-    """The same for an element: the one that has most of the way."""
+    """A list or an object with a change in the element that has most of the path."""
     element = _element(type_)
     change_one = partial(_changed, type_=element, path=path, change=change)
     if not value:

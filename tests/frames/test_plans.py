@@ -77,7 +77,7 @@ def source_text(source: Source) -> str:
 
 
 def in_texture(texture: int | None) -> str:
-    """In which texture something is, if it is in any."""
+    """The texture that holds something, as text; empty if none does."""
     return "" if texture is None else f" in texture {texture}"
 
 
@@ -98,7 +98,7 @@ def test_examples_are_planned_as_before(path: Path) -> None:
 
 
 def planted(plan: dict[str, Any]) -> Iterator[Change]:
-    """One error each: a barrier that is missing, a wrong load, a texture for another."""
+    """Changes of one error each: a missing barrier, a wrong load, a texture for another."""
     for s, step in enumerate(plan["steps"]):
         yield from without_waiting(("steps", s), step)
         for t, target in enumerate(step.get("targets", [])):
@@ -114,7 +114,7 @@ def planted(plan: dict[str, Any]) -> Iterator[Change]:
 
 
 def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
-    """One barrier less, each in turn."""
+    """Changes that leave out one barrier each."""
     for kind in ("barriers", "buffer_barriers"):
         for b in range(len(place[kind])):
             others = [row for number, row in enumerate(place[kind]) if number != b]

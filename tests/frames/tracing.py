@@ -98,6 +98,6 @@ def linear(code: str) -> Floats:
 
 
 def smoothstep(low: float, high: float, x: Floats) -> Floats:
-    """As shaders have it."""
+    """The function ``smoothstep`` of shaders."""
     t = np.clip((x - low) / (high - low), 0, 1)
     return t * t * (3 - 2 * t)

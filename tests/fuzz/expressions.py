@@ -144,7 +144,7 @@ class Writer:
         return expression(type_, rule.form, parts, rule.role, rule.needs)
 
     def pinned(self, node: Node) -> Node:
-        """The same, but of its type even if it is a literal, which would adapt to its place."""
+        """The node with its type written, as a literal would adapt its type to its place."""
         if node.type in ("float", "int", "uint"):
             return expression(node.type, f"{node.type}({{}})", [node], "constructor")
         return node

@@ -22,7 +22,7 @@ def kernel(writer: Writer, outside: Scope) -> Node:
 
 
 def _over_images(writer: Writer, outside: Scope) -> Node:
-    """One that computes a texel for each of a texture's, or for some more or fewer."""
+    """A kernel that computes a texel for each texel of a texture, or for some more or fewer."""
     size = writer.chance.choice(("given.size()", "given.size() + ivec2(3, -2)", "ivec2(19, 13)"))
     leaves = (
         variable("texel", "ivec2"),

@@ -169,7 +169,7 @@ def _facts(case: Case) -> Iterator[Finding]:
 
 
 def _passes(case: Case) -> Iterator[Finding]:
-    """No pass changes the value."""
+    """The changes of the value by passes; none should change it."""
     for traps, hoist in ((False, True), (True, False)):
         world = World(case.seed, traps)
         if not is_defined(case, world):

@@ -84,7 +84,7 @@ They may prepare something that all uses of the trial share.
 
 
 class TooSlowError(Exception):
-    """There was no answer in time."""
+    """Raised if there is no answer in time."""
 
 
 class Trouble(NamedTuple):

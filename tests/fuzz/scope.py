@@ -20,7 +20,7 @@ GROUPS = "groups"
 CROSSING = "crossing"
 """``@vertex`` may be written."""
 LIGHT = "light"
-"""There is a current light."""
+"""The ability to use the current light."""
 
 SPACES = "spaces"
 """The file declares the space ``bench``, and the material knows the way to it."""

@@ -27,7 +27,7 @@ class Rules:
     align: Callable[[Type], int]
     size: Callable[[Type], int]
     stride: Callable[[Type], int]
-    """From one element of an array to the next, given the element's type."""
+    """The distance from one element of an array to the next, given the element's type."""
     start: Callable[[int, Type], int]
     """The offset of a member that follows on byte ``end``, given the member's type."""
 

@@ -141,7 +141,7 @@ WRONG: Mapping[str, tuple[Any, str]] = {
     "class": ({}, "/class: an object is not a text"),
     "leaf": (7, "/leaf: 7 is not an object"),
 }
-"""By member, a value of another type or beyond its bounds, and what is said of it."""
+"""For each member, a value of a wrong type or beyond its bounds, and the error about it."""
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -115,7 +115,7 @@ def alternatives(part: Any) -> Iterator[str]:
 
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_the_schema_is_one_and_describes_every_property(kind: type) -> None:
-    """But for words by which records are told apart, and lists that are always empty."""
+    """Exceptions are words by which records are told apart, and lists that are always empty."""
     schema = json_schema(kind)
     Draft202012Validator.check_schema(schema)
     told_apart = set(alternatives(schema))
@@ -131,7 +131,7 @@ def test_the_schema_is_one_and_describes_every_property(kind: type) -> None:
 
 
 def test_bounds_are_keywords() -> None:
-    """Of a block, of lanes, of a mask, and of a place."""
+    """The bounds of a block, of lanes, of a mask, and of a place."""
     found = json_schema(Reflection)["$defs"]
     assert found["BlockRow"]["properties"]["size"] == {
         "description": "Bytes, a multiple of 16.",

@@ -45,7 +45,7 @@ class Judgement:
     by: str = ""
     """The material and the route that show it, or the exception."""
     different: list[str] = field(default_factory=list)
-    """Of a survivor, the materials and routes that differ."""
+    """The materials and routes of a survivor that differ."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class Known:
     behaviour: Mapping[str, str]
     """Digests of what each material comes to on each route."""
     reached: Mapping[str, Sequence[str]]
-    """For each line, ``path:line``, the materials that run it; the import runs it for ``""``."""
+    """The materials that run each line, ``path:line``; for ``""`` the import runs it."""
     materials: Sequence[str]
     """All of them, in their order."""
 
@@ -73,7 +73,7 @@ class Copy:
     """A copy of the package in a folder of its own, and the process that judges mutants of it."""
 
     def __init__(self, folder: Path, judge: Program, package: Path) -> None:
-        """Of ``folder``, which has the package; see ``copy``."""
+        """Take the copy in ``folder``, which has the package; see ``copy``."""
         self._folder, self._judge, self._package = folder, judge, package
 
     def known(self, kept: Path | None = None, *, drawn: bool = False) -> Known:

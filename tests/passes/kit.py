@@ -73,7 +73,7 @@ def elaborated(
 
 
 def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
-    """The same in the form that the other passes take."""
+    """The shaders of a text or a file, in the form that the other passes take."""
     return [lower_stages(found) for found in elaborated(source, rig, pass_)]
 
 

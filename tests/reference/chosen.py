@@ -27,11 +27,11 @@ class Arithmetic(Protocol):
         ...
 
     def multiply(self, x: Any, y: Any) -> Chosen:
-        """Their product."""
+        """The product of two lanes."""
         ...
 
     def divide(self, x: Any, y: Any, /) -> Chosen:
-        """Their quotient."""
+        """The quotient of two lanes."""
         ...
 
 

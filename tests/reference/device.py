@@ -255,7 +255,7 @@ class Device(OwnFunctions):
         return x - self.floor(x)
 
     def mix(self, x: Any, y: Any, a: Any, /) -> Any:
-        """By the formula of WGSL and Vulkan, or by Direct3D's."""
+        """The mixture, by the formula of WGSL and Vulkan or by that of Direct3D."""
         return x + (y - x) * a if self._does(self._habits.reorders) else x * (1.0 - a) + y * a
 
     def inversesqrt(self, x: Any, /) -> Chosen:

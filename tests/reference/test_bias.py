@@ -1,4 +1,4 @@
-"""By how much a bias moves the depths of triangles: by hand, and by what specifications leave open.
+"""The movement of triangles' depths by a bias: by hand, and with the freedom of specifications.
 
 The triangles lie before an orthographic camera: the plane of each is known in pixels.
 """

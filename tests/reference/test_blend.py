@@ -32,7 +32,7 @@ def _somewhere(lane: Bounded, random: np.random.Generator) -> Any:
 
 @pytest.mark.parametrize("most", [1.0, 3.0])
 def test_both_formulas_are_within_the_bounds(most: float) -> None:
-    """Also for weights outside of 0..1."""
+    """This holds also for weights outside of 0..1."""
     random = np.random.default_rng(int(most))
     x, y = _interval(random, -100, 100), _interval(random, -1, 1)
     a = _interval(random, 1 - most, most)

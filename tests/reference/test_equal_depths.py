@@ -49,7 +49,7 @@ BACK, FRONT = (
 )
 BOTH = triangles(BACK, FRONT)
 TURNED = triangles(BACK[::-1], FRONT)
-"""Of the first face the back is seen."""
+"""The two faces, of which the first one shows its back."""
 HALVES = (np.full((1, 1, 4), 0.5),)
 EXACT = Texels(HALVES)
 """A texture of the host's."""

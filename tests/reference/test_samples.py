@@ -275,7 +275,7 @@ def test_what_nothing_covers_is_known_exactly() -> None:
 
 
 def test_a_mean_is_rounded_to_either_neighbour_of_the_format() -> None:
-    """One step and nothing: a quarter of a step becomes 0 or 1."""
+    """The mean of one step and three zeros is a quarter of a step, which becomes 0 or 1."""
     given = smooth(format_="rgba8")
     found = picture(given, triangles(left_of(0.25)), ONE, errors=few_ulps, c=(1 / 255,) * 4)
     assert found.targets[0][0, 0, 0] == pytest.approx(1 / 1020)

@@ -65,12 +65,12 @@ class Painting:
         return [float(red) for red in self.canvas.targets[0][0, :, 0]]
 
     def hull(self, pixel: int) -> tuple[float, float]:
-        """Between which shades of red that of a pixel is."""
+        """The two reds between which the red of a pixel is."""
         low, high = self.hulls.targets[0][:, pixel, 0]
         return float(low), float(high)
 
     def depths(self, pixel: int) -> tuple[float, float]:
-        """Between which depths that of a pixel is."""
+        """The two depths between which the depth of a pixel is."""
         low, high = self.hulls.depth[:, pixel]
         return float(low), float(high)
 

@@ -18,7 +18,7 @@ def named(word: str) -> Blend | None:
 
 
 def both(source: Factor, destination: Factor, operation: Operation = "add") -> Blend:
-    """One equation for all lanes."""
+    """A blend with one equation for all lanes."""
     equation = BlendEquation(source, destination, operation)
     return Blend(equation, equation)
 

@@ -24,7 +24,7 @@ from .textual_kit import COMMANDS, RED, Asker, full, pipeline, shoot
 
 
 def processes() -> dict[int, tuple[int, str]]:
-    """Of every process its parent and its command line."""
+    """The parent and the command line of every process."""
     found = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:

@@ -21,7 +21,7 @@ from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, p
 
 @pytest.mark.parametrize("api", ["opengl", "webgl2"])
 def test_host_uniforms_are_the_height(api: str) -> None:
-    """By which a shader turns ``gl_FragCoord`` the right way up."""
+    """A shader needs the height to turn ``gl_FragCoord`` the right way up."""
     glsl = shaders.PAINT_GLSL.replace(
         "target = color", "target = vec4(gl_FragCoord.x, height - gl_FragCoord.y, height, 1.0)"
     ).replace("|", "|uniform float height;\n")

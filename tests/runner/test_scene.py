@@ -37,7 +37,7 @@ rig Hall { sun : Directional  lamps : Point[<= 5]  pair : Point[2] }
 
 @pytest.mark.parametrize(("wanted", "count"), [(0, 0), (3, 3), (64, 5)])
 def test_every_light_has_a_place(wanted: int, count: int) -> None:
-    """Also those beyond the number that shines, so that this can be raised afterwards."""
+    """Lights beyond the number that shines have one, too, so that the number can be raised."""
     (material,) = burnish.compile(LAMPS).materials
     instance = material.instance()
     Scene(light_count=wanted).apply(instance, 1.0)

@@ -34,7 +34,7 @@ from .vulkan_kit import (
 
 RED, GREEN = [1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]
 TOP_LEFT = quad(-1, 0, 0, 1, 0.5)
-"""Of clip space, whose y goes up."""
+"""The top left quarter of clip space, whose y goes up."""
 CLOCKWISE = [[x, y, z] for x, y, z in reversed(TOP_LEFT)]
 
 FLIPPED = """#version 450
@@ -109,7 +109,7 @@ def test_gl_front_facing_agrees(vulkan: Asker) -> None:
 
 
 def test_a_flipped_text_draws_the_same(vulkan: Asker) -> None:
-    """Its clip y points down, as Vulkan's own does."""
+    """The flipped text's clip y points down, as Vulkan's own does."""
     plain = flat_pipeline(cull="back")
     flipped = flat_pipeline(vertex=FLIPPED, cull="back", flip_y=True)
     expected = vulkan.one(plain, draw_of(TOP_LEFT))

@@ -43,7 +43,7 @@ layout(set = 0, binding = 0) uniform Paint { mat3 turn; vec4 paint[2]; float las
 layout(location = 0) out vec4 target;
 void main() { target = paint[0] * turn[2].z + last; }
 """
-"""Its block ends at 48 + 32 + 4 bytes."""
+"""A fragment shader whose block ends at 48 + 32 + 4 bytes."""
 
 SPIN = """#version 450
 layout(location = 0) out vec4 target;
@@ -57,7 +57,7 @@ void main() {
 
 
 def refusal(vulkan: Asker, pipeline: Pipeline, **draw: Any) -> str:
-    """Why a job was not drawn; the worker has to draw the next one all the same."""
+    """The error of a job that is not drawn; the worker has to draw the next one all the same."""
     with pytest.raises(DriverError) as error:
         vulkan.one(pipeline, replace(draw_of(WHOLE), **draw))
     assert np.all(vulkan.one(flat_pipeline(), draw_of(WHOLE)) == 1.0)

@@ -105,7 +105,7 @@ RECORDS = {
 
 @pytest.mark.parametrize("kind", RECORDS)
 def test_records_are_counted_before_they_are_made(kind: str, tmp_path: Path) -> None:
-    """As many as are allowed are made, within the limit of memory; one more than that is not."""
+    """The allowed number of records is made within the limit of memory; more are refused."""
     before, element, behind = RECORDS[kind]
     values = sum(map(element.count, ",[{")) + 1
     count = (LIMITS["values"].most - 10) // values

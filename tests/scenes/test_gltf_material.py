@@ -140,7 +140,7 @@ def test_light_fades_with_the_square_of_the_distance() -> None:
     [(0, 1), (20, 1), (40, 0.5), (60, 0)],
 )
 def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
-    """In the middle between both cosines, half is left of it, squared."""
+    """In the middle between both cosines, the square of one half is left."""
     inner, outer = math.radians(20), math.radians(60)
     axis = math.radians(degrees)
     if share == 0.5:

@@ -12,7 +12,7 @@ from .kit import ROOT, files
 PACKAGE = "burnish"
 
 Graph = Mapping[str, frozenset[str]]
-"""By module, the modules of the tree that it imports. Names are full: ``burnish.compiler.cache``;
+"""The modules of the tree that each module imports. Names are full: ``burnish.compiler.cache``;
 a package stands for its ``__init__``."""
 
 

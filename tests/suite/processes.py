@@ -89,7 +89,7 @@ class Program:
         return self._process.poll() is None
 
     def exit_code(self, limit: float = LIMIT) -> int:
-        """Its exit code, when it has ended."""
+        """The exit code of the program, after it has ended."""
         return self._process.wait(timeout=limit)
 
     def ended(self, data: bytes = b"", limit: float = LIMIT) -> subprocess.CompletedProcess[str]:

@@ -1,4 +1,4 @@
-"""For each capability, a program that needs it: what the tests of the table's cells compile.
+"""A program for each capability that needs it; the tests of the table's cells compile it.
 
 Give a new row of ``CAPABILITIES`` its probe here. A probe needs nothing else that a profile may
 lack, so that what is refused is refused for this reason.
@@ -21,9 +21,9 @@ class Probe:
 
     text: str
     options: Mapping[str, Any] = field(default_factory=dict)
-    """For ``compile``, always."""
+    """The options of each ``compile``."""
     native: Mapping[str, Any] = field(default_factory=dict)
-    """For ``compile``, so that it does not lower what the profile has by itself."""
+    """Further options, with which ``compile`` does not lower what the profile has natively."""
     is_native: Callable[[CompiledMaterial], bool] = lambda _: True
     """True if a material uses the profile's own means."""
 

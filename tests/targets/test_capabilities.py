@@ -94,7 +94,7 @@ def test_what_is_absent_is_refused_with_a_way_out(row: Capability, name: str) ->
 
 @pytest.fixture(scope="module")
 def refusals() -> dict[tuple[str, str], list[str]]:
-    """By probe and profile, what compilers say against the texts."""
+    """The compilers' errors about the texts, by probe and profile."""
     jobs = [
         (row.name, name, job)
         for row, name in CELLS

@@ -127,7 +127,7 @@ def test_numbers_of_vertices_are_not_captured_in_es() -> None:
 
 
 def test_compilers_accept_them() -> None:
-    """Also a single capture, which is returned as it is in HLSL."""
+    """This holds also for a single capture, which is returned as it is in HLSL."""
     single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"
     with Toolchain() as toolchain:
         for text in (SPARKS, PLAIN, single):

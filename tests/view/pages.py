@@ -56,5 +56,5 @@ def shows(page: Page, color: Color, right: float = 0.5, down: float = 0.5) -> No
 
 
 def srgb(linear: float) -> int:
-    """Of 255, for a number in linear light."""
+    """The sRGB byte of a number in linear light."""
     return round(255 * (1.055 * math.pow(linear, 1 / 2.4) - 0.055))

@@ -53,7 +53,7 @@ def viewer(folder: Path) -> Iterator[Viewer]:
 
 
 def test_the_list(viewer: Viewer) -> None:
-    """In the README's words; without what draws nothing, and without what lies elsewhere."""
+    """The list has the README's words; files that draw nothing, or lie elsewhere, are left out."""
     assert viewer.ask("/files").json() == [
         {
             "title": "Warm",

@@ -171,7 +171,7 @@ def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatc
 
 
 def test_panoramas_are_cubes_of_floats() -> None:
-    """Their numbers are linear, whatever is asked for."""
+    """The numbers of a panorama are linear, even if sRGB is asked for."""
     file = EXAMPLES / "pictures" / "garden.hdr"
     pictures, wanted = Pictures(Keeping()), Wanted("cube", "float")
     word = pictures.keep("sky.HDR", file.read_bytes(), wanted)

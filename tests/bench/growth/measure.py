@@ -21,7 +21,7 @@ _DECLARING = (graphs, declarations, texts, mistakes)
 
 PHASES = ("parse", "semantics", "passes", "emission", "reflection", "messages")
 LIMIT = 4.0
-"""CPU seconds: a shape is not taken any further from where a compile takes as long as this."""
+"""The CPU seconds of a compile after which a shape is not taken any further."""
 PATIENCE = 8.0
 """CPU seconds after which a compile is ended."""
 LEAST = 0.02
@@ -34,7 +34,7 @@ class Point:
 
     size: int
     seconds: dict[str, float]
-    """By phase, and ``all`` together."""
+    """The times by phase, and ``all`` together."""
     megabytes: float
 
 

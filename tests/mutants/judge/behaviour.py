@@ -22,9 +22,9 @@ DEFECTIVE = {"gathered: Varying"}
 """Materials that show a driver's bug."""
 _FRAMES = re.compile(r"^frame (\w+)", re.MULTILINE)
 _FRAME_SIZE = (36, 28)
-"""Of the frames of which drivers are told."""
+"""The size of the frames that drivers are told to draw."""
 _FRAME_COUNT = 2
-"""So many show what a frame leaves for the next one."""
+"""The number of frames that it takes to show the results kept for the next frame."""
 
 Name = tuple[str, str]
 """A file, and one of its passes or frames."""
@@ -111,7 +111,7 @@ def texts(subject: Judged) -> Iterator[tuple[str, object]]:
 
 
 def told_to_drivers(subject: Judged) -> Iterator[tuple[str, object]]:
-    """For each route what its driver is told, without the code."""
+    """The data that each route's driver is told, without the code."""
     from burnish.api import CompiledFrame
 
     if isinstance(subject, CompiledFrame):

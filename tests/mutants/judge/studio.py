@@ -31,9 +31,9 @@ NOTICED = ("differs", "failed")
 SMALL = (36, 28)
 """The size of the pictures that are drawn first, as most errors show in a small one."""
 PICTURES = 16
-"""So many materials and routes are drawn at most: first each material once, on its first route."""
+"""The most materials and routes that are drawn: first each material on its first route."""
 LARGE_PICTURES = 2
-"""Of so many of them, large pictures are drawn if small ones are right."""
+"""The number of these of which large pictures are drawn if small ones are right."""
 
 
 class Studio(ExitStack):
