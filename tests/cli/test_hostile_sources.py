@@ -131,7 +131,7 @@ def test_one_that_is_refused_does_not_keep_others_from_being_compared(tmp_path: 
 
 
 def test_many_pictures_are_kept_as_images(tmp_path: Path) -> None:
-    """They are kept as 8-bit images; the reference's numbers would need 32 times as much memory."""
+    """Pictures are kept with 8 bits; the reference's numbers would take 32 times as much memory."""
     (tmp_path / "m.burnish").write_text(MOVING.replace("1024", "512"))
     words = ["render", "m.burnish", "-o", "m.gif", "--size", "16", "--frames", "24"]
     done = run([sys.executable, "-c", MEASURED, *words], cwd=tmp_path, limit=SECONDS)

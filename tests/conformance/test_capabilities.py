@@ -20,7 +20,7 @@ from ..targets.capability_probes import PROBES
 from .kit import PROFILES, Studio
 
 RUN = [row for row in CAPABILITIES if not PROBES[row.name].options]
-"""Those that a plain program shows."""
+"""The capabilities that a program shows without further options."""
 
 
 @pytest.mark.parametrize("row", RUN, ids=lambda row: row.name)

@@ -41,14 +41,14 @@ PLAIN = (
 )  # fmt: skip
 """The routes with a stream output."""
 EXPANDED = PLAIN[:4]
-"""Those with a geometry stage as well."""
+"""The routes with a stream output and a geometry stage."""
 KERNELS = (
     "lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga",
     "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgpu",
 )  # fmt: skip
 """The routes that run kernels."""
 DIVIDED = (*PLAIN[:3], PLAIN[4])
-"""Those that divide patches by stages."""
+"""The routes with a stream output that divide patches by stages."""
 NAMES = ("Plain", "Tent", "Sparks", "Whiskers")
 PATCHES = ("Blanket", "Strings", "Crumbs")
 """Materials that divide patches."""

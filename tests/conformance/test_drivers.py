@@ -27,7 +27,7 @@ material Product : Surface {
     color = rgb(ddx(product), ddy(product), 0)
 }
 """
-"""Its derivatives differ between the rows and the columns of a quad."""
+"""A material whose derivatives differ between the rows and the columns of a quad."""
 
 
 @pytest.mark.parametrize(

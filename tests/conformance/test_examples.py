@@ -34,7 +34,7 @@ LEAST_COVERED = 0.1
 LEAST_CASES = 4
 """Of a material."""
 KERNELS_CASES = (IMAGE_CASES, kernels.CASES)
-"""Those of a kernel over images, and of one over buffers."""
+"""The numbers of cases of a kernel over images, and of one over buffers."""
 
 Key = tuple[Variant, str, str]
 """A variant, a material and a route."""

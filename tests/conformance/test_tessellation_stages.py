@@ -183,7 +183,7 @@ def patches_of(patch: Patch) -> Floats:
 def state(
     material: CompiledMaterial, attributes: Mapping[str, Floats], cells: Indices, **values: float
 ) -> SceneState:
-    """These vertices and primitives, with values of the parameters."""
+    """The state of a scene with these vertices, primitives, and values of the parameters."""
     instance = material.instance()
     for name, value in values.items():
         instance.set(name, value)

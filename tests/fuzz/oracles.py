@@ -122,7 +122,7 @@ class Case:
 
     @cached_property
     def material(self) -> CompiledMaterial:
-        """Its material, compiled for all profiles. Raises ``CompileError``."""
+        """The shader's material, compiled for all profiles. Raises ``CompileError``."""
         rig, pass_ = self.variant
         found = burnish.compile(
             self.text, PROFILES, material=self.shader.name, rig=rig, pass_=pass_, partial=True

@@ -124,7 +124,7 @@ def linear(code: float) -> float:
 
 
 def test_a_texture_that_is_not_square(vulkan: Asker) -> None:
-    """Its last levels are one texel wide: 4 × 2, 2 × 1, 1 × 1."""
+    """The last levels of a wide texture are one texel wide: 4 × 2, 2 × 1, 1 × 1."""
     levels = tuple(floats(*[float(n)] * (4 * size)) for n, size in enumerate((8, 2, 1)))
     image = Image("rgba32float", 4, 2, levels)
     picture = read(vulkan, TextureSlot(IMAGE, READER), image, (1.0, 2.0, 0.0, 0.0))

@@ -127,7 +127,7 @@ frame Shown {{
 
 
 def test_bones_move_what_they_hold(tmp_path: Path) -> None:
-    """Inverse bind matrices move it to the joint, wherever the node of the mesh is."""
+    """The bones move the points to the joint, wherever the node of the mesh is."""
     scene = squares(base(1, 1, 1))
     primitive = scene.whole["meshes"][0]["primitives"][0]
     primitive["attributes"] |= {

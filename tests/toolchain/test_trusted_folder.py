@@ -54,7 +54,7 @@ def test_a_link(naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_a_link_of_another_user(
     naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """That user could point the link to another folder of programs, even to one of root."""
+    """The other user could point the link to another folder of programs, even to one of root."""
     link = tmp_path / "link"
     link.symlink_to(naga)
     found = Path.lstat

@@ -129,7 +129,7 @@ UP = (
 
 @pytest.mark.parametrize("name", UP)
 def test_names_that_lead_elsewhere(viewer: Viewer, name: str) -> None:
-    """They are tried as the address of something to get, and as the name of a file to show."""
+    """The names are tried as the address of a resource, and as the name of a file to show."""
     plain = viewer.ask("/document?file=flat.burnish").json()
     for text in (quote(name, safe=""), quote(name), quote(name, safe="/\\%:.$")):
         for path in (f"/{text}", f"/web_view/{text}", f"/web_host/{text}"):

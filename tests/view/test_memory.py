@@ -37,7 +37,7 @@ def memory(viewer: Viewer, what: str) -> int:
 
 
 def test_refused_pictures_leave_nothing(tmp_path: Path) -> None:
-    """They take no memory while they are checked: their first bytes suffice to refuse them."""
+    """A check takes no memory, as the first bytes of a picture suffice to refuse it."""
     file = tmp_path / "m.burnish"
     file.write_text(PAINTED)
     with viewing(file) as viewer:

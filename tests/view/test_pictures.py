@@ -155,7 +155,7 @@ def test_how_large_pictures_may_be(viewer: Viewer, monkeypatch: pytest.MonkeyPat
 
 
 def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They go if there is no room for all; a picture for which there is no room is refused."""
+    """Old files go if there is no room for all; a file that is too large by itself is refused."""
     pictures = Pictures(Keeping())
     files = [png((shade, 0, 0)) for shade in (10, 20, 30)]
     first, second = (pictures.keep("a.png", file, FLAT) for file in files[:2])
