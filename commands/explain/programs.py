@@ -31,7 +31,7 @@ _NONE = "--- no program: "
 
 @frozen
 class Shown:
-    """What shows one diagnostic: two programs, or a reason why there are none."""
+    """The entry of one diagnostic: two programs, or a reason why there are none."""
 
     code: str
     targets: str

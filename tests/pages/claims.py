@@ -33,7 +33,7 @@ def _untrue(program: Program) -> Iterator[str]:
 
 
 def _of_mark(mark: Mark, equation: Equation | None) -> Iterator[str]:
-    """What is not true of the type and the value that a mark claims."""
+    """The complaints about the type and the value that a mark claims."""
     if not mark.type and not mark.value:
         return
     if equation is None:
@@ -51,7 +51,7 @@ def _of_mark(mark: Mark, equation: Equation | None) -> Iterator[str]:
 
 
 def _of_codes(claimed: tuple[str, ...], reported: list[Diagnostic]) -> Iterator[str]:
-    """What is not true of the codes beside a line: each one stands there once and is reported."""
+    """The complaints about the codes beside a line: each one is reported there, once for each time."""
     missing = list(claimed)
     for diagnostic in reported:
         if diagnostic.rule.code in missing:

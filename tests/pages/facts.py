@@ -27,7 +27,7 @@ from burnish.compiler.syntax import ast
 
 @dataclass(frozen=True)
 class Equation:
-    """What an equation of a material comes to."""
+    """The type and the value of one equation of a material."""
 
     name: str
     type: str
@@ -39,7 +39,7 @@ class Equation:
 def equations(program: str) -> dict[int, Equation]:
     """The equations of a program's materials, by the lines on which they end, from 1.
 
-    Of several on one line, the last one.
+    If several end on one line, the last one is given.
     """
     report = Report()
     module = Frontend(report).open_text(program, "<page>")
@@ -87,7 +87,7 @@ def _value(root: Node) -> Lanes | None:
 
 
 def diagnostics(program: str) -> dict[int, list[Diagnostic]]:
-    """What ``burnish check`` reports, by lines from 1; line 0 has what is about no line."""
+    """The diagnostics of ``burnish check``, by lines from 1; line 0 has what is about no line."""
     found: dict[int, list[Diagnostic]] = {}
     for diagnostic in burnish.check(program):
         span = diagnostic.span
