@@ -58,7 +58,7 @@ def test_nothing_in_the_tree_is_made_of_something_else_in_it() -> None:
 
 
 def test_all_modules_are_given_out(tmp_path: Path) -> None:
-    """As they are in the tree, and one that is not there."""
+    """The modules are those of the tree, and a generated one."""
     write_modules(tmp_path / "host")
     written = [path for path in (tmp_path / "host").rglob("*") if path.is_file()]
     given = {path.relative_to(tmp_path / "host").as_posix(): path.read_text() for path in written}
