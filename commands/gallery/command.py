@@ -50,7 +50,7 @@ class Request(NamedTuple):
 @click.argument("folder", type=click.Path(path_type=Path, exists=True, file_okay=False))
 @click.option(
     "-o", "--output", metavar="FOLDER", required=True, type=click.Path(path_type=Path),
-    help="Where to put index.html, a page for each file, and their pictures.",
+    help="The folder for index.html, a page for each file, and their pictures.",
 )  # fmt: skip
 @click.option(
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
@@ -66,7 +66,7 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "-j", "--jobs", metavar="N", default=os.cpu_count() or 1, type=click.IntRange(1, 64),
-    help="How many processes work at once; by default, one for each processor.",
+    help="The number of processes; by default, one for each processor.",
 )  # fmt: skip
 @click.option(
     "--title",

@@ -134,15 +134,15 @@ WHICH_CORNER = error(
 OF_WHICH_CORNER = error(
     "B0522",
     "this differs between the corners of a primitive",
-    "How many strips there are, which of them are emitted, and which corner they are like is asked "
-    "once for each primitive. Say which corner is meant: `corner[0].position`.",
+    "The number of strips, the condition to emit them, and the corner that they are like are "
+    "computed once for each primitive. Say which corner is meant: `corner[0].position`.",
 )
 LIKE_WHICH_CORNER = error(
     "B0523",
     "which corner are {count} vertices like? a {primitive} has {corners}",
-    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no "
-    "more vertices than corners, that is the one with the vertex's number. Otherwise say it: "
-    "`strip of 4 as i like corner[i mod 3] { … }`.",
+    "Values that an emitted vertex does not define are those of a corner of the primitive. If "
+    "there are no more vertices than corners, it is the corner with the vertex's number. "
+    "Otherwise name it: `strip of 4 as i like corner[i mod 3] { … }`.",
 )
 NO_TRIANGLES = error(
     "B0524",
@@ -202,8 +202,7 @@ COUNT_PER_GROUP = error(
 IMAGE_PER_GROUP = error(
     "B0533",
     "`{name}` is an image, which has a texel for each invocation",
-    "What is written once for each work group is an element of a buffer: "
-    "`result name : vec4[] per group = …`.",
+    "A result for each work group is an element of a buffer: `result name : vec4[] per group = …`.",
 )
 
 # Scattering
@@ -359,7 +358,7 @@ NO_SEGMENTS = error(
 NOT_OF_PATCHES = error(
     "B0590",
     "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
-    "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
+    "If a material divides its patches, `expand` gets each part of a patch as a primitive. The "
     "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
     "They know nothing of the vertices next to them.",
 )

@@ -15,14 +15,14 @@ NO_STEP = error(
     "B0802",
     "this is no step of a frame",
     "A step draws a pass or runs a kernel: `name = Pass(what, size) with { input = value }`, "
-    "`name = Kernel()`. What it makes is read as `name.target`.",
+    "`name = Kernel()`. Its results are read as `name.target`.",
 )
 NOT_LEFT = error(
     "B0803",
     "this is no {what}",
-    "What a step makes has names: the targets of its pass, `depth`, or the results of its kernel. "
-    "They are read as `step.name`; textures and buffers of the host are declared by `map` and "
-    "`buffer`.",
+    "The results of a step have names: the targets of its pass, `depth`, or the results of its "
+    "kernel. They are read as `step.name`; textures and buffers of the host are declared by `map` "
+    "and `buffer`.",
 )
 NOT_DRAWN = error(
     "B0804",
@@ -48,13 +48,14 @@ INPUT_MISSING = error(
 PLACES_DIFFER = error(
     "B0807",
     "`{first}` and `{second}` do not fit together: {reason}",
-    "What is drawn at once has one size and equally many layers. What a pass draws over has the "
-    "format of its own target.",
+    "Targets of one step have one size and equally many layers. A target that a pass draws over "
+    "has the format of the pass's own target.",
 )
 NO_OUTPUT = error(
     "B0808",
     "frame `{name}` has no output",
-    "`output picture = step.target` says what the host gets. What no output needs is not drawn.",
+    "`output picture = step.target` is a result for the host. Steps that no output needs are not "
+    "drawn.",
 )
 NOT_ADDED = error(
     "B0809",
@@ -126,8 +127,8 @@ NOT_BROUGHT = error(
 NOT_CLEARED = error(
     "B0820",
     "`{name}` is drawn over, so it is not cleared",
-    "A step clears what it draws to for the first time. What it draws over stays as another step "
-    "has left it.",
+    "A step clears the targets that are drawn to for the first time. A target that it draws over "
+    "stays as another step has left it.",
 )
 NO_BLEND_CONSTANT = error(
     "B0821",
@@ -178,5 +179,5 @@ TOO_MANY_STEPS = error(
     "B0828",
     "`{name}` has more than {most}",
     "Repetitions inside of each other multiply their steps, each of which a host draws one by one. "
-    "What is done so often belongs into a loop of a shader.",
+    "Work that is repeated so often belongs into a loop of a shader.",
 )
