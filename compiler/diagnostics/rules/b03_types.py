@@ -186,8 +186,8 @@ STATE_TOO_LARGE = error(
 READ_IN_LOOP = error(
     "B0386",
     "{what} {does}, which may have left the loop already",
-    "Its result is undefined where others have left the loop. Read the texture with an explicit "
-    "level, or before the loop.",
+    "The result is undefined where other pixels have left the loop. Read the texture with an "
+    "explicit level, or before the loop.",
 )
 CROSSING_IN_LOOP = error(
     "B0387",

@@ -63,14 +63,14 @@ NO_RESULT = error(
 NO_EXTENT = error(
     "B0511",
     "`{name}` does not tell its {what}",
-    "It stands in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
+    "Write it in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
     "`image2d<rgba8>[source.size()]`.",
 )
 EXTENT_VARIES = error(
     "B0512",
     "the {what} of `{name}` is not known to the host",
-    "It is computed of constants, parameters, the counts of buffers and the sizes of textures, "
-    "without loops.",
+    "The host computes it from constants, parameters, the counts of buffers and the sizes of "
+    "textures, without loops.",
 )
 EXTENTS_DIFFER = error(
     "B0513",
@@ -190,8 +190,8 @@ LAYER_WITHIN_STRIP = error(
 NO_WORK_GROUP = error(
     "B0531",
     "{what} has no work groups, so there is no `{name}`",
-    "A work group is what runs together of a kernel over buffers: only there its values can be "
-    "joined.",
+    "The invocations of a kernel over buffers run together in work groups: only there values can "
+    "be joined.",
 )
 COUNT_PER_GROUP = error(
     "B0532",
@@ -241,8 +241,8 @@ NO_SUCH_ELEMENT = error(
 NEVER_POSITIVE = error(
     "B0543",
     "the {what} of `{name}` is {found}",
-    "A kernel computes at least one element. What stands here has to be above 0, at least for some "
-    "values of the parameters.",
+    "A kernel computes at least one element. The size has to be above 0, at least for some values "
+    "of the parameters.",
 )
 
 # Kernels over images
@@ -281,8 +281,8 @@ CAPTURES_TOO_MUCH = error(
 POINTS_NOT_CAPTURED = error(
     "B0563",
     "points are captured, and `{name}` draws",
-    "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
-    "are triangles or lines: `strip of 4 as i { … }` makes a square of a point.",
+    "A pass with members such as `capture place : vec3 = position` captures points. Drawing needs "
+    "triangles or lines: `strip of 4 as i { … }` makes a square of a point.",
 )
 DIFFERENT_PRIMITIVES = error(
     "B0564",

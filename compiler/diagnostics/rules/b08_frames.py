@@ -90,14 +90,15 @@ NOT_FILTERED = error(
 FRAME_CYCLE = error(
     "B0814",
     "`{name}` needs itself: {cycle}",
-    "A frame draws its steps one after the other, so none of them can need what comes of it. "
-    "`previous(step.target)` is what the last frame left there.",
+    "A frame draws its steps one after the other, so no step can need its own result. "
+    "`previous(step.target)` is the result of the last frame.",
 )
 NOTHING_BEFORE = error(
     "B0815",
     "in the first frame, nothing has left `{name}`",
-    "A buffer has as many elements as what made it says, and before the first frame nothing did. "
-    "`previous(moved.after, seeded.after)` reads the second buffer in the first frame.",
+    "The kernel that writes a buffer gives its number of elements, and before the first frame "
+    "none has run. `previous(moved.after, seeded.after)` reads the second buffer in the first "
+    "frame.",
 )
 NO_VERTEX_INPUTS = error(
     "B0816",
@@ -116,13 +117,13 @@ NO_SHARED_VERTICES = error(
     "B0818",
     "`{step}` draws {primitives}, and vertices without models are points or triangles",
     "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
-    "have vertices in common. Vertices that have nothing but their numbers share none.",
+    "have vertices in common. Vertices without a mesh share none.",
 )
 NOT_BROUGHT = error(
     "B0819",
     "`{name}` of a {record} cannot be what a step leaves",
-    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
-    "frame says by `with` what is read.",
+    "Only lights bring the steps that make their textures, such as a shadow map. For all others, "
+    "a frame sets the texture by `with`.",
 )
 NOT_CLEARED = error(
     "B0820",
