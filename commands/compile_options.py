@@ -90,7 +90,7 @@ NATIVE_STAGES = Option(
 CACHE = Option(
     "cache",
     ("--cache",),
-    "Write again what was compiled before if nothing has changed, or compile in any case.",
+    "Write the earlier result again if nothing has changed, or compile in any case.",
     off="--no-cache",
 )
 

@@ -143,9 +143,9 @@ def render(**chosen: Any) -> None:
 
     Kernels over buffers draw nothing. But a `buffer` has the elements of the `result` that is
     called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
-    runs it again and again; --again says which buffers go on with what was written.
+    runs it again and again; --again says which buffers continue with the written result.
 
-    A file that declares a frame shows its outputs, side by side: what the whole frame draws, with
+    A file that declares a frame shows its outputs, side by side: pictures of the whole frame, with
     a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
     or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
     a glTF file, each with the material that is called as in that file, or with the only one. Its

@@ -83,7 +83,7 @@ class Request(NamedTuple):
 @click.option(
     "--hoist/--no-hoist",
     default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    help="Let the host compute values that depend on parameters only, or the shader.",
     show_default=True,
 )
 def graph(**chosen: Any) -> None:
