@@ -46,7 +46,7 @@ INLINE_SIZE = 12
 _COUNTED = frozenset({"formal", "constant"})
 """Variables of loops, and values that are known from the start."""
 BOUND = (0, 0)
-"""Size and depth, where it is used, of a value that has a name, and of a leaf."""
+"""The size and depth of a named value, or of a leaf, in an expression: its name costs nothing."""
 
 
 @record
@@ -204,7 +204,7 @@ class Scheduler:
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             elif node.id in self._coordinates and is_access(node):
-                # It is never named itself.
+                # An access gets no name itself, so the choice is in its operands.
                 self._coordinates.update(operand.id for operand in node.operands)
             # A part without a name is printed as an access to its whole, which then needs the name
             # and has all uses of the part.
@@ -260,6 +260,7 @@ class Scheduler:
         return is_part(node) and node.id not in names and node.operands[0].id in names
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
+        """The region in which ``user``, whose own region is ``home``, needs one of its operands."""
         if user.op in LOOPS and position in (inside := bodies_of(user)):
             # A fold has one block for its body; a loop with states has its condition in the header.
             head, tail = self._loops[user.id]
@@ -409,10 +410,10 @@ def is_access(node: Node) -> bool:
 
 
 def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[tuple[int, bool]]:
-    """The order in which states are set, and which of them have to be kept until the end.
+    """The order in which states are set, and for each if its old value has to be kept.
 
-    All of a turn is computed from the states before it, so a state that another one still needs
-    comes after that; where they need each other, one is kept.
+    All values of a turn are computed from the states before it. So a state is set after the states
+    whose next values read its old value. If states need each other, the old value of one is kept.
     """
     remaining = list(range(len(nexts)))
     # For each state, the number of next values that still have to read its old value.

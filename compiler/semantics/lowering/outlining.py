@@ -193,7 +193,7 @@ class _Sharing:
 
 
 def _by_callee(roots: list[Node]) -> dict[Callee, list[Node]]:
-    """The marks of calls."""
+    """The marks of calls, by the function that is called."""
     found: dict[Callee, list[Node]] = {}
     for node in reachable(roots):
         if isinstance(node.data, Callee):
