@@ -253,7 +253,7 @@ class _Package:
 
 
 def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
-    """By a name of models and a material, the shaders that draw these."""
+    """The shaders that draw models of a name and a material, by both."""
     found: dict[tuple[str, str], set[int]] = defaultdict(set)
     for step in host.plan.steps:
         for drawn in step.draws:
