@@ -54,7 +54,7 @@ class Request(NamedTuple):
     metavar="FILE",
     default=STDOUT,
     show_default=True,
-    help="Where to put it: a name that ends in .svg or .dot, or `-` to print it.",
+    help="The file to write: a name that ends in .svg or .dot, or `-` to print it.",
 )
 @click.option(
     "--format",
@@ -72,10 +72,10 @@ class Request(NamedTuple):
     help="The scene of `conform` in which the pixel is.",
 )  # fmt: skip
 @click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
-@click.option("--material", metavar="NAME", help="Which of the file's materials or frames.")
+@click.option("--material", metavar="NAME", help="The material or frame of the file that is shown.")
 @click.option(
     "--shader", metavar="NAME",
-    help="Of a frame, what one of its shaders computes, as `Deferred.Toned`.",
+    help="Of a frame, the graph of one of its shaders, as `Deferred.Toned`.",
 )  # fmt: skip
 @rig_option
 @pass_option
@@ -83,7 +83,7 @@ class Request(NamedTuple):
 @click.option(
     "--hoist/--no-hoist",
     default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    help="Let the host compute values that depend on parameters only, or the shader.",
     show_default=True,
 )
 def graph(**chosen: Any) -> None:

@@ -570,7 +570,7 @@ class FramePlan:
     parameters: tuple[ParameterRow, ...]
     """Parameters that the host sets for the whole frame, as in reflections. No block holds them.
 
-    Those of the lights are among them, and are those of the same name in each shader, with or
+    Parameters of lights are among them, and are those of the same name in each shader, with or
     without the name of the rig before it; shaders get others through the values of inputs alone.
     """
     lights: tuple[LightRow, ...]

@@ -114,7 +114,7 @@ class _Schemas:
     def _reference(self, kind: type) -> Schema:
         name = kind.__name__
         if name not in self._definitions:
-            self._definitions[name] = {}  # It may contain itself.
+            self._definitions[name] = {}  # A record may contain itself.
             self._definitions[name] = self.record(kind)
         return {"$ref": f"#/$defs/{name}"}
 

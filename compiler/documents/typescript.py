@@ -45,7 +45,7 @@ class _Types:
         """The name of a record's type, which is made if it is not there yet."""
         name = kind.__name__
         if name not in self.made:
-            self.made[name] = ""  # It may contain itself.
+            self.made[name] = ""  # A record may contain itself.
             docs = docs_of(kind)
             lines = [*_comment(docs.whole, ""), f"export interface {name} {{"]
             for field in fields_of(kind):

@@ -61,7 +61,7 @@ def format_of(texture: FrameTextureRow) -> str:
 
 
 def _names(reflection: Reflection) -> webgpu.Names:
-    """What the reflection calls the slots of each kind, in their order."""
+    """The reflection's names of the slots of each kind, in the order of the slots."""
 
     def read(kind: str) -> list[str]:
         return [row.name for row in getattr(reflection, kind) if row.stages]

@@ -65,7 +65,7 @@ def test_all_modules_are_given_out(tmp_path: Path) -> None:
     assert given == host_modules()
     own = {path.relative_to(FOLDER).as_posix() for path in files(FOLDER) if path.suffix == ".js"}
     assert given.keys() == own | {BUILTINS}
-    assert given[BUILTINS].startswith("// What builtins mean, as compiler/reference says it.")
+    assert given[BUILTINS].startswith("// The builtins, generated from compiler/reference")
 
 
 def test_the_package_names_the_tools_of_the_toolchain() -> None:

@@ -15,7 +15,7 @@ import { cover, coverPipeline } from "./cover.js";
  * @property {number[]} sides The texels of its first level in each direction.
  */
 
-/** What kernels can store to. */
+/** The formats to which kernels can store. */
 const STORABLE = /^(rgba8unorm|rgba16float|(r|rg|rgba)32float)$/;
 
 /**
