@@ -33,6 +33,7 @@ try:
     main()
 except SystemExit as ended:
     assert not ended.code
+assert "burnish.commands.explain" not in sys.modules, "only explain reads its programs"
 drawing = ("toolchain", "runner", "conformance")
 for name in ("numpy", "PIL", *(f"burnish.targets.{part}" for part in drawing)):
     assert name not in sys.modules, name
