@@ -35,6 +35,7 @@ from ..documents.plan import (
     WrittenBuffer,
     WrittenImage,
 )
+from ..ir.default_textures import OF_SAMPLES
 from ..ir.frame import (
     Drawn,
     Elements,
@@ -337,6 +338,7 @@ def _host_texture_row(info: ResourceInfo) -> HostTextureRow:
         sample=resource.type.sample,
         group=resource.group,
         default=resource.default,
+        default_texel=OF_SAMPLES[resource.type.sample][resource.default],
         doc=info.doc,
     )
 

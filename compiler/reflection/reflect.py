@@ -24,6 +24,7 @@ from ..documents.drawing import (
 from ..documents.reflection import Conventions, Reflection
 from ..documents.values import PromiseRow
 from ..ir.blending import REPLACES
+from ..ir.formats import VERTEX_FORMATS
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
@@ -138,6 +139,7 @@ def _vertex_input_rows(
             name=field.name,
             type=info.declared_type,
             representation=str(field.type),
+            format=VERTEX_FORMATS[str(field.type)],
             location=field.location,
             step=_step(field.step),
             column=_column_row(info),
@@ -156,6 +158,7 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
                 name=leaf.name,
                 type=read.declared_type,
                 representation=str(leaf.type),
+                format=None,
                 location=None,
                 step=_step(leaf.step),
                 column=_column_row(read),

@@ -37,7 +37,8 @@ def test_a_layout_says_how_a_texture_is_read(
     found = reflection(*given)
     (row,) = found.textures
     layout = row.layout
-    assert (layout.view_dimension, layout.sample_type, layout.sampler) == expected
+    shape, sample, sampler = expected
+    assert to_json(layout) == {"viewDimension": shape, "sampleType": sample, "sampler": sampler}
     assert row.type == given[0]
     samplers = ["t"] if expected[2] else []
     assert [row.texture for row in found.samplers] == samplers
@@ -54,10 +55,20 @@ def test_what_nothing_mixes_may_have_a_format_that_cannot_be_mixed() -> None:
 
 STATES = {
     "texture2d": {"filter": "linear", "mip": "linear", "wrap": "repeat", "compare": None},
-    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp", "compare": None},
-    "depth2d": {"filter": "linear", "mip": "none", "wrap": "clamp", "compare": "less_equal"},
+    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp-to-edge", "compare": None},
+    "depth2d": {
+        "filter": "linear",
+        "mip": "none",
+        "wrap": "clamp-to-edge",
+        "compare": "less-equal",
+    },
 }
-DEFAULTS = {"texture_cube": "white", "depth_cube": "far", "utexture2d": "zero"}
+DEFAULTS = {
+    "texture_cube": ("white", [1.0, 1.0, 1.0, 1.0]),
+    "depth_cube": ("far", [1.0]),
+    "utexture2d": ("zero", [0, 0, 0, 0]),
+    "texture2d = flat_normal": ("flat_normal", [128 / 255, 128 / 255, 1.0, 1.0]),
+}
 
 
 @pytest.mark.parametrize(("type_", "state"), STATES.items())
@@ -67,5 +78,6 @@ def test_the_state_of_a_sampler_is_complete(type_: str, state: dict[str, str]) -
 
 
 @pytest.mark.parametrize(("type_", "default"), DEFAULTS.items())
-def test_every_kind_of_texture_has_a_default(type_: str, default: str) -> None:
-    assert reflection(type_, "vec3(0)").textures[0].default == default
+def test_every_kind_of_texture_has_a_default(type_: str, default: tuple[str, list[float]]) -> None:
+    row = to_json(reflection(type_, "vec3(0)").textures[0])
+    assert (row["default"], row["default_texel"]) == default

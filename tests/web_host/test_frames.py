@@ -62,15 +62,15 @@ def shader(
         for kind in ("blocks", "buffers", "images", "textures", "samplers", "vertex_inputs")
     }
     reflection = {
-        "format": 1, "material": "Hand", "rig": None, "blocks": [], "parameters": [],
+        "format": 2, "material": "Hand", "rig": None, "blocks": [], "parameters": [],
         "derived": [], "lights": [], "buffers": [], "results": [], "extent": None,
         "work_group": [1, 1, 1], "textures": [], "samplers": [], "vertex_inputs": [],
         "targets": [], "draw": {
             "primitive": "triangle", "corners": 3, "expanded_by": None, "vertices": None,
-            "topology": "triangle", "tessellation": None, "layers": None,
+            "topology": "triangle-list", "tessellation": None, "layers": None,
         },
         "render_state": {
-            "samples": 1, "cull": "none", "front": "counter_clockwise", "fill": "faces",
+            "samples": 1, "cull": "none", "front": "ccw", "fill": "faces",
             "stencil": None,
             "depth": {"compare": "less", "write": True, "bias": None},
         },
@@ -110,7 +110,7 @@ def constant(value: int) -> list[dict[str, Any]]:
     return [{"op": "constant", "type": "int", "value": value, "args": []}]
 
 
-TARGET = [{"name": "color", "format": "rgba32f", "blend": None, "mask": "rgba"}]
+TARGET = [{"name": "color", "format": "rgba32float", "blend": None, "mask": "rgba"}]
 NUMBERS = {"name": "numbers", "representation": "float[]", "stride": 4, "layout": {
     "stored": "float", "kind": "float", "lanes": 1,
 }, "members": []}  # fmt: skip
@@ -133,16 +133,19 @@ def package() -> dict[str, Any]:
             "draws": [draw],
         }  # fmt: skip
 
+    def given(name: str, kind: str, **source: Any) -> dict[str, Any]:
+        return {"name": name, "source": {"kind": kind, **source}}
+
     def texture() -> dict[str, Any]:
         return {
-            "format": "rgba32f", "dimension": "2d", "layers": 1, "levels": 1, "samples": 1,
+            "format": "rgba32float", "dimension": "2d", "layers": 1, "levels": 1, "samples": 1,
             "uses": [], "size": {"value": 0, "extent_of": None, "level": 0},
         }  # fmt: skip
 
     glow = parameter("glow", "float", 1, block="Given", offset=0, range=[0, 10])
     counted = parameter("count", "int", 1)
     plan = {
-        "plan": 1, "frame": "ByHand", "lights": [], "host_textures": [], "host_buffers": [],
+        "plan": 2, "frame": "ByHand", "lights": [], "host_textures": [], "host_buffers": [],
         "parameters": [parameter("size", "ivec2", 2), parameter("glow", "float", 1)],
         "values": [
             {"representation": "ivec2", "steps": [
@@ -155,16 +158,17 @@ def package() -> dict[str, Any]:
         ],
         "textures": [texture() for _ in range(4)],
         "steps": [
-            drawn("filled", 0, 0, [{"name": "glow", "value": 2}]),
-            {"kind": "copy", "from": {"texture": 0}, "to": {"texture": 1}},
+            drawn("filled", 0, 0, [given("glow", "value", value=2)]),
+            {"kind": "copy", "copied": {"texture": 0}, "into": {"texture": 1}},
             {
-                "kind": "run", "name": "doubled", "only_first": False, "shader": 1, "inputs": [],
+                "kind": "run", "name": "doubled", "only_first": False,
+                "use": {"material": None, "shader": 1, "inputs": []},
                 "images": [], "buffers": [{"name": "numbers", "result": "doubled.numbers"}],
             },
             drawn("added", 2, 2, [
-                {"name": "filled", "result": "filled.color", "texture": 1},
-                {"name": "before", "previous": "added.color", "texture": 3, "initially": None},
-                {"name": "numbers", "result": "doubled.numbers", "texture": None},
+                given("filled", "result", result="filled.color", texture=1),
+                given("before", "previous", previous="added.color", texture=3, initially=None),
+                given("numbers", "result", result="doubled.numbers", texture=None),
             ]),
         ],
         "kept": [{"result": "added.color", "texture": 2, "previous": 3}],
@@ -193,7 +197,7 @@ def package() -> dict[str, Any]:
         textures=[texture_row("filled"), texture_row("before")], targets=TARGET,
     )  # fmt: skip
     return {
-        "package": 1, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
+        "package": 2, "plan": plan, "shaders": [filled, doubled, added], "size": [WIDTH, HEIGHT],
         "formats": ["rgba32float"] * 4, "pipelines": [
             {"shader": 0, "targets": ["rgba32float"], "depth": None},
             {"shader": 1, "targets": [], "depth": None},
@@ -242,11 +246,11 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        ("package", 2, "this host knows packages of version 1, and this one is of version 2"),
-        ("plan/plan", 7, "this host knows plans of version 1, and this one is of version 7"),
+        ("package", 3, "this host knows packages of version 2, and this one is of version 3"),
+        ("plan/plan", 7, "this host knows plans of version 2, and this one is of version 7"),
         (
-            "shaders/1/reflection/format", 2,
-            "this host knows reflections of version 1, and this one is of version 2",
+            "shaders/1/reflection/format", 3,
+            "this host knows reflections of version 2, and this one is of version 3",
         ),
         ("shaders/0/texts", {}, "the package of ByHand has no texts for a browser"),
         ("values", {}, "ByHand needs a value for `glow`"),
@@ -254,7 +258,7 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
         ("size", [0, 2], "a texture of ByHand would have 0 x 2 texels"),
         ("plan/steps/2/buffers", [], "nobody gives Hand its `numbers`"),
         (
-            "plan/steps/3/draws/0/uses/0/inputs/2/result", "doubled.others",
+            "plan/steps/3/draws/0/uses/0/inputs/2/source/result", "doubled.others",
             "ByHand reads doubled.others, which nobody has written",
         ),
         ("plan/outputs/0/name", "other", "ByHand has no output `picture`"),
@@ -276,6 +280,6 @@ def test_what_a_text_says_wrongly_is_told_with_its_place(browser: Browser) -> No
 
 def test_what_the_device_complains_about_is_told(browser: Browser) -> None:
     """A texture that is drawn to while it is read."""
-    wrong = changed(package(), "plan/steps/3/draws/0/uses/0/inputs/0/texture", 2)
+    wrong = changed(package(), "plan/steps/3/draws/0/uses/0/inputs/0/source/texture", 2)
     with pytest.raises(DriverError, match="usage"):
         drawn(browser, wrong)

@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
+from ...ir import default_textures
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
 from ...ir.types import Array, Texture
@@ -19,7 +20,7 @@ from .written_types import declared_type
 Settings = Mapping[str, tuple[str, ...]]
 """The settings of a sampler, each with its words; the first one is the default."""
 
-COLOR_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
+COLOR_DEFAULTS = tuple(default_textures.COLORS)
 WRAP = ("repeat", "clamp", "mirror")
 FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "nearest", "none")}
 
@@ -41,9 +42,10 @@ COMPARED: Settings = {
     "filter": ("linear", "nearest"),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
 }
-DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
-DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
-INTEGERS = Kind(("zero",))
+_DEPTH_DEFAULTS = tuple(default_textures.DEPTHS)
+DEPTHS = Kind(_DEPTH_DEFAULTS, {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
+DEPTH_CUBES = Kind(_DEPTH_DEFAULTS, COMPARED, {"mip": "none", "wrap": "clamp"})
+INTEGERS = Kind(tuple(default_textures.INTEGERS))
 """Maps of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
