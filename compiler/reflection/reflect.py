@@ -86,7 +86,7 @@ def reflect(
         conventions=CONVENTIONS,
         blocks=tuple(block_rows(program)),
         parameters=tuple(parameter_row(info, names, places) for info in infos),
-        derived=derived_rows(places, derived or {}),
+        derived=derived_rows(places, derived or {}, infos),
         promises=tuple(_promise_rows(shader)),
         lights=light_rows(infos),
         buffers=tuple(buffer_rows(shader.buffers, program)),

@@ -72,7 +72,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": (
-        "frozen stdlib diagnostics constraints ir packing documents promises planning"
+        "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
