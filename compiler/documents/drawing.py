@@ -20,7 +20,7 @@ from ..ir.render_state import (
     StencilState,
     Winding,
 )
-from ..ir.types import DIMENSION_WORDS, Dimension, Sample
+from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .steps import StepRow
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
@@ -76,6 +76,13 @@ class TextureRow:
     """Content: colours, depths to compare with, or whole numbers.
 
     The format says whether colours are stored as sRGB, which is the host's affair.
+    """
+    intent: Intent
+    """Intent of its numbers, by which a host chooses the format of a picture.
+
+    ``color``: texels become colours, which the shader takes as linear light. Pictures whose colours
+    are encoded as sRGB are bound in a format that decodes them. ``data``: the numbers are taken as
+    they are.
     """
     layout: TextureLayout
     """The entry of a WebGPU bind group layout for the texture, in WebGPU's words."""

@@ -9,7 +9,7 @@ from ...frozen import frozen
 from ..constraints import Count, Length, Positive
 from ..ir.formats import DEPTH_WORDS, TARGET_WORDS
 from ..ir.render_state import Samples
-from ..ir.types import DIMENSION_WORDS, Dimension, Sample
+from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .steps import StepRow
 from .values import BufferRow, LightRow, ParameterRow
 
@@ -53,6 +53,13 @@ class HostTextureRow:
     """Dimension."""
     sample: Sample
     """Kind of its values."""
+    intent: Intent
+    """Intent of its numbers, by which a host chooses the format of a picture.
+
+    ``color``: texels become colours, which the shader takes as linear light. Pictures whose colours
+    are encoded as sRGB are bound in a format that decodes them. ``data``: the numbers are taken as
+    they are.
+    """
     default: str
     """Texture until the host binds one."""
     default_texel: tuple[float, ...]

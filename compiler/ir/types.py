@@ -20,6 +20,8 @@ DIMENSION_WORDS: Spelling = dashed(get_args(Dimension))
 """WebGPU's words, ``GPUTextureViewDimension``."""
 Sample = Literal["float", "depth", "int", "uint"]
 """The content of a texture: colours, depths to compare with, or whole numbers."""
+Intent = Literal["color", "data"]
+"""The sense of a texture's numbers: a picture's colours, or others, such as a height."""
 
 
 @frozen(interned=True)

@@ -40,6 +40,7 @@ class TextureRows:
             type=str(type_),
             dimension=type_.dimension,
             sample=type_.sample,
+            intent=info.intent or "data",
             layout=TextureLayout(
                 view_dimension=type_.dimension,
                 sample_type=self._sample_type(resource),

@@ -57,7 +57,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir library work types names inheritance state hints "
+        "frozen stdlib diagnostics syntax ir library work types names inheritance state hints "
         "declarations checking lowering"
     ),
     "compiler.semantics.frames": (
