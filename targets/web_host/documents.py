@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from ...compiler.constraints import Count, Nested, Positive, TypeScript
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
-from ...compiler.ir.types import Dimension
+from ...compiler.ir.types import DIMENSION_WORDS, Dimension
 from ...frozen import frozen
 
 Value = Annotated[
@@ -170,6 +170,8 @@ class GeometryRow:
 @frozen(kw_only=True)
 class PictureRow:
     """Texels with all mip levels."""
+
+    WORDS: ClassVar = {"dimension": DIMENSION_WORDS}
 
     format: TextureFormat
     """The format, as WebGPU calls it."""

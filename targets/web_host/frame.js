@@ -31,7 +31,7 @@ export function checkVersions({ package: version, plan, shaders }) {
     const other = versions.find((each) => each !== VERSION);
     if (other === undefined) continue;
     const known = `this host knows ${what} of version ${VERSION}`;
-    throw new Error(`${known}, and this one is of version ${other}`);
+    throw new Error(`${known}, and this one is of version ${other}: compile the source again`);
   }
 }
 

@@ -24,7 +24,9 @@ import { present } from "../web_host/present.js";
  * @property {number | null} there
  */
 
-const CORNERS = /** @type {const} */ ({ point: 1, line: 2, triangle: 3 });
+const CORNERS = /** @type {const} */ ({
+  "point-list": 1, "line-list": 2, "triangle-list": 3,
+});
 
 /**
  * The layout of an output that is a buffer; null for a picture.
@@ -45,7 +47,7 @@ export function layoutOf(from, output) {
       type: captured ? "vertex" : ofElement(result.type),
       stride: result.stride,
       columns: captured ? captured.members.map(ofCapture) : columnsOf(result, "", 0),
-      corners: CORNERS[captured?.primitive ?? "point"],
+      corners: CORNERS[captured?.topology ?? "point-list"],
       there: captured?.there ?? null,
     };
   }

@@ -71,7 +71,8 @@ def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
     page.goto(ADDRESS)
     alert = page.locator("[role=alert]:not(:empty)")
     assert alert.inner_text() == (
-        "this host knows packages of version 2, and this one is of version 9"
+        "this host knows packages of version 2, and this one is of version 9: "
+        "compile the source again"
     )
 
 

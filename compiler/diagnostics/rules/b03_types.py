@@ -148,7 +148,7 @@ SETTING_WITHOUT_USE = error(
     "B0352",
     "`{name}` does not apply to `{type}`",
     "Cubes do not wrap, only depths are compared, depths are read at level 0, and whole numbers "
-    "are not filtered.",
+    "are not filtered. Depths and whole numbers are always data.",
 )
 MEMBER_COUNT = error(
     "B0380",

@@ -19,12 +19,12 @@ import { interleaved } from "./vertices.js";
 
 /** The mode of WebGL that draws each topology, and the number of vertices of its primitives. */
 export const MODES = /** @type {const} */ ({
-  point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3],
+  "point-list": ["POINTS", 1], "line-list": ["LINES", 2], "triangle-list": ["TRIANGLES", 3],
 });
 
 /** @type {(reflection: Reflection) => keyof typeof MODES} */
 export const topologyOf = ({ draw }) =>
-  /** @type {keyof typeof MODES} */ (draw?.topology ?? "triangle");
+  /** @type {keyof typeof MODES} */ (draw?.topology ?? "triangle-list");
 
 /**
  * @param {Gl} gl

@@ -293,8 +293,8 @@ export class WebGl2Renderer {
     gl.useProgram(program.gl);
     this.#bind(program, call);
     gl.bindVertexArray(uploaded.vertices);
-    const { primitive, stride } = present(reflection.capture);
-    const found = captured(gl, gl[MODES[primitive][0]], mesh, stride);
+    const { topology, stride } = present(reflection.capture);
+    const found = captured(gl, gl[MODES[topology][0]], mesh, stride);
     gl.bindVertexArray(null);
     freeMesh(gl, uploaded);
     this.#context.check();

@@ -89,7 +89,7 @@ export function makePicture(device, picture) {
     const fill = isDepth(format) ? drawDepths : writeTexels;
     fill(device, texture, bytesOf(level), number, size);
   });
-  const hasThree = isSolid || dimension === "2d_array";
+  const hasThree = isSolid || dimension === "2d-array";
   return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
 
