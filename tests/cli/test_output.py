@@ -204,7 +204,7 @@ def test_a_link_among_the_outputs_is_replaced(material: Path, tmp_path: Path) ->
 def test_a_link_with_the_name_of_an_output_is_replaced(
     target: str, material: Path, tmp_path: Path
 ) -> None:
-    """It may have come with a folder that somebody has cloned, and lead anywhere."""
+    """The link may lead anywhere: it may have come with a cloned repository."""
     (tmp_path / "real.dot").write_text(OLD)
     link = tmp_path / "link.dot"
     link.symlink_to(target)

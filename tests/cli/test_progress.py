@@ -26,7 +26,7 @@ class Terminal(StringIO):
 
 
 def shown(monkeypatch: pytest.MonkeyPatch, stream: StringIO, patience: float) -> str:
-    """What is written while something is a quarter done, and then all of it."""
+    """The text that is written when a task is a quarter done, and then completely."""
     monkeypatch.setattr(sys, "stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", patience)
     with Progress("drawing") as bar:

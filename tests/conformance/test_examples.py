@@ -34,7 +34,7 @@ LEAST_COVERED = 0.1
 LEAST_CASES = 4
 """Of a material."""
 KERNELS_CASES = (IMAGE_CASES, kernels.CASES)
-"""Those of a kernel over images, and of one over buffers."""
+"""The numbers of cases of a kernel over images, and of one over buffers."""
 
 Key = tuple[Variant, str, str]
 """A variant, a material and a route."""
@@ -76,7 +76,7 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
-    """What a run over a file finds, with all its rigs, passes and materials."""
+    """The rows of a run over a file, with all its rigs, passes and materials."""
 
     @keeping_the_last
     def found(path: Path) -> dict[Key, Row]:

@@ -1,4 +1,4 @@
-"""What a device may have of a buffer that a kernel has written counts in all that read it.
+"""The errors that a device may make in a buffer that a kernel writes reach all that reads it.
 
 Each frame writes a buffer whose elements rounding may change, and shows it as a picture. If its
 elements were taken to be what they mean, no driver would agree; if they could be anything, no
@@ -192,7 +192,7 @@ WRONG = {
     "painted": ("= 2 *", "= 2.01 *"),
     "placed": ("sin(float(index))", "sin(float(index)) + 0.01"),
 }
-"""What the kernel of each frame says, and what one says that is slightly wrong."""
+"""A part of the text of each frame's kernel, and a text in its place that is slightly wrong."""
 TIPPED = ("tipping", "chosen", "scattered")
 
 
@@ -202,7 +202,7 @@ def compiled(text: str, route: str) -> CompiledFrame:
 
 
 def judged(studio: Studio, text: str, route: str) -> Row:
-    """What ``conform`` says of a frame."""
+    """The row of ``conform`` for a frame."""
     rows = conform(
         [("F", compiled(text, route))], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE
     )

@@ -122,7 +122,7 @@ def test_all_targets_are_as_the_reference_has_them(studio: Studio, route: str) -
 
 @pytest.mark.parametrize("native", [True, False])
 def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
-    """What is drawn at a pixel says which strip drew it, and that says the layer."""
+    """Each pixel shows the number of the strip that drew it, which also tells its layer."""
     material = compiled(native=native)
     one, _two = studio.draw("lavapipe:glsl", material, state_of(material))
     for number, layer in enumerate(by_layer(one)):

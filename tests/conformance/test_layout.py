@@ -1,4 +1,4 @@
-"""What a host writes is what shaders read: value for value, on every route.
+"""Shaders read the values that a host writes: value for value, on every route.
 
 Nothing but the values that were set says what has to come out, and it has to be exactly that.
 """

@@ -27,7 +27,7 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[str], dict[str, Row]]:
-    """What a run over one of ``NAMES`` finds, by route."""
+    """The rows of a run over one of ``NAMES``, by route."""
 
     @keeping_the_last
     def found(name: str) -> dict[str, Row]:

@@ -199,7 +199,7 @@ def test_what_draws_over_samples_finds_each_of_them(studio: Studio, where: str) 
 
 @EVERYWHERE
 def test_a_step_with_one_sample_draws_over_means(studio: Studio, where: str) -> None:
-    """Its edge is right of the pixel's centre, so that it covers all of the column."""
+    """The later step's edge is right of the pixel's centre, so that it covers the whole column."""
     found = shown(studio, where, OVER, "late")
     assert np.abs(found - columns(1, 2.5 / 4 + 0.25)).max() <= 2 * STEP
 

@@ -134,7 +134,7 @@ def divided(patches: Tessellation) -> Shader:
 
 
 def seen(toy: Toy, smooth: Node, flat: Node) -> list[Result]:
-    """What the fragments show: which way a triangle turns, too."""
+    """The values that the fragments show, with the side of the triangle that is seen."""
     graph, row = toy.graph, inputs_of((FRAGMENT,))["front_facing"]
     front = graph.node("input", BOOL, (), row)
     one, other = (build.floating(graph, each) for each in (1.0, -1.0))
@@ -183,7 +183,7 @@ def patches_of(patch: Patch) -> Floats:
 def state(
     material: CompiledMaterial, attributes: Mapping[str, Floats], cells: Indices, **values: float
 ) -> SceneState:
-    """These vertices and primitives, with values of the parameters."""
+    """The state of a scene with these vertices, primitives, and values of the parameters."""
     instance = material.instance()
     for name, value in values.items():
         instance.set(name, value)
@@ -208,7 +208,7 @@ def natively(patch: Patch, spacing: Spacing) -> list[SceneState]:
 
 
 def expected(patch: Patch, spacing: Spacing) -> list[SceneState]:
-    """What the reference divides them into, as triangles or lines of their own."""
+    """The triangles or lines into which the reference divides the patches, drawn by themselves."""
     return [state(compiled(None), *_cells(patch, spacing, *levels)) for levels in LEVELS[patch]]
 
 

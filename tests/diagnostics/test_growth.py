@@ -20,7 +20,7 @@ from burnish.compiler.syntax.parser import parse
 
 
 def calls(work: Callable[[], object]) -> int:
-    """How many functions are called while something is done."""
+    """The number of functions that are called while ``work`` runs."""
     count = 0
 
     def profile(_frame: FrameType, event: str, _argument: object) -> None:
@@ -61,7 +61,7 @@ def test_twice_the_text_is_twice_the_work(shape: Callable[[int], str]) -> None:
 
 
 def letters(source: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> int:
-    """How many pairs of letters are compared with each other when a text is checked."""
+    """The number of pairs of letters that are compared when a text is checked."""
     compared = 0
     search = nearest.nearest
 

@@ -84,7 +84,7 @@ VARIANTS = tuple(variants())
 
 
 def jobs_of(material: CompiledMaterial) -> Iterator[Job]:
-    """What the downstream compilers have to check of a material: every stage, by each checker."""
+    """The checks of a material by the compilers behind it: every stage, by each checker."""
     for file in material.files:
         for stage, entry in file.entry_points.items():
             for checker in file.checkers:

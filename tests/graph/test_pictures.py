@@ -23,7 +23,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def pictures(name: str, *, everything: bool = False) -> Iterator[Picture]:
-    """Of all materials of an example, which stand by their file names."""
+    """The pictures of all materials of an example, which is named by its file."""
     source = (EXAMPLES / f"{name}.burnish").read_text("utf-8")
     for material in burnish.compile(source, (), search_path=[EXAMPLES]):
         yield material_picture(material.shader, material.staged, everything=everything)

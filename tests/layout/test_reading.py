@@ -1,4 +1,4 @@
-"""What is said of documents that have another shape than their kind declares."""
+"""The errors of documents that have another shape than their kind declares."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ GOOD: Mapping[str, Any] = {
 
 
 def told(**wrong: object) -> list[str]:
-    """What is said of the document with other members."""
+    """The errors of the document with other members."""
     with pytest.raises(ShapeError) as failed:
         read(Whole, {**GOOD, **wrong})
     return str(failed.value).splitlines()
@@ -141,7 +141,7 @@ WRONG: Mapping[str, tuple[Any, str]] = {
     "class": ({}, "/class: an object is not a text"),
     "leaf": (7, "/leaf: 7 is not an object"),
 }
-"""By member, a value of another type or beyond its bounds, and what is said of it."""
+"""For each member, a value of a wrong type or beyond its bounds, and the error about it."""
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -1,4 +1,4 @@
-"""What the reflection says of textures, in words that WebGPU layouts are made of."""
+"""The reflection's description of textures, in the words of WebGPU's layouts."""
 
 from __future__ import annotations
 

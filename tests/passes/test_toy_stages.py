@@ -98,7 +98,7 @@ def three_stages() -> Shader:
 
 
 def captured() -> Shader:
-    """Where the vertices go, and how fast, into a buffer."""
+    """A shader that writes the moved vertices and their distances into a buffer."""
     toy = Toy()
     place = toy.attribute("place", VEC3)
     moved = toy.named("moved", toy.call("add", VEC3, place, toy.call("cos", VEC3, place)))

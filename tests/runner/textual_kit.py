@@ -108,7 +108,7 @@ def indices(*numbers: int) -> bytes:
 
 
 def place(identifier: str, group: int | None = None, binding: int | None = None) -> Place:
-    """Where something is bound: by name, unless numbers are given."""
+    """The place of a binding: a name, with numbers if they are given."""
     return Place(identifier, group, binding)
 
 

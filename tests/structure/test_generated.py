@@ -1,4 +1,4 @@
-"""What was computed when the package was built is used, unless what it was made of has changed."""
+"""Results computed when the package was built are used, unless their sources have changed."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from ..suite.package import copy_package
 from ..suite.processes import run
-from .kit import ROOT
 
-PARTS = ("compiler", "generated", "stdlib", "targets")
 COMPILE = """
 import sys
 sys.meta_path[:] = (finder for finder in sys.meta_path if "Editable" not in repr(finder))
@@ -27,11 +26,7 @@ class Copy:
     """A copy of the package that a test may change."""
 
     def __init__(self, folder: Path) -> None:
-        self.root = folder / "burnish"
-        for part in PARTS:
-            shutil.copytree(ROOT / part, self.root / part)
-        for path in ROOT.glob("*.py"):
-            shutil.copy2(path, self.root)
+        self.root = copy_package(folder / "burnish", "generated")
 
     def change(self, name: str, old: str, new: str) -> None:
         """Change a file as a developer does, but within the second in which it was written."""
@@ -43,7 +38,7 @@ class Copy:
         os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
     def run(self, *arguments: str) -> str:
-        """What a fresh process says that imports this copy."""
+        """The output of a fresh process that imports this copy."""
         environment = os.environ | {"PYTHONPATH": str(self.root.parent)}
         return run([sys.executable, "-P", *arguments], env=environment, check=True).stdout
 

@@ -1,4 +1,4 @@
-"""What a process imports: a compile and a command load only what they need."""
+"""The imports of a process: a compile and a command load only the modules that they need."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def test_texts_of_kernels(profile: str) -> None:
 
 @pytest.mark.parametrize("captured", ["place : vec2 = uv", "number : uint = vertex_index"])
 def test_kernels_hand_on_what_stands_nowhere(captured: str) -> None:
-    """What is read of the mesh or counted is written in no equation that could be pointed at."""
+    """Values that are read from the mesh, or counted, have no equation to refer to."""
     text = f"material Plain {{ color = vec3(1) }} pass Step {{ capture {captured} }}"
     (material,) = burnish.compile(text, "wgsl", pass_="Step").materials
     (file,) = material.files
@@ -127,7 +127,7 @@ def test_numbers_of_vertices_are_not_captured_in_es() -> None:
 
 
 def test_compilers_accept_them() -> None:
-    """Also a single capture, which is returned as it is in HLSL."""
+    """This holds also for a single capture, which is returned as it is in HLSL."""
     single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"
     with Toolchain() as toolchain:
         for text in (SPARKS, PLAIN, single):

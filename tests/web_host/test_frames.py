@@ -92,7 +92,7 @@ def shader(
 
 
 def slot(binding: int, kind: str, name: str, stage: int, **layout: Any) -> dict[str, Any]:
-    """What is bound at a place, for the stages with these bits."""
+    """A row of a bind group's layout: a resource at a binding, for the stages with these bits."""
     place = {"binding": binding, "visibility": stage, **layout}
     return {"kind": kind, "name": name, "number": 0, "layout": place}
 

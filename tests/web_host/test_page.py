@@ -28,7 +28,7 @@ ADDRESS = "https://burnish.invalid/"
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the page's Python writes, and the page."""
+    """A folder with the files that the page's Python writes, and with the page."""
     folder = tmp_path_factory.mktemp("site")
     (folder / "frames").symlink_to(ROOT / "examples" / "frames")
     with chdir(folder):
