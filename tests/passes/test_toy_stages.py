@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from burnish.commands.graph.kinds import Kind
+from burnish.commands.graph.kinds import ArrowKind, Kind
 from burnish.commands.graph.material import material_picture
 from burnish.commands.graph.text import written
 from burnish.compiler.documents.reading import read
@@ -225,7 +225,11 @@ def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
     ]
     names = {box.key: box.name for box in found.boxes}
     stages = {key: key.split(".")[0] for key in names}
-    crossed = [(stages[a], names[a], stages[b]) for a, b in found.crossings if stages[a] != "host"]
+    crossed = [
+        (stages[arrow.source], names[arrow.source], stages[arrow.target])
+        for arrow in found.arrows
+        if arrow.kind is ArrowKind.CROSSING and stages[arrow.source] != "host"
+    ]
     assert sorted(crossed) == [
         ("geometry", "coordinate", "fragment"),
         ("vertex", "uv", "geometry"),
