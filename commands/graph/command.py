@@ -221,19 +221,13 @@ def _form(request: Request) -> str:
 def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: str) -> str:
     from ...compiled import CompiledFrame
 
-    if isinstance(subject, CompiledFrame):
-        return _frame_written(subject, form)
-    if request.why:
+    if request.why and not isinstance(subject, CompiledFrame):
         from .why import written
 
         title = f"{subject.name}, pass {subject.shader.pass_name}, rig {subject.shader.rig_name}"
         return written(title, subject.proofs)
-    from .build import picture
-
-    found = picture(
-        subject.shader, subject.staged,
-        everything=request.everything, parts=_parts(subject, request),
-    )  # fmt: skip
+    parts = None if isinstance(subject, CompiledFrame) else _parts(subject, request)
+    found = picture_of(subject, everything=request.everything, parts=parts)
     if form == "text":
         from .text import written as as_text
 
@@ -242,7 +236,28 @@ def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: 
         from .dot import written as as_dot
 
         return as_dot(found)
-    return _drawn(found)
+    return _drawn(subject.name, found)
+
+
+def picture_of(
+    subject: CompiledMaterial | CompiledFrame,
+    *,
+    everything: bool = False,
+    parts: Mapping[Span, float] | None = None,
+) -> Picture:
+    """The contents of the picture of a frame, a material or a kernel.
+
+    For the options of a material see ``material_picture``.
+    """
+    from ...compiled import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        from .frame import frame_picture
+
+        return frame_picture(subject)
+    from .material import material_picture
+
+    return material_picture(subject.shader, subject.staged, everything=everything, parts=parts)
 
 
 def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
@@ -250,45 +265,18 @@ def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
 
     Raises ``CompileError`` if it is too large to be read.
     """
-    from ...compiled import CompiledFrame
-
-    if isinstance(subject, CompiledFrame):
-        return _frame_written(subject, "svg")
-    from .build import picture
-
-    return _drawn(picture(subject.shader, subject.staged, everything=False))
+    return _drawn(subject.name, picture_of(subject))
 
 
-def _drawn(found: Picture) -> str:
-    from .svg import drawn
-
-    _insist_on_size(found.title.partition(",")[0], len(found.boxes))
-    return drawn(found)
-
-
-def _frame_written(frame: CompiledFrame, form: str) -> str:
-    from .frame.build import frame_picture
-
-    found = frame_picture(frame)
-    if form == "text":
-        from .frame.text import written as as_text
-
-        return as_text(found)
-    if form == "dot":
-        from .frame.dot import written as as_dot
-
-        return as_dot(found)
-    _insist_on_size(frame.name, len(found.boxes))
-    from .frame.svg import drawn
-
-    return drawn(found)
-
-
-def _insist_on_size(name: str, count: int) -> None:
+def _drawn(name: str, found: Picture) -> str:
+    """The picture as SVG; raises ``CompileError`` if it has too many boxes."""
     from ...compiler.diagnostics import rules
     from ...compiler.diagnostics.diagnostic import CompileError, Report
+    from .svg import drawn
 
+    count = len(found.boxes)
     if count > LARGEST:
         report = Report()
         report.add(rules.TOO_LARGE_TO_DRAW, None, name=name, count=count, limit=LARGEST)
         raise CompileError(report.diagnostics)
+    return drawn(found)
