@@ -166,7 +166,7 @@ def test_colours(no_color: str, wanted: bool, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_reader_that_leaves(tmp_path: Path) -> None:
-    """As in ``burnish compile … -o - | head -1``."""
+    """The reader is ``head`` in ``burnish compile … -o - | head -1``."""
     (tmp_path / "m.burnish").write_text(f"/// {'long ' * 50_000}\n{PLAIN}")
     reading, writing = os.pipe()
     os.close(reading)
@@ -192,7 +192,7 @@ def test_a_full_device_for_output(line: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("line", DRAWING)
 @pytest.mark.parametrize("stream", [1, 2])
 def test_closed_streams(line: str, stream: int, tmp_path: Path) -> None:
-    """As in ``burnish … >&-``."""
+    """A shell closes a stream by ``burnish … >&-``."""
     (tmp_path / "m.burnish").write_text(PLAIN)
     command = f'exec "$0" -m burnish {line} {stream}>&-'
     ended = run(["sh", "-c", command, sys.executable], cwd=tmp_path)

@@ -159,7 +159,7 @@ cli.main()
 def test_a_reader_that_has_left_does_not_start_another_compile(
     material: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As in ``burnish compile m.burnish -o - | head``; the second time, the output is known."""
+    """For ``burnish compile m.burnish -o - | head``, the output is known the second time."""
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("BURNISH_VERIFY", raising=False)  # Nothing is known again where it is set.
     command = [sys.executable, "-c", COUNTING, "compile", str(material), "-o", "-"]

@@ -173,7 +173,7 @@ pass Moved {{
 
 @pytest.mark.parametrize("name", EXACT)
 def test_both_forms_capture_the_same(studio: Studio, name: str) -> None:
-    """Of a mesh that is drawn in several instances, too."""
+    """This holds for a mesh that is drawn in several instances, too."""
     text = TEXT.format(EXACT[name])
     native = captured(studio, text, native_stages=True)
     lowered = captured(studio, text)

@@ -185,7 +185,7 @@ WRAPS: Sequence[Callable[[int, int], int]] = (
         else 2 * count - 1 - place
     ),
 )
-"""Of a texel one texture's size before, in or behind a texture, which texel is shown."""
+"""The texel that is shown for a place up to one texture's size before or behind a texture."""
 
 
 def _textures() -> Iterator[Expectation]:

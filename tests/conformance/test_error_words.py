@@ -102,7 +102,7 @@ def test_wide_bounds_without_a_cause() -> None:
 
 
 def test_jumps() -> None:
-    """How far away they are, and what would become of the pixel."""
+    """A message gives the distance of a jump, and its effect on the pixel."""
     close = Tipping(FRACTION, "a whole number", True, 2e-7, 5e-7, 0.75)
     discards = replace(close, effect=math.inf)
     found = replace(FOUND, losses=(), tippings=(close, discards))

@@ -30,9 +30,9 @@ HALF = (51, 40)
 WHOLE = {"normals", "particles", "threads"}
 """Examples that are drawn in its usual size: in half of the pixels, some picture proves little."""
 LEAST_COVERED = 0.1
-"""Of the pixels of all cases together."""
+"""The least share of the pixels of all cases together that an object covers."""
 LEAST_CASES = 4
-"""Of a material."""
+"""The least number of cases of a material."""
 KERNELS_CASES = (IMAGE_CASES, kernels.CASES)
 """The numbers of cases of a kernel over images, and of one over buffers."""
 

@@ -154,7 +154,7 @@ frame F {
     output value = seen.value
 }
 """
-"""Of the elements 0, 1, 2, 16, 20, 32, 40, 48 and 60 nothing is defined."""
+"""A frame of which the elements 0, 1, 2, 16, 20, 32, 40, 48 and 60 are undefined."""
 PAINTED = """
 pass Painted : FullScreen {
     line = normalize(nonzero(vec2(0, floor(frag_coord.y) - 3)))
@@ -172,7 +172,7 @@ frame F {
     output value = seen.value
 }
 """
-"""Of the first two columns and the last row nothing is defined."""
+"""A frame of which the first two columns and the last row are undefined."""
 FRAMES = {
     "rounded": ROUNDED, "members": MEMBERS, "tipping": TIPPING, "chosen": CHOSEN,
     "scattered": SCATTERED, "growing": GROWING, "placed": PLACED, "cancelled": CANCELLED,

@@ -133,7 +133,7 @@ def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
 
 
 def test_a_host_draws_the_layers_one_by_one() -> None:
-    """By the reflection alone: each draw differs from the others in one parameter."""
+    """The reflection is enough: each draw differs from the others in one parameter."""
     material = compiled(native=False)
     assert material.reflection.draw.layers == LayersRow(count=COUNT, parameter="draw.layer")
     draw = state_of(material).draw()

@@ -53,7 +53,7 @@ def program_of(layout: Layout, *, hoist: bool) -> Program:
 
 @pytest.fixture(scope="module")
 def programs(studio: Studio) -> dict[str, Program]:
-    """By name; the routes' compilers have seen them all."""
+    """Programs by name, which the routes' compilers have all seen."""
     made = {
         "every type, hoisted": program_of(every_type(), hoist=True),
         "every type": program_of(every_type(), hoist=False),

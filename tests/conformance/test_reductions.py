@@ -67,7 +67,7 @@ class Kernels:
         return values
 
     def prefix_sums(self, blocks: str, before: str, counts: Array) -> Array:
-        """How many there are before each element."""
+        """The sum of all counts before each element."""
         above = np.zeros(0, np.uint32)
         if len(counts) > 64:
             in_blocks = self.run(blocks, {"counts": counts}, "blocks", "<u4")

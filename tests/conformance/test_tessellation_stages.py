@@ -72,7 +72,7 @@ LEVELS: Mapping[Patch, tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]] 
     "quad": (((1, 1, 1, 1), (1, 1)), ((4, 2, 3, 5), (6, 3)), ((2.5, 1, 7, 4), (1, 4.75))),
     "isoline": (((3, 1), ()), ((5, 4.5), ())),
 }
-"""Of edges and of the inside."""
+"""Levels of the edges and of the inside, for each kind of patch."""
 
 CORNERS: Mapping[Patch, list[list[float]]] = {
     "triangle": [[-0.875, -0.75, 0.25], [0.75, -0.5, 0.75], [-0.25, 0.875, 0.5]],
@@ -235,7 +235,7 @@ def _cells(
 
 
 def _placed(patch: Patch, where: Floats, points: Floats) -> Floats:
-    """Where a patch's vertices lie, with all of which float32 can do without rounding."""
+    """The places of a patch's vertices, which float32 can compute without rounding."""
     if patch == "triangle":
         weighted: Floats = where @ points
         return weighted

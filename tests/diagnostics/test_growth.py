@@ -122,7 +122,7 @@ def test_one_long_line_of_mistakes_is_read_at_once(text: str) -> None:
 
 
 def test_a_long_comment_takes_no_memory_of_its_own() -> None:
-    """None but a few times its text, which the lexer, the parser and what they keep hold."""
+    """The memory is a few times that of the text, which the lexer and the parser keep."""
     burnish.check("material M { }")
     comment = "/* " + "x " * 500_000 + "*/"
     tracemalloc.start()

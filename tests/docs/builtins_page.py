@@ -111,7 +111,7 @@ def builtins_page() -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-ELSEWHERE_HEAD = """## What other languages call it
+ELSEWHERE_HEAD = """## Names in other languages
 
 Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL is listed above
 under the same name, or in this table. Messages about unknown names take their advice from it,

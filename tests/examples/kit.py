@@ -38,8 +38,10 @@ NEEDING: Mapping[str, str] = {
     # Without a stage of its own for that, a capture is a kernel.
     "particles-Step": "kernels over buffers",
 }
-"""By example, by one of its variants, or by one of its materials and kernels, the capability that
-it shows, if there are profiles without it."""
+"""The capability that an example shows, if there are profiles without it.
+
+The keys are examples, variants of them, or their materials and kernels.
+"""
 LACKING: Mapping[str, frozenset[str]] = {
     name: profiles("absent", capability) for name, capability in NEEDING.items()
 }

@@ -18,7 +18,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "frames"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 
 LACKING = {"transparency": profiles("absent", "equations by target")}
-"""By example, the profiles that cannot do what it shows."""
+"""The profiles that lack the capability of an example, by example."""
 
 
 @cache

@@ -15,6 +15,7 @@ from burnish.compiler.documents.plan import FramePlan
 from burnish.compiler.documents.reading import ShapeError, read
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.schema import json_schema
+from burnish.compiler.documents.typescript import typescript
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
@@ -128,6 +129,13 @@ def test_the_schema_is_one_and_describes_every_property(kind: type) -> None:
             target = schema["$defs"][row["$ref"].rpartition("/")[2]] if "$ref" in row else {}
             described = row.get("description") or target.get("description")
             assert described or is_telling or row.get("maxItems") == 0, f"{name}.{key}"
+
+
+def test_words_are_those_of_webgpu() -> None:
+    found = json_schema(Reflection)["$defs"]
+    assert found["DepthState"]["properties"]["compare"]["enum"][3] == "less-equal"
+    assert found["SamplerState"]["properties"]["compare"]["enum"][-1] is None
+    assert '  wrap: "repeat" | "clamp-to-edge" | "mirror-repeat";' in typescript(Reflection)
 
 
 def test_bounds_are_keywords() -> None:

@@ -123,9 +123,11 @@ class Copy:
 
 
 def _that_show(mutant: Mutant, known: Known, most: int) -> Sequence[str]:
-    """Of the materials that run a mutant's lines, at most so many, which together run as much of
-    its file as possible. All materials count, if the import runs the lines, or if nobody can say
-    who does."""
+    """At most ``most`` of the materials that run a mutant's lines.
+
+    Together they run as much of its file as possible. All materials count if the import runs the
+    lines, or if nobody can say who does.
+    """
     found = set()
     for line in mutant.lines:
         found |= set(known.reached.get(f"{mutant.path}:{line}", ()))

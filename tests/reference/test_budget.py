@@ -163,8 +163,11 @@ def test_memory_does_not_grow_with_the_turns_of_a_loop(
     ],
 )
 def test_a_loop_counts_as_often_as_its_body_is_computed(value: str, count: int) -> None:
-    """But for what does not hang on its variable. There are a few nodes around it. Matrices count
-    as often as they have numbers, or more often."""
+    """Values that do not depend on the loop's variable count once.
+
+    There are a few nodes around the loop. Matrices count as often as they have numbers, or more
+    often.
+    """
     text = "kernel K {{\n param n : int in 0..9 = 1\n result a : float[8] = {}\n}}"
     shader = _shader(text.format(value))
     found = operations([result.value for result in shader.results])

@@ -251,7 +251,7 @@ def test_nothing_is_drawn_without_the_validation_layer(vulkan: Asker, tmp_path: 
 
 
 def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
-    """As a worker, it would find a module of that name in no folder but that of its packages."""
+    """A worker would find a module of that name only in the folder of its packages."""
     (tmp_path / "vulkan.py").write_text("raise OSError('Cannot find Vulkan')")
     module = vulkan.command.index("burnish.targets.runner.drivers.vulkan")
     command = [sys.executable, "-m", *vulkan.command[module:]]

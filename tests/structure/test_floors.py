@@ -57,7 +57,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir library work types names inheritance state hints "
+        "frozen stdlib diagnostics syntax ir library work types names inheritance state hints "
         "declarations checking lowering"
     ),
     "compiler.semantics.frames": (
@@ -72,7 +72,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": (
-        "frozen stdlib diagnostics constraints ir packing documents promises planning"
+        "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",

@@ -140,7 +140,7 @@ def test_the_reflection_says_where_values_lie() -> None:
     reflection = compiled(SPARKS, "hlsl:sm6").reflection
     capture = reflection.capture
     assert capture is not None
-    assert (capture.primitive, capture.vertices, capture.stride) == ("point", 2, 20)
+    assert (capture.topology, capture.vertices, capture.stride) == ("point", 2, 20)
     assert [tuple(row.values()) for row in to_json(capture.members)] == [
         ("position", "vec3", "vec3", 0, "In world space"),
         ("age", "float", "float", 12, ""),
@@ -190,7 +190,7 @@ def test_of_a_patch_come_as_many_vertices_as_its_levels_allow(*, native_stages: 
     reflection = material.reflection
     capture, tessellation = reflection.capture, reflection.draw.tessellation
     assert capture is not None and tessellation is not None
-    assert capture.primitive == "triangle"
+    assert capture.topology == "triangle"
     assert capture.vertices == 3 * 13
     assert tessellation.divided_by == ("evaluation" if native_stages else "instances")
     assert capture.there == (None if native_stages else 12)

@@ -66,7 +66,7 @@ def materials_with_the_librarys_light(size: int) -> str:
 
 @shape(16, 512)
 def abstract_materials(size: int) -> str:
-    """None of them is compiled, and each is checked."""
+    """Abstract materials, which are checked and not compiled."""
     records = lines(f"abstract material M{i} {{ color = vec3(uv, {i}) }}" for i in range(size))
     return f"{records}\n" + material("")
 
