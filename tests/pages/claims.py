@@ -51,7 +51,7 @@ def _of_mark(mark: Mark, equation: Equation | None) -> Iterator[str]:
 
 
 def _of_codes(claimed: tuple[str, ...], reported: list[Diagnostic]) -> Iterator[str]:
-    """The complaints about the codes beside a line: each one is reported there, once for each time."""
+    """The complaints about the codes beside a line: each one is reported there."""
     missing = list(claimed)
     for diagnostic in reported:
         if diagnostic.rule.code in missing:
