@@ -68,7 +68,7 @@ class _Building:
     def picture(self) -> Picture:
         program = self._staged.program
         found = Picture(
-            f"{program.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
+            f"{self._shader.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
         )
         if self._derived:
             found.clusters.append(self._host())
