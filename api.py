@@ -36,10 +36,11 @@ from .targets.availability import way_out, with_as_many
 from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.directives import Directed, directed
-from .targets.emit.emitter import Emission, EmitOptions, EmittedFile, emit
+from .targets.emit.emitter import EmitOptions, EmittedFile, emit
 from .targets.legalise.forms import form_for
 from .targets.legalise.guards import keeps
 from .targets.legalise.lacks import Lack, lacks
+from .targets.legalise.legal import Legal
 from .targets.legalise.legalise import legalise
 from .targets.legalise.limits import excesses
 from .targets.selection import DEFAULT, full_name, select_targets
@@ -297,7 +298,7 @@ def _compiled(
     )
     emissions = tuple((legal, emit(legal, options(legal.profile))) for legal in legals)
     files = tuple(
-        _output(shader, legal.language, legal.profile, emission, file, emit_options)
+        _output(shader, legal, file, emit_options)
         for legal, emission in emissions
         for file in emission.files
     )
@@ -357,15 +358,14 @@ def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], repor
 
 def _output(
     shader: Shader,
-    target: Language,
-    profile: Profile,
-    emission: Emission,
+    legal: Legal,
     file: EmittedFile,
     options: EmitOptions,
 ) -> OutputFile:
+    target, profile = legal.language, legal.profile
     default = profile is target.profiles[0]
     parts = (shader.name, file.suffix) if default else (shader.name, profile.name, file.suffix)
-    name, spans = ".".join(parts), located(shader, file.origins, emission.notes)
+    name, spans = ".".join(parts), located(shader, file.origins, legal.program.shader.notes)
     shown = Directed(file.text, spans, ())
     if options.line_directives and target.line_directive:
         shown = directed(file.text, spans, target.line_directive, name)

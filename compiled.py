@@ -23,7 +23,6 @@ from .targets.description.profile import Profile
 from .targets.description.shading_language import Language
 from .targets.emit.emitter import Emission
 from .targets.emit.reflection import backend_row
-from .targets.legalise.forms import form_for
 from .targets.selection import full_name
 
 if TYPE_CHECKING:
@@ -113,7 +112,7 @@ class CompiledMaterial:
         }  # fmt: skip
         derived = {value.parameter: value.expression for value in self._staged.derived}
         # The vertex inputs that a storage buffer replaces are known after the passes.
-        last = self._staged.shader
+        last = self._staged.program.shader
         bound = changed(
             self.shader,
             parameters=last.parameters, attributes=last.attributes, buffers=last.buffers,
@@ -142,8 +141,7 @@ class CompiledMaterial:
 
         for legal, _emission in self._emissions:
             if full_name(legal.language, legal.profile) == profile:
-                form = form_for(self._staged, legal.profile)
-                return emitted(form.shader, legal)
+                return emitted(legal)
         raise KeyError(f"{self.name} has no texts for {profile}")
 
     def instance(self) -> Instance:

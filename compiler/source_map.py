@@ -13,16 +13,14 @@ from .ir.node import Node, reachable
 from .ir.shader import Notes, Shader
 
 
-def located(
-    shader: Shader, origins: Callable[[], Mapping[int, Node]], notes: Notes | None = None
-) -> SourceMap:
+def located(shader: Shader, origins: Callable[[], Mapping[int, Node]], notes: Notes) -> SourceMap:
     """The place of the value that each emitted line computes, by line number.
 
-    ``origins`` finds these values. ``notes`` are those of the nodes, if they are not the shader's.
+    ``origins`` finds these values, and ``notes`` are about them.
     """
 
     def spans() -> dict[int, Span]:
-        places = _Places(shader, notes or shader.notes)
+        places = _Places(shader, notes)
         found = ((line, places.of(node)) for line, node in origins().items())
         return {line: span for line, span in found if span is not None}
 

@@ -89,7 +89,7 @@ class _MaterialBuilder:
         keys = {box.key: None for cluster in clusters for box in cluster.boxes}
         for source, target in self._between(keys):
             self._arrow(source, target, ArrowKind.CROSSING)
-        title = f"{program.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
+        title = f"{self._shader.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
         return Picture(title, clusters, list(self._arrows))
 
     def _between(self, keys: Collection[str]) -> Iterator[tuple[str, str]]:

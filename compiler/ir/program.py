@@ -12,15 +12,11 @@ from collections.abc import Iterable
 
 from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
-from .capture import Capture
-from .expansion import Expansion
-from .kernel import WorkGroup
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import Formal, Node
 from .operations import NATIVE, builtin_of
-from .render_state import Fill
 from .scattering import Scattered, scattered
-from .shader import RenderTarget, Store
+from .shader import Shader, Store
 from .stages import (
     VERTICES,
     Domain,
@@ -29,7 +25,6 @@ from .stages import (
 )
 from .statements import EmittedPart, Region
 from .storage import stored_type, structs_in
-from .tessellation import Tessellation
 from .types import Struct, Type
 
 StageName = str
@@ -306,10 +301,10 @@ class Stage:
 
 @frozen
 class Program:
-    """One material under one pass and one rig."""
+    """One material under one pass and one rig, split into stages."""
 
-    name: str
-    doc: str
+    shader: Shader
+    """The shader that was split. All passes have changed its results, but it is in one piece."""
     stages: tuple[Stage, ...]
     """The stages in pipeline order: the first one reads the vertex inputs."""
     blocks: tuple[Block, ...]
@@ -318,29 +313,13 @@ class Program:
     interfaces: tuple[Interface, ...]
     """The varyings between each stage and the next, in pipeline order."""
     buffers: tuple[Buffer, ...] = ()
-    expansion: Expansion | None = None
-    """The expansion of each primitive of the mesh."""
-    tessellation: Tessellation | None = None
-    """The division of each patch of the mesh."""
-    capture: Capture | None = None
-    """The values that are written of each vertex instead of drawing."""
-    work_group: WorkGroup | None = None
-    """The work group: the invocations of a kernel that run together."""
-    corner_buffer: Buffer | None = None
-    """The buffer with the corners of primitives, if vertex inputs do not suffice."""
-    fill: Fill = "faces"
-    """The part of triangles that is drawn."""
-    invariant: bool = False
-    """True if positions are equal, bit by bit, in all shaders that compute them in this way."""
-    targets: tuple[RenderTarget, ...] = ()
-    """The blending of the targets of a pass, which a host sets up."""
 
     def stage(self, name: StageName) -> Stage:
         """The stage called so; ``KeyError`` if the program has none."""
         for stage in self.stages:
             if stage.name == name:
                 return stage
-        raise KeyError(f"{self.name} has no {name} stage")
+        raise KeyError(f"{self.shader.name} has no {name} stage")
 
     @property
     def vertex_inputs(self) -> tuple[Field, ...]:

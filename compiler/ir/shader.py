@@ -18,7 +18,7 @@ from .kernel import ScatterOperator, WorkGroup
 from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
 from .node import Graph, Node, Roots
 from .render_state import RenderState
-from .stages import PLACING, RASTERISED, Chain, StageRow
+from .stages import PLACING, RASTERISED, TARGET, VERTEX, Chain, StageRow
 from .tessellation import Tessellation
 from .types import Intent
 
@@ -365,6 +365,19 @@ class Shader:
         All shaders that compute their values in the same way get the same values.
         """
         return PLACING if self.render_state.is_invariant else frozenset()
+
+    @property
+    def targets(self) -> tuple[RenderTarget, ...]:
+        """The states of the render targets, in order."""
+        states = (result.state for result in self.results_of(TARGET))
+        return tuple(state for state in states if state is not None)
+
+    @property
+    def corner_buffer(self) -> Buffer | None:
+        """The buffer from which the vertex stage of a draw reads the mesh, if it has one."""
+        if self.chain[0] != VERTEX:
+            return None
+        return next((info.buffer for info in self.buffers if info.of_mesh), None)
 
     @property
     def layers(self) -> int:

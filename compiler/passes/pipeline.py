@@ -12,7 +12,7 @@ from ..ir.full_screen import full_screen, whole_texels, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
-from ..ir.shader import Notes, Result, Shader
+from ..ir.shader import Notes, Shader
 from ..ir.stages import EXTENT, LENGTH
 from .apart import Apart
 from .checkpoint import verified, verified_results
@@ -60,14 +60,11 @@ class Evidence:
 
 @frozen
 class Undecided:
-    """The input of ``split_stages``, for programs with calls that each profile decides about.
+    """The facts by which each profile decides about calls that a program still has.
 
-    ``legalise`` builds the program again from it.
+    ``legalise`` then splits the program's shader again, as ``split_stages`` did.
     """
 
-    shader: Shader
-    results: tuple[Result, ...]
-    """The results before ``split_stages``."""
     derived: tuple[Derived, ...]
     ranges: Ranges
 
@@ -76,8 +73,6 @@ class Undecided:
 class Form:
     """The program of a shader in the form in which some profiles have it."""
 
-    shader: Shader
-    """The shader with the results that this form delivers, and the stages that do so."""
     program: Program
     undecided: Undecided | None = None
     """The calls in the program that each profile decides about."""
@@ -87,8 +82,6 @@ class Form:
 class Staged:
     """A program with further results of the passes."""
 
-    shader: Shader
-    """The shader that it was made of."""
     program: Program
     derived: tuple[Derived, ...]
     guards: tuple[Guard, ...]
@@ -101,7 +94,7 @@ class Staged:
     @property
     def own(self) -> Form:
         """The form with the stages that the shader was made for."""
-        return Form(self.shader, self.program, self.undecided)
+        return Form(self.program, self.undecided)
 
 
 def stage(shader: Shader, options: Options) -> Staged:
@@ -140,7 +133,7 @@ def stage(shader: Shader, options: Options) -> Staged:
         form = made(corners_in_buffer(shader))
     drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(decisions.kept.values())
-    return Staged(form.shader, form.program, derived, guards, evidence, form.undecided, drawn)
+    return Staged(form.program, derived, guards, evidence, form.undecided, drawn)
 
 
 def _without_lengths(shader: Shader) -> Shader:
@@ -159,9 +152,8 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 
     ``ranges`` are given where it has calls that each profile decides about.
     """
-    program = split_stages(shader, shader.results, derived)
-    undecided = None if ranges is None else Undecided(shader, shader.results, derived, ranges)
-    return Form(shader, program, undecided)
+    undecided = None if ranges is None else Undecided(derived, ranges)
+    return Form(split_stages(shader, derived), undecided)
 
 
 def _simplified(

@@ -13,7 +13,6 @@ from itertools import count
 from ...frozen import frozen
 from ..ir import build
 from ..ir.kernel import WRITTEN_GROUP
-from ..ir.leaves import Buffer
 from ..ir.node import Graph, Node, formals_of
 from ..ir.operations import INPUT
 from ..ir.program import (
@@ -37,9 +36,7 @@ from ..ir.stages import (
     EXTENT,
     IMAGE,
     INNER_LEVEL,
-    TARGET,
     VARYING,
-    VERTEX,
     StageRow,
 )
 from ..ir.types import UINT, scalar_kind
@@ -53,20 +50,18 @@ from .uniformity import needing_uniform_flow
 from .walks import called_functions, visible
 
 
-def split_stages(
-    shader: Shader, results: tuple[Result, ...], derived: tuple[Derived, ...]
-) -> Program:
-    """The program of a shader whose ``results`` have been through all other passes.
+def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
+    """The program of a shader whose results have been through all other passes.
 
     It is the last pass, and also the last step of ``targets/legalise`` if that has changed some
     values.
     """
     blocks = _blocks(shader, derived)
-    _name_levels(results, shader.notes)
+    _name_levels(shader.results, shader.notes)
     works: list[_Work] = []
-    interfaces = Interfaces(shader.notes, results)
+    interfaces = Interfaces(shader.notes, shader.results)
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
-        own = [result for result in results if result.stage == row]
+        own = [result for result in shader.results if result.stage == row]
         outputs = (
             *_outputs(shader, own),
             *_crossing_outputs(shader.graph, interfaces.leaving(row)),
@@ -92,19 +87,7 @@ def split_stages(
         for info in (*shader.buffers, *shader.written)
         if any(info.buffer in stage.buffers for stage in stages)
     )
-    return Program(
-        shader.name, shader.doc, tuple(stages), used, resources, interfaces.all, buffers,
-        shader.expansion, shader.tessellation, shader.capture, shader.work_group,
-        _corner_buffer(shader), shader.render_state.fill, bool(shader.placing),
-        tuple(each.state for each in shader.results_of(TARGET) if each.state is not None),
-    )  # fmt: skip
-
-
-def _corner_buffer(shader: Shader) -> Buffer | None:
-    """The storage buffer from which the vertex stage of a draw reads the mesh, if it has one."""
-    if shader.chain[0] != VERTEX:
-        return None
-    return next((info.buffer for info in shader.buffers if info.of_mesh), None)
+    return Program(shader, tuple(stages), used, resources, interfaces.all, buffers)
 
 
 def _name_levels(results: Sequence[Result], notes: Notes) -> None:

@@ -96,7 +96,7 @@ def reflect(
         textures=textures.textures(),
         samplers=textures.samplers(),
         draw=_draw_row(shader),
-        invariant_position=program.invariant,
+        invariant_position=shader.render_state.is_invariant,
         render_state=_render_state_row(shader.render_state),
         capture=None if shader.capture is None else capture_row(shader),
         vertex_inputs=(

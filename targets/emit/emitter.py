@@ -10,7 +10,6 @@ from collections.abc import Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
-from ...compiler.ir.shader import Notes
 from ...frozen import EMPTY, frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
@@ -70,9 +69,6 @@ class Emission:
     bindings: Bindings
     host_uniforms: tuple[str, ...]
     """Names of plain float uniforms that the host has to set, besides the blocks."""
-    notes: Notes | None = None
-    """Names and places of the nodes in ``EmittedFile.origins()``, if ``legalise`` has made nodes of
-    its own; otherwise those of the shader count."""
 
 
 def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
@@ -93,7 +89,6 @@ class _Emitter:
         self._options = options
         self._names = name_program(legal.program, legal.language)
         self._bindings = legal.bindings
-        self._notes = legal.notes
         self._context = Context(legal, self._names, options.flip_y)
         self._declarations = Declarations(self._context, legal.bindings)
 
@@ -106,7 +101,6 @@ class _Emitter:
             self._names,
             self._bindings,
             tuple(used),
-            self._notes,
         )
 
     def _file(self, stages: tuple[Stage, ...]) -> EmittedFile:
@@ -163,11 +157,11 @@ class _Emitter:
         )
 
     def _header(self, stages: tuple[Stage, ...]) -> list[str]:
-        program = self._program
+        shader = self._program.shader
         kinds = " and ".join(stage.name for stage in stages)
         plural = "s" if len(stages) > 1 else ""
-        title = comment_line(f"{program.name}: {kinds} shader{plural}, by Burnish.", "//")
-        return [title, *comment_lines(program.doc, "//")]
+        title = comment_line(f"{shader.name}: {kinds} shader{plural}, by Burnish.", "//")
+        return [title, *comment_lines(shader.doc, "//")]
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
         rows = (self._context.dialect.inputs[name] for name in stage.builtin_inputs)

@@ -57,7 +57,7 @@ class Fields:
 
     def capture_stride(self) -> int:
         """The bytes of each captured vertex, if the text has to state them; else 0."""
-        capture = self._context.program.capture
+        capture = self._context.program.shader.capture
         stream = self._context.profile.stream_output
         is_said = stream is not None and stream.told == "text"
         captures = is_said and self._stage.results_of(CAPTURE)
@@ -65,7 +65,7 @@ class Fields:
 
     def tessellation(self) -> TessellationView | None:
         """How patches are divided, for the two tessellation stages; ``None`` in other stages."""
-        patches = self._context.program.tessellation
+        patches = self._context.program.shader.tessellation
         if patches is None or self._stage.row not in DIVIDING:
             return None
         is_control = self._stage.row == CONTROL
@@ -94,7 +94,7 @@ class Fields:
     def _output(self, output: Output) -> FieldView:
         assert output.field is not None
         view = self._field(output.field, self._role(output))
-        capture = self._context.program.capture
+        capture = self._context.program.shader.capture
         if output.kind != CAPTURE or capture is None or not self.capture_stride():
             return view
         return changed(view, captured_at=str(capture.member(output.field.name).offset))

@@ -49,7 +49,7 @@ class GroupFunctions(GroupCalls):
         self._marks = marks
         self._forms, self._types = context.language.forms, context.types
         self._literals = context.language.literals
-        group = context.program.work_group
+        group = context.program.shader.work_group
         self._size = 1 if group is None else invocations(group)
         used = [(use.builtin, use.types[0]) for use in stage.natives if use.builtin in OF_GROUPS]
         self._origins: dict[Use, Node] = {}

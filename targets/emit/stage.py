@@ -88,7 +88,7 @@ class StagePrinter:
         opening = self._opening(namer, expressions, extent)
         functions = [self._function(function) for function in stage.functions]
         guard = "" if self._groups else self._guard(expressions, extent)
-        group = self._context.program.work_group
+        group = self._context.program.shader.work_group
         if stage.emitted:
             strips = Strips(self._context, expressions, namer, self._marks)
             lines = strips.emitted(stage, self._delivered)
@@ -115,7 +115,7 @@ class StagePrinter:
             position=""
             if stage.emitted
             else self._value(expressions, stage.value_of(CLIP_POSITION)),
-            invariant=self._context.program.invariant,
+            invariant=self._context.program.shader.render_state.is_invariant,
             opening=opening,
             guard=guard,
             work_group=() if group is None else group,
@@ -127,7 +127,7 @@ class StagePrinter:
 
     def _expansion(self) -> ExpansionView | None:
         """The declaration of the primitives that a geometry stage gets and emits; else ``None``."""
-        expansion = self._context.program.expansion
+        expansion = self._context.program.shader.expansion
         if not self._stage.emitted or expansion is None:
             return None
         primitive = self._language.primitives[expansion.primitive]
@@ -220,7 +220,7 @@ class StagePrinter:
     @property
     def _invocation(self) -> SystemInput | None:
         """The number or texel by which a kernel's invocations differ; ``None`` in other stages."""
-        if self._context.program.work_group is None:
+        if self._context.program.shader.work_group is None:
             return None
         return inputs_of((self._stage.row,))["texel" if self._stage.images else "index"]
 

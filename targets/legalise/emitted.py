@@ -20,21 +20,22 @@ from .definitions import Definitions
 from .legal import Legal
 
 
-def emitted(shader: Shader, legal: Legal) -> Shader:
-    """``shader``, but with the values of its results as ``legal`` computes them.
+def emitted(legal: Legal) -> Shader:
+    """The shader of a program, but with the values of its results as ``legal`` computes them.
 
     Parameters are read as blocks store them, derived ones are parameters like others, and a builtin
     that the profile lacks is a call of the text's function for it. The graph is a new one, in which
     equal programs have equal nodes with equal numbers. So results that are remembered for the
     program of one profile are found for every other profile with the same program.
     """
+    shader = legal.program.shader
     given = [pair for stage in legal.program.stages for pair in _values(shader, stage)]
     writing = _Writing(legal.definitions)
     values = writing.written([value for _, value in given])
     results = tuple(
         changed(result, value=value) for (result, _), value in zip(given, values, strict=True)
     )
-    notes = writing.notes(legal.notes or shader.notes)
+    notes = writing.notes(shader.notes)
     return changed(shader, graph=writing.graph, notes=notes, results=results)
 
 

@@ -30,22 +30,22 @@ from ...stdlib.builtins.row import Domain
 from ..description.profile import Profile
 
 
-def with_guards(undecided: Undecided, profile: Profile) -> tuple[Program, Notes]:
-    """The program with the guards that the profile needs, and the notes about its nodes."""
+def with_guards(program: Program, undecided: Undecided, profile: Profile) -> Program:
+    """The program with the guards that the profile needs."""
+    shader = program.shader
     # Each profile adds nodes of its own, whose ids do not depend on other profiles.
-    graph, notes = undecided.shader.graph.copy(), undecided.shader.notes.copy()
-    shader = changed(undecided.shader, graph=graph, notes=notes)
-    given = Roots([result.value for result in undecided.results])
+    graph, notes = shader.graph.copy(), shader.notes.copy()
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
-    roots = rewrite(graph, given, deciding.decided, notes.follow, ("call",))
-    apart = Apart.of(undecided.results, shader.placing)
+    roots = rewrite(graph, shader.roots, deciding.decided, notes.follow, ("call",))
+    apart = Apart.of(shader.results, shader.placing)
     roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
     # Calls that only these guards make expensive are inlined here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)
     roots = verified("legalise", "stored", roots)
-    made = zip(undecided.results, roots, strict=True)
+    made = zip(shader.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
-    return split_stages(shader, results, undecided.derived), notes
+    guarded = changed(shader, graph=graph, notes=notes, results=results)
+    return split_stages(guarded, undecided.derived)
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:

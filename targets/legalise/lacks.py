@@ -81,10 +81,10 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         yield Lack(feature_of_stage(stage.row), stage.roots[0].id, of_primitives)
     elif is_lowered(program) and not INSTANCES.is_met(profile):
         # Further needs of its stages do not come from the user's text.
-        row = GEOMETRY if program.tessellation is None else CONTROL
+        row = GEOMETRY if program.shader.tessellation is None else CONTROL
         yield Lack(feature_of_stage(row), program.stages[0].roots[0].id, of_expansion=True)
         return
-    if program.fill == "lines" and not EDGES.is_met(profile):
+    if program.shader.render_state.fill == "lines" and not EDGES.is_met(profile):
         yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
     yield from _of_targets(program, profile)
     if captured is None or STREAM_OUTPUT.is_met(profile):
@@ -99,9 +99,11 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
 
 def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
     """Lacks that follow from the number of the render targets, and from how they are blended."""
-    if len(program.targets) > 1 and not SEVERAL_TARGETS.is_met(profile):
+    if len(program.shader.targets) > 1 and not SEVERAL_TARGETS.is_met(profile):
         second = program.results_of(TARGET)[1].value.id
-        ways = (way for way, _ in _ways_of_blending(program.targets) if way != BLENDED_FLOATS)
+        ways = (
+            way for way, _ in _ways_of_blending(program.shader.targets) if way != BLENDED_FLOATS
+        )
         yield Lack(SEVERAL_TARGETS.feature, second, needed_for=next(ways, None), target=1)
     else:
         yield from _blended(program, profile)
@@ -111,7 +113,7 @@ def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
     """Storage buffers in stages that can have none."""
     for stage in program.stages:
         need = buffers_of(stage.row)
-        buffers = [buffer for buffer in stage.buffers if buffer != program.corner_buffer]
+        buffers = [buffer for buffer in stage.buffers if buffer != program.shader.corner_buffer]
         if buffers and stage.row in profile.stages and not need.is_met(profile):
             yield Lack(need.feature, _first_use(stage))
 
@@ -146,7 +148,7 @@ def _way_of_comparing(builtins: Set[str]) -> Capability | None:
 
 def _blended(program: Program, profile: Profile) -> Iterator[Lack]:
     """The features of blending that the render targets use and the profile lacks."""
-    for capability, number in _ways_of_blending(program.targets):
+    for capability, number in _ways_of_blending(program.shader.targets):
         for feature in standing(capability, profile).missing[:1]:
             root = program.results_of(TARGET)[number].value.id
             yield Lack(feature, root, needed_for=capability, target=number)
@@ -168,9 +170,9 @@ def _ways_of_blending(targets: Sequence[RenderTarget]) -> Iterator[tuple[Capabil
 
 def is_lowered(program: Program) -> bool:
     """True if primitives or patches are drawn as instances instead of by stages of their own."""
-    made_of = program.expansion or program.tessellation
+    made_of = program.shader.expansion or program.shader.tessellation
     rows = {stage.row for stage in program.stages}
-    return made_of is not None and program.capture is None and not rows & {CONTROL, GEOMETRY}
+    return made_of is not None and program.shader.capture is None and not rows & {CONTROL, GEOMETRY}
 
 
 def emitting(program: Program) -> list[Stage]:
@@ -180,11 +182,11 @@ def emitting(program: Program) -> list[Stage]:
 
 def capturing(program: Program) -> Capability | None:
     """The capability that a program needs to capture vertices; ``None`` if it draws."""
-    if program.capture is None:
+    if program.shader.capture is None:
         return None
-    if program.tessellation is not None:
+    if program.shader.tessellation is not None:
         return DIVIDED_CAPTURES
-    return CAPTURES if program.expansion is None else EMITTED_CAPTURES
+    return CAPTURES if program.shader.expansion is None else EMITTED_CAPTURES
 
 
 def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -> Iterator[Lack]:
@@ -197,7 +199,7 @@ def _cannot_capture(program: Program, profile: Profile, capturing: Capability) -
             root = kernel.roots[0].id
             yield Lack(feature_of_stage(kernel.row), root, instead=instead, needed_for=capturing)
     elif cell.kind != "native":
-        made = program.expansion or program.tessellation
+        made = program.shader.expansion or program.shader.tessellation
         feature = cell.missing[0]
         if capturing == CAPTURES and _reading_numbers(program):
             capturing = CAPTURED_NUMBERS

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program
-from ...compiler.ir.shader import Notes
 from ...frozen import frozen
 from ..description.profile import Profile
 from ..description.shading_language import Language
@@ -27,6 +26,3 @@ class Legal:
     """The blocks and textures that functions get as arguments."""
     in_place: frozenset[Node] = frozenset()
     """Values that get no names, since they are parts of indices that have to be constant."""
-    notes: Notes | None = None
-    """Names and source positions of the program's nodes, if ``legalise`` has added nodes to the
-    shader's."""

@@ -25,9 +25,8 @@ def legalise(
     program: Program, language: Language, profile: Profile, undecided: Undecided | None = None
 ) -> Legal:
     """``program`` as ``profile`` prints it; ``undecided`` if it has calls to decide about."""
-    notes = None
     if undecided is not None:
-        program, notes = with_guards(undecided, profile)
+        program = with_guards(program, undecided, profile)
     program, definitions = with_definitions(program, profile)
     return Legal(
         program,
@@ -37,5 +36,4 @@ def legalise(
         assign_bindings(program, profile),
         resource_arguments(program, language),
         frozenset() if profile.computed_indices else counted_places(program),
-        notes,
     )

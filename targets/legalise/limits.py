@@ -53,8 +53,8 @@ class Excess:
 
 def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     """The limits of a profile that a program exceeds."""
-    by_corner = program.expansion is not None and not emitting(program)
-    by_corner = by_corner or program.corner_buffer is not None
+    by_corner = program.shader.expansion is not None and not emitting(program)
+    by_corner = by_corner or program.shader.corner_buffer is not None
     told = {"attributes"} if is_lowered(program) and not INSTANCES.is_met(profile) else set[str]()
     for name, count in _counts(program, profile).items():
         if name in told:  # By ``lacks``: nothing is drawn as instances.
@@ -86,7 +86,9 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         "inlined_operations": max(map(_inlined_operations, program.stages)),
         # If the profile has only one target, ``lacks`` reports that.
         "render_targets": len(program.results_of(TARGET)) if SEVERAL_TARGETS.is_met(profile) else 0,
-        "work_group": 0 if program.work_group is None else invocations(program.work_group),
+        "work_group": 0
+        if program.shader.work_group is None
+        else invocations(program.shader.work_group),
         "shared_bytes": _shared_bytes(program),
         **_buffer_counts(program, profile),
     }
@@ -112,7 +114,7 @@ def _uniform_counts(program: Program, profile: Profile) -> dict[str, int]:
 
 def _missing_inputs(program: Program, profile: Profile) -> int:
     """The vertex inputs that replace a buffer of corners, if the profile can have none."""
-    corners = program.corner_buffer
+    corners = program.shader.corner_buffer
     if corners is None or not isinstance(corners.type.element, Struct):
         return 0
     return 0 if buffers_of(VERTEX).is_met(profile) else len(corners.type.element.members)
@@ -122,11 +124,11 @@ def _shared_bytes(program: Program) -> int:
     """The bytes that a work group shares to join values: an array of each type that it joins."""
     natives = (native for stage in program.stages for native in stage.natives)
     joined = {native.types[0] for native in natives if native.builtin in OF_GROUPS}
-    if not joined or program.work_group is None:
+    if not joined or program.shader.work_group is None:
         return 0
     # A vector of three lanes takes the room of four in some languages.
     lanes = sum({3: 4}.get(width(type_), width(type_)) for type_ in joined)
-    return lanes * LANE_BYTES * invocations(program.work_group)
+    return lanes * LANE_BYTES * invocations(program.shader.work_group)
 
 
 def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
@@ -141,9 +143,9 @@ def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
 
 def _too_much_emitted(program: Program, profile: Profile) -> Iterator[Excess]:
     """More vertices, or numbers, than a stage can emit for one primitive."""
-    for stage in emitting(program) if program.expansion else ():
-        assert program.expansion is not None
-        vertices = program.expansion.vertices
+    for stage in emitting(program) if program.shader.expansion else ():
+        assert program.shader.expansion is not None
+        vertices = program.shader.expansion.vertices
         components = vertices * sum(width(root.type) for root in stage.roots)
         for name, count, limit in (
             ("emitted_vertices", vertices, profile.limits.emitted_vertices),

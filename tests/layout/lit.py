@@ -139,8 +139,7 @@ SHADER = Shader(
 _SLOT = Field("uv", VEC2, 0)
 
 PROGRAM = Program(
-    name="Lit",
-    doc="A little plastic.",
+    shader=SHADER,
     stages=(
         Stage(
             row=VERTEX,

@@ -9,7 +9,7 @@ from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import HostPlace, Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import Block, Field, Output, Program, Stage
-from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
+from burnish.compiler.ir.shader import ExternInfo, ExternMemberInfo, Notes, ParameterInfo, Shader
 from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VERTEX
 from burnish.compiler.ir.statements import Region
 from burnish.compiler.ir.storage import alignment, byte_size, stored_type
@@ -73,4 +73,5 @@ def _showing(graph: Graph, blocks: tuple[Block, ...], shown: Node) -> Program:
         region=nothing,
         results=(Output(TARGET, shown, Field("color", VEC4, 0)),),
     )
-    return Program("Sample", "", (vertex, fragment), blocks, (), ())
+    shader = Shader("Sample", "", "Forward", "Rig", graph, Notes(), (), (), (), ())
+    return Program(shader, (vertex, fragment), blocks, (), ())

@@ -43,7 +43,10 @@ class Known:
         """True if two passes compute a position by different operations."""
         if profile in one.lacking or profile in other.lacking:
             return False
-        if {each.staged.program.corner_buffer is None for each in (one, other)} == {True, False}:
+        if {each.staged.program.shader.corner_buffer is None for each in (one, other)} == {
+            True,
+            False,
+        }:
             return False
         return self.position(one, profile) != self.position(other, profile)
 

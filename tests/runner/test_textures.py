@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import burnish
 from burnish import PictureError, Texture
 from burnish.compiler.ir import types
-from burnish.compiler.semantics.declarations.maps import kind_of
+from burnish.compiler.semantics.declarations.textures import kind_of
 from burnish.compiler.srgb import linear
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.textures.texture import default_texture

@@ -19,7 +19,7 @@ DELIVERS = "compiler/semantics/shading/blending.py"
 KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
     (GRAMMAR, "\nsetting: name", '\nknob: "knob" name "=" expression\nsetting: name'),
-    (MEMBERS, "Param | Map |", "Knob | Param | Map |"),
+    (MEMBERS, "Param | Texture |", "Knob | Param | Texture |"),
     (
         MEMBERS,
         "\nMember =",
@@ -83,7 +83,7 @@ _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
 MIXING = (
     (GRAMMAR, "_member: ", "_member: mixing | "),
     (GRAMMAR, "\nsetting: name", '\nmixing: "mixing" name\nsetting: name'),
-    (MEMBERS, "Param | Map |", "Mixing | Param | Map |"),
+    (MEMBERS, "Param | Texture |", "Mixing | Param | Texture |"),
     (
         MEMBERS,
         "\nMember =",

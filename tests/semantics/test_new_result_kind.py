@@ -16,7 +16,7 @@ DELIVERS = "compiler/semantics/shading/elaborate.py"
 CHANGES = (
     (GRAMMAR, "_member: param |", "_member: picture | param |"),
     (GRAMMAR, "\nsetting: name", '\npicture: "picture" name "=" expression\nsetting: name'),
-    (MEMBERS, "Param | Map |", "Picture | Param | Map |"),
+    (MEMBERS, "Param | Texture |", "Picture | Param | Texture |"),
     (
         MEMBERS,
         "\nMember =",

@@ -124,7 +124,7 @@ def test_a_param_with_everything() -> None:
 
 def test_a_map_with_everything() -> None:
     (made,) = members("map m : texture2d per draw = white with { filter = linear, wrap = repeat }")
-    assert isinstance(made, ast.Map)
+    assert isinstance(made, ast.Texture)
     assert made.group and made.default
     assert (made.group.text, made.default.text) == ("draw", "white")
     state = [(name.text, value.text) for name, value in made.state]

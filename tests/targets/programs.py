@@ -18,6 +18,7 @@ from burnish.compiler.ir.program import (
     native_uses,
     texture_reads,
 )
+from burnish.compiler.ir.shader import Notes, Shader
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,
     DISCARD,
@@ -82,6 +83,11 @@ class Maker:
         return self.graph.node("formal", type_, (), formal)
 
 
+def shader_called(name: str, graph: Graph, doc: str = "") -> Shader:
+    """A shader of which only the name, the graph and the comment are known."""
+    return Shader(name, doc, "Forward", "Rig", graph, Notes(), (), (), (), ())
+
+
 def block(
     name: str, group: str, members: list[tuple[Parameter, str]], derived: bool = False
 ) -> Block:
@@ -143,8 +149,7 @@ def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: o
     zero = build.constant(make.graph, VEC4, (0.0, 0.0, 0.0, 1.0))
     parts = {"blocks": blocks, **fragment}
     return Program(
-        name="Tiny",
-        doc="",
+        shader=shader_called("Tiny", make.graph),
         stages=(
             stage(VERTEX, Output(CLIP_POSITION, zero)),
             stage(FRAGMENT, written("color", color), **parts),
@@ -311,8 +316,9 @@ def plastic() -> Program:
         ),
     )
     return Program(
-        name="Plastic",
-        doc="Plastic after the classic three-term model.\nSecond line \\",
+        shader=shader_called(
+            "Plastic", make.graph, "Plastic after the classic three-term model.\nSecond line \\"
+        ),
         stages=(vertex, fragment),
         blocks=(view, rig, derived, material, draw),
         resources=(albedo,),
@@ -388,8 +394,7 @@ def odd() -> Program:
         builtin_inputs=("frag_coord", "front_facing"),
     )
     return Program(
-        name="Odd",
-        doc="",
+        shader=shader_called("Odd", graph),
         stages=(vertex, fragment),
         blocks=(material,),
         resources=(),

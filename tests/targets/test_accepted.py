@@ -40,7 +40,7 @@ def jobs(selected: Selected, program: Program) -> Iterator[Job]:
         for file in printed(program, selected, options).files:
             for stage, entry in file.entries.items():
                 for checker in profile.checkers:
-                    name = f"{selected} {program.name}"
+                    name = f"{selected} {program.shader.name}"
                     yield Job(checker, STAGES[stage], file.text, entry, name)
 
 

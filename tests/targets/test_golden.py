@@ -25,17 +25,17 @@ def check(name: str, text: str) -> None:
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.shader.name)
 def test_text(program: Program, selected: Selected) -> None:
     if not can_have(selected, program):
-        assert (program.name, str(selected)) == ("Odd", "glsl:es100")
+        assert (program.shader.name, str(selected)) == ("Odd", "glsl:es100")
         return
     for file in printed(program, selected).files:
-        check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
+        check(f"{program.shader.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.shader.name)
 def test_single_file(program: Program, selected: Selected) -> None:
     options = EmitOptions(single_file=True)
     if not selected.profile.single_file:
@@ -44,7 +44,7 @@ def test_single_file(program: Program, selected: Selected) -> None:
         return
     (file,) = printed(program, selected, options).files
     assert file.entries == {"vertex": "vs_main", "fragment": "fs_main"}
-    check(f"{program.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
+    check(f"{program.shader.name.lower()}.{selected.profile.name}.{file.suffix}", file.text)
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)

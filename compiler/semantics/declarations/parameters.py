@@ -48,7 +48,7 @@ from ..types.meaning_rules import weakened
 from ..types.typenames import Declared
 from .buffers import buffer_of, member_infos
 from .contracts import as_declared, needs_unit
-from .maps import resource, unknown_word
+from .textures import resource, unknown_word
 from .written_types import declared_type, named_struct
 
 DEFAULT_GROUPS: Mapping[str, str] = {
@@ -120,7 +120,7 @@ def _library_name(record: Record, of_leaf: str) -> str:
     A host tells it by this from others that only have the same name.
     """
     name = of_leaf.rpartition(".")[2]
-    declared = (ast.Param, ast.Map)
+    declared = (ast.Param, ast.Texture)
     owners = (each.owner for each in record.definitions[name] if isinstance(each.member, declared))
     found = next(filter(None, map(library_name, owners)), "")
     return found and f"{found}.{name}"
@@ -159,9 +159,9 @@ def _parameter(ctx: Context, definition: Definition, name: str) -> ParameterInfo
     return info
 
 
-def _of_map(ctx: Context, definition: Definition, name: str) -> Leaves:
+def _of_texture(ctx: Context, definition: Definition, name: str) -> Leaves:
     member = definition.member
-    assert isinstance(member, ast.Map)
+    assert isinstance(member, ast.Texture)
     info = resource(ctx, definition, name, _group(ctx, definition, member.group))
     return Leaves() if info is None else Leaves(resources=(info,))
 
@@ -179,7 +179,7 @@ def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
 
 _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
     ast.Param: _of_param,
-    ast.Map: _of_map,
+    ast.Texture: _of_texture,
     ast.Buffer: _of_buffer,
     ast.Attribute: _of_attribute,
 }

@@ -55,7 +55,7 @@ class Bringing:
                 if inputs.sets(host) or inputs.sets(written):
                     continue
                 definition = light.instance.record.definitions[name][0]
-                assert isinstance(definition.member, ast.Map)
+                assert isinstance(definition.member, ast.Texture)
                 if definition.member.brought is not None:
                     source = self._source(light, definition, info, inputs)
                     if isinstance(source, Failure):
@@ -71,7 +71,7 @@ class Bringing:
     ) -> Source | Failure:
         """The source of a light's texture, with all steps that make it."""
         member = definition.member
-        assert isinstance(member, ast.Map) and member.brought is not None
+        assert isinstance(member, ast.Texture) and member.brought is not None
         written, name = member.brought, f"{light.name}.{member.name.text}"
         if name in self._pending:
             cycle = [*self._pending[self._pending.index(name) :], name]
@@ -86,7 +86,7 @@ class Bringing:
         self._pending.pop()
         return made if isinstance(made, Failure) else inputs.texture(made, written, info)
 
-    def _report_missing(self, name: str, shader: Shader, member: ast.Map, e: ast.Call) -> None:
+    def _report_missing(self, name: str, shader: Shader, member: ast.Texture, e: ast.Call) -> None:
         self._ctx.report.add(
             rules.INPUT_MISSING, e.span, step=shader.pass_name, name=name,
             labels=[Label(member.name.span, "declared here, without a default")],
@@ -98,7 +98,7 @@ def _textures(light: Owner, shader: Shader) -> Iterator[tuple[str, ResourceInfo]
     read = {n.data.name for n in reachable(shader.roots) if isinstance(n.data, Resource)}
     inputs = inputs_of(shader)
     for name, (definition, *_) in light.instance.record.definitions.items():
-        if isinstance(definition.member, ast.Map):
+        if isinstance(definition.member, ast.Texture):
             for host in (f"{light.name}.{name}", f"{shader.rig_name}.{light.name}.{name}"):
                 info = inputs.get(host)
                 if isinstance(info, ResourceInfo) and host in read:

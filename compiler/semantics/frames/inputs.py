@@ -37,7 +37,7 @@ Later = tuple[Previous, Type, Span]
 
 
 def type_of(left: Image | Elements) -> Type:
-    """The type of map or of buffer by which something is read that a step leaves."""
+    """The type of texture or of buffer by which something is read that a step leaves."""
     if isinstance(left, Elements):
         return left.info.buffer.type
     return Texture(left.dimension, "depth" if left.is_depth else "float")

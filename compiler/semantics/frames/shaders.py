@@ -121,6 +121,6 @@ def required_of(record: Record) -> Iterator[ast.Name]:
     """The textures without a default and the buffers that a pass, a kernel or a light declares."""
     for definitions in record.definitions.values():
         member = definitions[0].member
-        is_open = isinstance(member, ast.Map) and member.default is None
+        is_open = isinstance(member, ast.Texture) and member.default is None
         if is_open or isinstance(member, ast.Buffer):
             yield member.name

@@ -38,7 +38,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
-from ..declarations.maps import DEFAULTS
+from ..declarations.textures import DEFAULTS
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of

@@ -135,8 +135,8 @@ class _Sharing:
         Further functions of this name are told apart by their types.
         """
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
-        maps = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
-        name = "_".join([group.callee.symbol.name, *maps])
+        bound = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
+        name = "_".join([group.callee.symbol.name, *bound])
         if name in self._names:
             types = [given[0] for given in group.callee.given if not isinstance(given, Node)]
             name = "_".join([name, *dict.fromkeys(map(str, types))])

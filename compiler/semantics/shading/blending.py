@@ -25,7 +25,7 @@ from ...ir.blending import (
 from ...ir.types import VEC4, width
 from ...syntax import ast
 from ..checking.unknown_names import unknown
-from ..declarations.maps import unknown_word
+from ..declarations.textures import unknown_word
 from ..inheritance.records import Record
 from ..names.duplicates import check_once
 from ..state.context import Context

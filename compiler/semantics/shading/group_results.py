@@ -19,7 +19,7 @@ from ...ir.shader import BufferInfo, Result, Store
 from ...ir.stages import COMPUTE, LENGTH
 from ...ir.types import INT
 from ...syntax import ast
-from ..declarations.maps import unknown_word
+from ..declarations.textures import unknown_word
 from ..state.context import Context
 from .images import is_image
 

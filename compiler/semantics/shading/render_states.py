@@ -30,7 +30,7 @@ from ...ir.types import FLOAT, INT
 from ...syntax import ast
 from ..checking.step_needs import OF_STEPS
 from ..declarations.fitting import typed
-from ..declarations.maps import unknown_word
+from ..declarations.textures import unknown_word
 from ..inheritance.records import Record
 from ..names.duplicates import check_once
 from ..state.context import Context

@@ -70,7 +70,6 @@ from .members import (
     Expand,
     Extent,
     Layers,
-    Map,
     Member,
     Models,
     NamedMember,
@@ -89,6 +88,7 @@ from .members import (
     StripShape,
     Target,
     Tessellate,
+    Texture,
     WorkGroup,
 )
 
@@ -133,7 +133,6 @@ __all__ = [
     "Iterate",
     "Layers",
     "LightNumber",
-    "Map",
     "Member",
     "MemberKind",
     "Mixin",
@@ -163,6 +162,7 @@ __all__ = [
     "StructMember",
     "Target",
     "Tessellate",
+    "Texture",
     "Turns",
     "TypeName",
     "TypeParameter",

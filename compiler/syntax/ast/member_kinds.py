@@ -81,11 +81,11 @@ class MemberKind:
         return "name" in self.node.__match_args__
 
 
-def _map(
+def _texture(
     span: Span, doc: str, name: Name, type_: TypeName, group: Name | None, default: Name | None,
     result: Name | None, *state: tuple[Name, Name],
-) -> members.Map:  # fmt: skip
-    return members.Map(span, doc, name, type_, group, default, result, state)
+) -> members.Texture:  # fmt: skip
+    return members.Texture(span, doc, name, type_, group, default, result, state)
 
 
 def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> members.Slot:
@@ -143,8 +143,8 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     MemberKind(
         word="map",
-        node=members.Map,
-        productions={"map": _map},
+        node=members.Texture,
+        productions={"map": _texture},
         opening=("NAME", ":"),
         records=RECORD_KINDS,
         inheritance="overridden",

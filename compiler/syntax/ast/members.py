@@ -30,7 +30,7 @@ class Param:
 
 
 @frozen(eq=False)
-class Map:
+class Texture:
     """``map albedo : texture2d = white with { filter = linear, wrap = repeat }``."""
 
     span: Span
@@ -300,7 +300,7 @@ class Output:
 
 
 Member = (
-    Param | Map | Buffer | Attribute | Slot | Target | Discard | Clear | Layers | Raster | Depth
+    Param | Texture | Buffer | Attribute | Slot | Target | Discard | Clear | Layers | Raster | Depth
     | Stencil
     | Capture | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip

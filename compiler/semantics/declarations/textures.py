@@ -28,7 +28,7 @@ FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "neares
 
 @frozen
 class Kind:
-    """The possible defaults and settings of the maps of one kind of texture."""
+    """The possible defaults and settings of one kind of texture."""
 
     defaults: tuple[str, ...]
     """The words for a texture that a host binds if it has no picture; the first is the default."""
@@ -55,14 +55,14 @@ _DEPTH_DEFAULTS = tuple(default_textures.DEPTHS)
 DEPTHS = Kind(_DEPTH_DEFAULTS, {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
 DEPTH_CUBES = Kind(_DEPTH_DEFAULTS, COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(tuple(default_textures.INTEGERS))
-"""Maps of integers: nothing filters them, so they have no sampler."""
+"""Textures of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
 """All words for the texture that stands in until a host binds one."""
 
 
 def kind_of(texture: Texture) -> Kind:
-    """The kind of maps of this type."""
+    """The kind of textures of this type."""
     is_cube = texture.dimension == "cube"
     match texture.sample:
         case "float":
@@ -76,7 +76,7 @@ def kind_of(texture: Texture) -> Kind:
 def resource(ctx: Context, definition: Definition, name: str, group: str) -> ResourceInfo | None:
     """The texture that a ``map`` declares; ``None`` after reporting why it is none."""
     member = definition.member
-    assert isinstance(member, ast.Map)
+    assert isinstance(member, ast.Texture)
     declared = declared_type(ctx, member.type, definition.owner.module)
     if declared is None:
         return None
@@ -109,7 +109,7 @@ def _check_bringer(ctx: Context, definition: Definition) -> None:
     """Report a texture that a step of its own record leaves, if that is no light's."""
     declaration = definition.owner.declaration
     assert isinstance(declaration, ast.Record | ast.Mixin)
-    assert isinstance(definition.member, ast.Map) and definition.member.default is not None
+    assert isinstance(definition.member, ast.Texture) and definition.member.default is not None
     if declaration.kind != "light":
         ctx.report.add(
             rules.NOT_BROUGHT, definition.member.default.span, name=definition.member.name.text,
@@ -117,7 +117,7 @@ def _check_bringer(ctx: Context, definition: Definition) -> None:
         )  # fmt: skip
 
 
-def _settings(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
+def _settings(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> dict[str, str]:
     """The settings that a declaration says; wrong ones have been reported, and are left out."""
     check_once(ctx.report, (key for key, _ in member.state))
     said: dict[str, str] = {}
