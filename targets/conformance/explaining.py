@@ -19,10 +19,10 @@ from ..runner.frames.host import FrameSubject, is_frame, is_shader
 from ..runner.kernels import drawable, is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
+from .bounds import bounds_of
 from .cases import SIZE, Case, series_of
 from .error_words import blamed, causes, lines, small
 from .frame_explaining import frame_lines, reasons_of_frame
-from .plan import bounds_of
 from .rows import Row
 from .seen import (
     Pixel,
