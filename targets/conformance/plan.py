@@ -7,17 +7,20 @@ answer alike; ``frames.py`` has that of a frame, and this module that of a singl
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from ...compiler.ir.stages import CAPTURED, CAPTURED_EXPANDED, COMPUTED
+from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules
 from ..runner.binding import pipeline
 from ..runner.codes import compile_one
 from ..runner.drivers.device import Device
-from ..runner.kernels import UndrawableError, is_drawn
+from ..runner.explanation import explained
+from ..runner.frames.following import Made
+from ..runner.kernels import UndrawableError, drawable, is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -26,6 +29,7 @@ from ..runner.subject import Subject
 from ..toolchain import Toolchain
 from .bounds import Bounds, bounds_of, precise
 from .cases import Size, series_of
+from .compare import Level
 from .contents import Content, Said
 from .judging import Answer, Compared
 from .once import Known
@@ -56,6 +60,17 @@ class Plan(ABC):
 
         Raises ``CodeError``, ``DriverError``, ``PlanError`` and ``UndrawableError``.
         """
+
+    @abstractmethod
+    def cases(self) -> Collection[str]:
+        """The names of the cases."""
+
+    @abstractmethod
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Explanation | Made | None:
+        """The origin of a pixel of a case, by the bounds of this level; ``None`` if nothing is
+        drawn there."""
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
@@ -120,6 +135,21 @@ class ShaderPlan(Plan):
                     bounds_of(case.state, route, device),
                     partial(self._compared, got, case.state, program, source),
                 )
+
+    def cases(self) -> Mapping[str, SceneState]:
+        """The states of the cases, by name."""
+        return {case.name: case.state for series, _ in self._work for case in series.cases}
+
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Explanation | None:
+        """The operations that make a pixel of a picture inexact."""
+        state, shader = self.cases()[case], drawable(self._meant.shader)
+        bounds = next(one for one in bounds_of(state, route, device) if one.level == level)
+        try:
+            return explained(shader, state, bounds.rules, bounds.errors, *pixel)
+        except UncoveredError:
+            return None
 
     def _compared(
         self, got: Any, state: SceneState, program: Program, source: Program, bounds: Bounds
