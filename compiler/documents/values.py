@@ -174,7 +174,7 @@ class PromiseRow:
     value: str
     """The vector as a formula in Burnish."""
     least_length: float
-    """Least length of the vector."""
+    """The length that the vector has at least."""
     parameters: tuple[str, ...]
     """The parameters that it depends on."""
 

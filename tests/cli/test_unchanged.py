@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from ..suite.package import copy_package
 from ..suite.processes import Background
 from .kit import PLAIN, tree
 from .place import Place
 
-ROOT = Path(__file__).parents[2]
 IMPORTING = 'import "shades.burnish".{shade}\nmaterial Main { color = vec3(shade) }\n'
 DOUBTFUL = "material Main { colour = vec3(1) }\n"
 """Compiles with a warning, as the slot is nearly called like an inherited one."""
@@ -199,11 +199,7 @@ def test_a_file_by_way_of_a_link(place: Place) -> None:
 
 def test_another_compiler(place: Place, tmp_path: Path) -> None:
     """A checkout that is edited; a copy of this one."""
-    copy = tmp_path / "python" / "burnish"
-    for name in ("commands", "compiler", "stdlib", "targets"):
-        shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for path in ROOT.glob("*.py"):
-        shutil.copy(path, copy)
+    copy = copy_package(tmp_path / "python" / "burnish")
     place.environment({"PYTHONPATH": str(copy.parent)})
     place.write(main="material Main { }")
     place.process()

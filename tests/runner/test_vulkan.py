@@ -9,17 +9,12 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from burnish.compiler.ir.render_state import DepthState
+from burnish.compiler.ir.blending import Factor, Operation
+from burnish.compiler.ir.render_state import Compare, DepthState
 from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import VertexFormat, VertexInput
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
-from burnish.targets.runner.drivers.render_state import (
-    Compare,
-    Factor,
-    Operation,
-    RenderTarget,
-    TargetFormat,
-)
+from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
 
 from .blends import blended, both, named

@@ -5,16 +5,12 @@ A test makes a copy in a folder of its own, and runs scripts there that import i
 
 from __future__ import annotations
 
-import shutil
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-import burnish
-
 from ..suite import processes
-
-ROOT = Path(burnish.__file__).parent
+from ..suite.package import copy_package
 
 GRAMMAR = "compiler/syntax/burnish.lark"
 MEMBERS = "compiler/syntax/ast/members.py"
@@ -35,13 +31,7 @@ print(render(found))
 
 def changed_package(folder: Path, changes: Iterable[Change]) -> Path:
     """Copy the package into ``folder``, with changes; returns the folder."""
-    copy = folder / "burnish"
-    copy.mkdir()
-    for name in ("compiler", "stdlib", "targets"):
-        ignored = shutil.ignore_patterns("__pycache__")
-        shutil.copytree(ROOT / name, copy / name, ignore=ignored)
-    for path in ROOT.glob("*.py"):
-        shutil.copy(path, copy)
+    copy = copy_package(folder / "burnish")
     for name, before, after in changes:
         text = (copy / name).read_text("utf-8")
         assert before in text, (name, before)

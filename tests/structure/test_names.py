@@ -17,6 +17,7 @@ from burnish.compiler.documents.writing import to_json
 from burnish.compiler.reflection import roles
 from burnish.targets import registry
 
+from ..suite.package import FOLDERS
 from .kit import LIBRARY, ROOT, files, library_names
 
 NAMES = library_names()
@@ -39,7 +40,7 @@ KNOW_OF_METAL = {
 METAL = re.compile(r"\b(msl|metal2?|apple)\b", re.IGNORECASE)
 
 
-@pytest.mark.parametrize("folder", ["commands", "compiler", "stdlib", "targets"])
+@pytest.mark.parametrize("folder", FOLDERS)
 def test_a_language_is_known_in_its_own_folder_alone(folder: str) -> None:
     """Metal was the first to be added from outside; the next has to find no less."""
     found = {

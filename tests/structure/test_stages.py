@@ -16,9 +16,12 @@ from .kit import ROOT, files
 TABLE = "compiler/ir/stages.py"
 
 OUTSIDE = {
+    "compiler/documents/drawing.py": "the document's words for steps and for ways to expand",
+    "compiler/reflection/reflect.py": "the document's words for steps and for ways to expand",
     "compiler/semantics/checking/expressions.py": "`@vertex` is a word of the language",
     "compiler/semantics/frames/drawn.py": "`vertices(n)` is a word of the language",
     "compiler/syntax/advice.py": "`@vertex` is a word of the language",
+    "targets/runner/scene.py": "the document's words for steps",
     "targets/runner/drivers/checks.py": "what reads the vertex inputs",
     "targets/runner/drivers/pipeline.py": "the vertex inputs' steps, which WebGPU calls so",
     "targets/runner/drivers/opengl/program.py": "a call that takes both stages",

@@ -16,6 +16,7 @@ import pytest
 
 from burnish.targets.web_host.serving.modules import host_modules
 
+from ..suite.package import FOLDERS
 from ..suite.processes import run
 from .kit import ROOT, files
 
@@ -24,7 +25,6 @@ DATA = {
     ".burnish", ".typed",
 }  # fmt: skip
 GENERATED = ("__init__", "builtin_table", "grammar", "library", "skeletons")
-PACKAGE = ("commands", "compiler", "stdlib", "targets")
 
 
 pytestmark = pytest.mark.xdist_group("wheel")  # One process builds the wheels, for all tests.
@@ -67,7 +67,7 @@ def test_content(wheel: Path) -> None:
         packed = {name for name in archive.namelist() if ".dist-info/" not in name}
     wanted = {
         f"burnish/{path.relative_to(ROOT).as_posix()}"
-        for folder in PACKAGE
+        for folder in FOLDERS
         for path in files(ROOT / folder)
         if path.suffix == ".py" or path.suffix in DATA
     }

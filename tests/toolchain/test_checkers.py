@@ -21,6 +21,15 @@ void main() {
 }
 """
 
+ES_1 = """#version 100
+precision highp float;
+uniform vec3 tint;
+varying vec3 normal;
+void main() {
+  gl_FragColor = vec4(normalize(normal) * tint, 1.0);
+}
+"""
+
 ES = """#version 300 es
 precision highp float;
 uniform vec3 tint;
@@ -100,6 +109,7 @@ SAMPLES = {
     "glslang-vulkan": Sample(VULKAN, "main", 6),
     "glslang-gl330": Sample(GL, "main", 6),
     "glslang-gl450": Sample(GL_4, "main", 6),
+    "glslang-es100": Sample(ES_1, "main", 6),
     "glslang-es300": Sample(ES, "main", 7),
     "glslang-es310": Sample(ES_31, "main", 7),
     "glslang-hlsl": Sample(HLSL, "shade", 3),

@@ -35,9 +35,7 @@ def test_the_types_are_right(tmp_path: Path) -> None:
         ("steps.js", "WHOLE[[name, kind, ...shapes].join(\" \")]", "WHOLE.join(name)",
          "error TS2349: This expression is not callable."),
         ("webgpu/device.js", "GPUBufferUsage.MAP_READ", "GPUBufferUsage.READ",
-         "error TS2339: Property 'READ' does not exist on type "
-         "'Constants<\"COPY_DST\" | \"COPY_SRC\" | \"MAP_READ\" | \"INDEX\" | \"VERTEX\" | "
-         "\"UNIFORM\" | \"STORAGE\">'."),
+         "error TS2339: Property 'READ' does not exist on type 'Constants<\"MAP_READ\" | "),
     ],
 )  # fmt: skip
 def test_wrong_types_are_found(tmp_path: Path, module: str, old: str, new: str, error: str) -> None:

@@ -66,12 +66,12 @@ def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
     whole = (site / "Shadows.json").read_text(encoding="utf-8")
     page.route(
         "**/Shadows.json",
-        lambda route: route.fulfill(body=whole.replace('"package": 1', '"package": 9')),
+        lambda route: route.fulfill(body=whole.replace('"package": 2', '"package": 9')),
     )
     page.goto(ADDRESS)
     alert = page.locator("[role=alert]:not(:empty)")
     assert alert.inner_text() == (
-        "this host knows packages of version 1, and this one is of version 9"
+        "this host knows packages of version 2, and this one is of version 9"
     )
 
 

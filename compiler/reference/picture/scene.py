@@ -198,7 +198,7 @@ class RasterRules:
     samples: int = 1
     """The number of samples of each pixel."""
     mirrors_sample_depths: bool = False
-    """True if the device computes the depth of each sample at the place of a mirrored one.
+    """True if the device computes the depth of each sample as if the samples were reversed in x.
 
     Left and right are exchanged: a known mistake.
     """
