@@ -9,23 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
 
 import numpy as np
 
-from ...compiler.reference.attribution import Explanation, UncoveredError
+from ...compiler.reference.attribution import Explanation
 from ..runner.drivers.device import Device
-from ..runner.explanation import explained
 from ..runner.frames.following import BEFORE, Carried, Made
 from ..runner.frames.host import FrameSubject, is_shader
-from ..runner.kernels import drawable, is_drawn
+from ..runner.kernels import is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
-from .bounds import bounds_of
-from .cases import SIZE, series_of
+from .cases import SIZE
 from .conform import planned
 from .error_words import blamed, causes, lines, short, small, table
-from .plan import Plan
+from .plan import Plan, ShaderPlan
 from .rows import Row
 from .seen import (
     Pixel,
@@ -72,8 +69,6 @@ def explanation_lines(
 
     Without a case, the one in which the pixel is the least certain is taken. Raises ``PixelError``.
     """
-    if not _has_pictures(subject):
-        raise PixelError(f"{subject.name} draws no picture, so that it has no pixel to explain")
     plan, (x, y) = _plan(subject, seed), pixel
     kind = "image of this kernel" if is_shader(subject) else "output"
     seen = chosen(_seen(plan, rows), pixel, case, kind)
@@ -115,6 +110,9 @@ def _has_pictures(subject: Subject | FrameSubject) -> bool:
 
 
 def _plan(subject: Subject | FrameSubject, seed: int) -> Plan:
+    """The plan of a subject. Raises ``PixelError`` for one that draws no picture."""
+    if not _has_pictures(subject):
+        raise PixelError(f"{subject.name} draws no picture, so that it has no pixel to explain")
     (plan,) = planned([(subject.name, subject)], seed=seed)
     if isinstance(plan, tuple):
         raise PixelError(plan[1])
@@ -130,16 +128,15 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """
-    every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
-    case = named({one.name: one for one in every}, name)
-    if not (pixel[0] < case.state.width and pixel[1] < case.state.height):
-        raise PixelError(f"`{name}` has {case.state.width} x {case.state.height} pixels")
-    bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
-    try:
-        return explained(drawable(subject.shader), case.state, bounds.rules, bounds.errors, *pixel)
-    except UncoveredError:
-        x, y = pixel
-        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
+    plan, (x, y) = _plan(subject, 0), pixel
+    assert isinstance(plan, ShaderPlan)
+    state = named(plan.cases(), name)
+    if not (x < state.width and y < state.height):
+        raise PixelError(f"`{name}` has {state.width} x {state.height} pixels")
+    found = plan.made(name, route, _ANY_DEVICE, "guaranteed", pixel)
+    if found is None:
+        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`")
+    return found
 
 
 def _of_little(plan: Plan, row: Row) -> list[str]:

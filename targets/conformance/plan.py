@@ -25,7 +25,7 @@ from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
-from ..runner.subject import Subject
+from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
 from .bounds import Bounds, bounds_of, precise
 from .cases import Size, series_of
@@ -49,8 +49,7 @@ class Plan(ABC):
 
     def lacking(self, route: Route) -> str | None:
         """The reason why a route has nothing to draw, or nothing to be compared with."""
-        every = (shader.lacking.get(route.profile) for shader in self.shaders)
-        return next(filter(None, every), None)
+        return lacking(self.shaders, route)
 
     @abstractmethod
     def answers(
@@ -115,7 +114,7 @@ class ShaderPlan(Plan):
 
     def lacking(self, route: Route) -> str | None:
         """The reason why a route has nothing to draw, or nothing to be compared with."""
-        return super().lacking(route) or self._meant.lacking.get(route.profile)
+        return lacking([*self.shaders, self._meant], route)
 
     def answers(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
