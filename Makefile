@@ -68,7 +68,7 @@ clean: ## Remove everything that make has created in the checkout
 $(BIN)/python:
 	.ci/venv $(PYTHON) $(VENV)
 
-# What is downloaded has the digests of a lock, and nothing of it is built here.
+# Downloads have the digests of a lock, and nothing of them is built here.
 $(VENV)/installed: .ci/render.txt pyproject.toml setup.py | $(BIN)/python
 	$(PIP) install $(LOCKED) --requirement .ci/render.txt
 	$(PIP) install --no-deps --no-build-isolation --editable .

@@ -67,8 +67,8 @@ def _exit_code(arguments: list[str]) -> int:
     except SystemExit as ended:
         return ended.code if isinstance(ended.code, int) else FAILED
     finally:
-        # The process ends, and all of its memory with it. What is frozen, Python need not look
-        # through for garbage first, which would take longer than a short compile's passes. But
+        # The process ends, and all of its memory with it. Python does not look for garbage among
+        # frozen objects first, which would take longer than a short compile's passes. But
         # OpenImageIO lists all of its objects on the error output that are there at the end.
         if "OpenImageIO" not in sys.modules:
             gc.freeze()

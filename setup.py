@@ -62,7 +62,7 @@ setup(
     cmdclass={"build_py": BuildPackage},
     packages=["burnish", *(f"burnish.{name}" for name in sub_packages)],
     package_dir={"burnish": "."},
-    # What an editor has of it; pages get it of `generated`.
+    # Only editors read these files of the checkout; pages get them from the package `generated`.
     exclude_package_data={"burnish.targets": ["web_host/generated/*"]},
     package_data={
         "burnish": ["py.typed"],

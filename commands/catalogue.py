@@ -96,7 +96,7 @@ def _files(folder: Path) -> Iterator[str]:
             with os.scandir(folder / within) as entries:
                 found = [entry for entry in entries if not _is_hidden(entry.name)]
         except OSError:
-            continue  # What may not be read cannot be shown.
+            continue  # Folders that may not be read are left out.
         for entry in found:
             name = within + entry.name
             if entry.is_dir(follow_symlinks=False):

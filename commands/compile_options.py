@@ -36,15 +36,15 @@ class Option:
 TARGET = Option(
     "targets",
     ("-t", "--target"),
-    "What to write; see `burnish targets`. Default: the first profile of every target that is "
-    "not marked as unproven there; `all` means every profile that need not be named.",
+    "The targets to write; see `burnish targets`. Default: the first profile of every target that "
+    "is not marked as unproven there; `all` means every profile that need not be named.",
     metavar="NAME[:PROFILE],…",
     many=True,
 )
 OUTPUT = Option(
     "output",
     ("-o", "--output"),
-    "Where to put the files; created if needed. `-` prints the shaders instead.",
+    "The folder for the files; created if needed. `-` prints the shaders instead.",
     metavar="FOLDER",
     required=True,
 )
@@ -90,7 +90,7 @@ NATIVE_STAGES = Option(
 CACHE = Option(
     "cache",
     ("--cache",),
-    "Write again what was compiled before if nothing has changed, or compile in any case.",
+    "Write the earlier result again if nothing has changed, or compile in any case.",
     off="--no-cache",
 )
 

@@ -49,7 +49,7 @@ COLORS = {
 @budget_option
 @click.option(
     "--report", metavar="FOLDER", type=click.Path(path_type=Path),
-    help="Where to put index.html, a page with pictures, report.json, and junit.xml.",
+    help="The folder for index.html, a page with pictures, report.json, and junit.xml.",
 )  # fmt: skip
 @click.option(
     "--strict", is_flag=True, help="Also exit with 1 where a row proves little.",

@@ -47,6 +47,16 @@ def _shown(piece: str | Styled) -> str:
     return harmless(piece)
 
 
+def say_finding(diagnostic: Diagnostic) -> None:
+    """Print a diagnostic to standard output, without what its code means in general."""
+    import click
+
+    from ..compiler.diagnostics.render import render
+
+    color = wants_color(sys.stdout)
+    click.echo(render(diagnostic, color=color, explain=False), color=color)
+
+
 def show(diagnostics: Iterable[Diagnostic]) -> None:
     """Print each diagnostic once to standard error, and the number of diagnostics."""
     print_rendered(rendered(diagnostics))

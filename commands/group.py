@@ -97,6 +97,6 @@ def burnish() -> None:
         burnish compile plastic.burnish -o build/
         burnish compile --help
 
-    What was computed before is kept in a cache folder, named by BURNISH_CACHE, and reused as
-    long as nothing that it depends on has changed.
+    Results are kept in a cache folder, named by BURNISH_CACHE, and used again as long as nothing
+    that they depend on has changed.
     """

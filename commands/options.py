@@ -37,8 +37,8 @@ def option(row: Option) -> Callable[[FC], FC]:
 
 device_option = click.option(
     "--device", metavar="NAME", default="",
-    help="What the routes `vulkan`, `opengl` and `wgpu` draw with: a part of a device's name, or "
-    "its number; by default the first GPU.",
+    help="The device of the routes `vulkan`, `opengl` and `wgpu`: a part of its name, or its "
+    "number; by default the first GPU.",
 )  # fmt: skip
 rig_option = option(RIG)
 pass_option = option(PASS)
@@ -47,7 +47,7 @@ hoist_option = option(HOIST)
 native_stages_option = option(NATIVE_STAGES)
 instances_option = click.option(
     "--instances", metavar="N", default=4, show_default=True, type=click.IntRange(1, 10_000),
-    help="How often to draw the mesh, if the material distinguishes instances.",
+    help="The number of instances of the mesh, if the material distinguishes them.",
 )  # fmt: skip
 scene_option = click.option(
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),

@@ -80,7 +80,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
-    help="What to draw with: `reference`, routes as `burnish doctor` lists them, or `all`.",
+    help="The routes to draw with: `reference`, those that `burnish doctor` lists, or `all`.",
 )  # fmt: skip
 @device_option
 @budget_option
@@ -94,11 +94,11 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @values_option
 @click.option(
     "--steps", metavar="N", default=1, show_default=True, type=click.IntRange(1, 100_000),
-    help="How many steps kernels make, if --again says what goes from step to step.",
+    help="The number of times that kernels run; --again passes results to the next run.",
 )  # fmt: skip
 @click.option(
     "--again", metavar="BUFFER=RESULT", multiple=True, callback=pairs,
-    help="What a buffer becomes before the next step; may be given many times.",
+    help="The result that a buffer holds in the next step; may be given many times.",
 )  # fmt: skip
 @click.option(
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
@@ -106,7 +106,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--frames", metavar="N", default=1, show_default=True, type=click.IntRange(1, 10_000),
-    help="How often to draw a frame, one after the other.",
+    help="The number of times that a frame is drawn, one after the other.",
 )  # fmt: skip
 @click.option(
     "--target", metavar="NAME",
@@ -143,9 +143,9 @@ def render(**chosen: Any) -> None:
 
     Kernels over buffers draw nothing. But a `buffer` has the elements of the `result` that is
     called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
-    runs it again and again; --again says which buffers go on with what was written.
+    runs it again and again; --again says which buffers continue with the written result.
 
-    A file that declares a frame shows its outputs, side by side: what the whole frame draws, with
+    A file that declares a frame shows its outputs, side by side: pictures of the whole frame, with
     a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
     or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
     a glTF file, each with the material that is called as in that file, or with the only one. Its

@@ -194,9 +194,9 @@ class Watcher(Generic[Key]):
 def _stamp(path: Path) -> Stamp:
     try:
         found = path.stat()
-    except (OSError, ValueError):  # It may be gone by now, or no file has such a name.
+    except (OSError, ValueError):  # The file may be gone by now, or its name may be impossible.
         return None
-    if stat.S_ISDIR(found.st_mode):  # What else lies in it does not matter.
+    if stat.S_ISDIR(found.st_mode):  # Other files in it do not matter.
         return found.st_dev, found.st_ino
     return found.st_dev, found.st_ino, found.st_mtime_ns, found.st_size
 

@@ -1,11 +1,13 @@
 """Constraints on the fields of documents, which Python's types cannot say.
 
 They stand in ``Annotated`` beside the type of a field. ``reading`` checks them, ``schema`` writes
-them as keywords of JSON Schema, and ``typescript`` heeds what pages call a type.
+them as keywords of JSON Schema, and ``typescript`` heeds what pages call a type. ``Spelling`` says
+which words documents have for those of the language.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Any
 
 from ..frozen import frozen
@@ -52,6 +54,18 @@ class Nested:
     """The name of the type in schemas and pages."""
     doc: str
     objects: bool = False
+
+
+Spelling = Mapping[str, str]
+"""WebGPU's words by the language's: documents have the former, and records in Python the latter.
+
+The class attribute ``WORDS`` of a record has the spelling of the fields that have one.
+"""
+
+
+def dashed(words: Iterable[str]) -> Spelling:
+    """WebGPU's words where the language has the same ones, but for ``_``, as ``-`` is a minus."""
+    return {word: word.replace("_", "-") for word in words}
 
 
 Count = Annotated[int, Range(least=0)]

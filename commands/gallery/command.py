@@ -50,7 +50,7 @@ class Request(NamedTuple):
 @click.argument("folder", type=click.Path(path_type=Path, exists=True, file_okay=False))
 @click.option(
     "-o", "--output", metavar="FOLDER", required=True, type=click.Path(path_type=Path),
-    help="Where to put index.html, a page for each file, and their pictures.",
+    help="The folder for index.html, a page for each file, and their pictures.",
 )  # fmt: skip
 @click.option(
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
@@ -66,7 +66,7 @@ class Request(NamedTuple):
 )  # fmt: skip
 @click.option(
     "-j", "--jobs", metavar="N", default=os.cpu_count() or 1, type=click.IntRange(1, 64),
-    help="How many processes work at once; by default, one for each processor.",
+    help="The number of processes; by default, one for each processor.",
 )  # fmt: skip
 @click.option(
     "--title",
@@ -83,8 +83,8 @@ def gallery(**chosen: object) -> None:
     route. The first page shows all of them; if the folder has a README.md, then in the order and
     with the headings of its tables. The pages are read from disk, without a server or a network.
 
-    What has not changed since the last time is not made anew. A file with errors has a page that
-    says so, and the exit code is 1; it also is if a route differs from the reference.
+    Pages of files that have not changed are not made anew. A file with errors has a page that says
+    so, and the exit code is 1; it also is if a route differs from the reference.
 
     \b
     Example:
@@ -184,8 +184,8 @@ def _made(listed: Listed, folder: Path, pool: Pool) -> Entry:
         entry: Entry = answer.reply["entry"]
         return entry
     source, _problem = source_of(listed.path, folder)
-    # What the process has printed tells of this machine, and pages may be published. The last line
-    # is ours: the program, and how it has ended.
+    # The output of the process tells of this machine, and pages may be published. Only its last
+    # line is ours: the program, and how it has ended.
     how = answer.log.rstrip().rpartition("\n")[2].partition(": ")[2]
     return failed(source, f"nothing could be made of this file: the process that tried was {how}")
 

@@ -1,4 +1,4 @@
-// What a gallery's pages do: filter the cards by words and kinds, and show one text of many.
+// The script of a gallery's pages: it filters cards by words and kinds, and shows one text of many.
 "use strict";
 
 /** Shows the cards that have all the words and the kind; the address remembers both. */

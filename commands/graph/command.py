@@ -54,7 +54,7 @@ class Request(NamedTuple):
     metavar="FILE",
     default=STDOUT,
     show_default=True,
-    help="Where to put it: a name that ends in .svg or .dot, or `-` to print it.",
+    help="The file to write: a name that ends in .svg or .dot, or `-` to print it.",
 )
 @click.option(
     "--format",
@@ -72,10 +72,10 @@ class Request(NamedTuple):
     help="The scene of `conform` in which the pixel is.",
 )  # fmt: skip
 @click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
-@click.option("--material", metavar="NAME", help="Which of the file's materials or frames.")
+@click.option("--material", metavar="NAME", help="The material or frame of the file that is shown.")
 @click.option(
     "--shader", metavar="NAME",
-    help="Of a frame, what one of its shaders computes, as `Deferred.Toned`.",
+    help="Of a frame, the graph of one of its shaders, as `Deferred.Toned`.",
 )  # fmt: skip
 @rig_option
 @pass_option
@@ -83,7 +83,7 @@ class Request(NamedTuple):
 @click.option(
     "--hoist/--no-hoist",
     default=True,
-    help="Leave what depends on parameters only to the host, or compute it in the shader.",
+    help="Let the host compute values that depend on parameters only, or the shader.",
     show_default=True,
 )
 def graph(**chosen: Any) -> None:
@@ -221,19 +221,13 @@ def _form(request: Request) -> str:
 def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: str) -> str:
     from ...compiled import CompiledFrame
 
-    if isinstance(subject, CompiledFrame):
-        return _frame_written(subject, form)
-    if request.why:
+    if request.why and not isinstance(subject, CompiledFrame):
         from .why import written
 
         title = f"{subject.name}, pass {subject.shader.pass_name}, rig {subject.shader.rig_name}"
         return written(title, subject.proofs)
-    from .build import picture
-
-    found = picture(
-        subject.shader, subject.staged,
-        everything=request.everything, parts=_parts(subject, request),
-    )  # fmt: skip
+    parts = None if isinstance(subject, CompiledFrame) else _parts(subject, request)
+    found = picture_of(subject, everything=request.everything, parts=parts)
     if form == "text":
         from .text import written as as_text
 
@@ -242,7 +236,28 @@ def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: 
         from .dot import written as as_dot
 
         return as_dot(found)
-    return _drawn(found)
+    return _drawn(subject.name, found)
+
+
+def picture_of(
+    subject: CompiledMaterial | CompiledFrame,
+    *,
+    everything: bool = False,
+    parts: Mapping[Span, float] | None = None,
+) -> Picture:
+    """The contents of the picture of a frame, a material or a kernel.
+
+    For the options of a material see ``material_picture``.
+    """
+    from ...compiled import CompiledFrame
+
+    if isinstance(subject, CompiledFrame):
+        from .frame import frame_picture
+
+        return frame_picture(subject)
+    from .material import material_picture
+
+    return material_picture(subject.shader, subject.staged, everything=everything, parts=parts)
 
 
 def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
@@ -250,45 +265,18 @@ def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
 
     Raises ``CompileError`` if it is too large to be read.
     """
-    from ...compiled import CompiledFrame
-
-    if isinstance(subject, CompiledFrame):
-        return _frame_written(subject, "svg")
-    from .build import picture
-
-    return _drawn(picture(subject.shader, subject.staged, everything=False))
+    return _drawn(subject.name, picture_of(subject))
 
 
-def _drawn(found: Picture) -> str:
-    from .svg import drawn
-
-    _insist_on_size(found.title.partition(",")[0], len(found.boxes))
-    return drawn(found)
-
-
-def _frame_written(frame: CompiledFrame, form: str) -> str:
-    from .frame.build import frame_picture
-
-    found = frame_picture(frame)
-    if form == "text":
-        from .frame.text import written as as_text
-
-        return as_text(found)
-    if form == "dot":
-        from .frame.dot import written as as_dot
-
-        return as_dot(found)
-    _insist_on_size(frame.name, len(found.boxes))
-    from .frame.svg import drawn
-
-    return drawn(found)
-
-
-def _insist_on_size(name: str, count: int) -> None:
+def _drawn(name: str, found: Picture) -> str:
+    """The picture as SVG; raises ``CompileError`` if it has too many boxes."""
     from ...compiler.diagnostics import rules
     from ...compiler.diagnostics.diagnostic import CompileError, Report
+    from .svg import drawn
 
+    count = len(found.boxes)
     if count > LARGEST:
         report = Report()
         report.add(rules.TOO_LARGE_TO_DRAW, None, name=name, count=count, limit=LARGEST)
         raise CompileError(report.diagnostics)
+    return drawn(found)

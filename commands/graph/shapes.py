@@ -1,13 +1,11 @@
-"""The shapes of SVG pictures; ``svg.py`` and ``frame/svg.py`` draw with them."""
+"""The shapes of SVG pictures, of which ``svg.py`` and the modules that it calls draw."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from html import escape
-from typing import NamedTuple
 
 from ...compiler.diagnostics.display import harmless_lines
-from .layout import Item
 
 NAME_SIZE, TEXT_SIZE = 13.0, 11.0
 ADVANCE = 0.62
@@ -15,15 +13,9 @@ ADVANCE = 0.62
 LONGEST = 42
 """The most letters on a line of a box."""
 INK, FAINT, PAPER = "#1d252d", "#46525e", "#fafbfc"
-
-
-class Colors(NamedTuple):
-    """The colours of a box."""
-
-    fill: str
-    line: str
-    is_dark: bool = False
-    """True if letters on this colour have to be white."""
+WHITE, FAINT_ON_DARK = "#ffffff", "#dfe6ec"
+ONCE = "4 3"
+"""The dashes around things that were made before, or that are not in every frame."""
 
 
 def escaped(words: str) -> str:
@@ -52,29 +44,32 @@ def cut(words: str, longest: int = LONGEST) -> str:
     return words if len(words) <= longest else words[: longest - 1] + "…"
 
 
-def arrow(points: Sequence[tuple[Item, float, float]]) -> str:
-    """A smooth line through the places that an arrow passes, each with its left edge and height."""
-    first, x, y = points[0]
-    x += first.width
-    path = [f"M{x:.1f} {y:.1f}"]
-    for item, left, middle in points[1:]:
-        bend = (left - x) / 2
-        path.append(
-            f"C{x + bend:.1f} {y:.1f} {left - bend:.1f} {middle:.1f} {left:.1f} {middle:.1f}"
-        )
-        x, y = left, middle
-        if item is not points[-1][0]:
-            x += item.width
-            path.append(f"L{x:.1f} {y:.1f}")
-    return stroke(path, x, y, "#8b97a3")
+def curve(x: float, y: float, left: float, middle: float, least: float = 0.0) -> str:
+    """A part of a path: a smooth line to the right, which begins and ends level."""
+    bend = max(least, (left - x) / 2)
+    return f"C{x + bend:.1f} {y:.1f} {left - bend:.1f} {middle:.1f} {left:.1f} {middle:.1f}"
 
 
-def stroke(path: Sequence[str], x: float, y: float, color: str, width: float = 1.1) -> str:
-    """A line along a path, with the head of an arrow at its end."""
-    head = f"M{x - 6:.1f} {y - 3:.1f} L{x:.1f} {y:.1f} L{x - 6:.1f} {y + 3:.1f}"
-    return (
-        f'<path d="{" ".join(path)} {head}" fill="none" stroke="{color}" stroke-width="{width}"/>'
-    )
+def rectangle(x: float, y: float, width: float, height: float, looks: str) -> str:
+    """A rectangle; ``looks`` are its other attributes."""
+    return f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" {looks}/>'
+
+
+def dashed(dash: str) -> str:
+    """The attribute for the dashes of a line; empty without any."""
+    return f' stroke-dasharray="{dash}"' if dash else ""
+
+
+def titled(words: str, *shapes: str, looks: str = "") -> str:
+    """Shapes that show words if one points at them."""
+    return f"<g{looks}><title>{escaped(words)}</title>{''.join(shapes)}</g>"
+
+
+def moved(shapes: Iterable[str], x: float, y: float) -> Iterator[str]:
+    """Shapes at another place."""
+    yield f'<g transform="translate({x:.1f} {y:.1f})">'
+    yield from shapes
+    yield "</g>"
 
 
 def text(x: float, y: float, words: str, size: float, color: str, *, bold: bool = False) -> str:

@@ -113,11 +113,11 @@ class Documents:
         kept = self.kept(choice)
         if kept is not None:
             return kept
-        choice = choice._replace(file=None)  # It is this one.
+        choice = choice._replace(file=None)  # All choices here are of one file.
         document = {"version": self.version, **self._document(choice)}
         made = json.dumps(document, separators=(",", ":")).encode()
         whole = choice
-        if chosen := document.get("chosen"):  # What the page will ask for after a change.
+        if chosen := document.get("chosen"):  # The page asks for it after a change.
             whole = choice_of({**chosen, "profile": choice.profile})
             whole = whole._replace(pictures=choice.pictures)
         if len(self._whole) >= _MOST_CHOICES:

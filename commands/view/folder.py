@@ -108,7 +108,7 @@ class Folder:
         try:
             declared = api.declared(path, search_path=self._search_path)
         except CompileError:
-            return []  # Its syntax is wrong.
+            return []  # The syntax is wrong.
         names = *declared.frames, *declared.materials, *declared.kernels
         return list(names[:_MOST_SUBJECTS]) or None
 

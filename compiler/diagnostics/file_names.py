@@ -20,7 +20,7 @@ def why_unreadable(error: OSError | ValueError) -> str:
     """The reason why the system could not find or read a file."""
     if isinstance(error, OSError):
         return error.strerror or str(error)
-    return "no file has a name like this"  # It contains NUL, or a surrogate that is no byte.
+    return "no file has a name like this"  # NUL, or a surrogate that is no byte.
 
 
 def _written_out(found: re.Match[str]) -> str:

@@ -10,9 +10,12 @@ from .excerpt import Mark, excerpt
 from .style import Style
 
 
-def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
-    """One diagnostic as a paragraph of text, without a final line end."""
-    return "\n".join(_lines(diagnostic, Style(color), explain=True))
+def render(diagnostic: Diagnostic, *, color: bool = False, explain: bool = True) -> str:
+    """One diagnostic as a paragraph of text, without a final line end.
+
+    Without ``explain`` it lacks the help of its rule, which a reader has seen before.
+    """
+    return "\n".join(_lines(diagnostic, Style(color), explain=explain))
 
 
 def render_all(diagnostics: Iterable[Diagnostic], *, color: bool = False) -> str:

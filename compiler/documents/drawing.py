@@ -5,15 +5,40 @@ from __future__ import annotations
 from typing import Annotated, ClassVar, Literal
 
 from ...frozen import frozen
-from ..constraints import Count, Length, Pattern, Positive, Range
+from ..constraints import Count, Length, Pattern, Positive, Range, Spelling
 from ..ir.blending import Blend
+from ..ir.formats import TARGET_WORDS, VertexFormat
 from ..ir.primitives import DrawnPrimitive
-from ..ir.render_state import Cull, DepthState, Fill, Samples, StencilState, Winding
-from ..ir.types import Dimension, Sample
+from ..ir.render_state import (
+    COMPARE_WORDS,
+    WINDING_WORDS,
+    Compare,
+    Cull,
+    DepthState,
+    Fill,
+    Samples,
+    StencilState,
+    Winding,
+)
+from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .steps import StepRow
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
 """The primitive that vertices form, in turn."""
+TOPOLOGY_WORDS: Spelling = {
+    "point": "point-list",
+    "line": "line-list",
+    "triangle": "triangle-list",
+    # WebGPU has none of these, and Vulkan names them so.
+    "line_adjacency": "line-list-with-adjacency",
+    "triangle_adjacency": "triangle-list-with-adjacency",
+    "patch": "patch-list",
+}
+"""WebGPU's words for the primitives of a draw call, ``GPUPrimitiveTopology``."""
+ADDRESS_MODES: Spelling = {
+    "repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat",
+}  # fmt: skip
+"""WebGPU's words for the texels beyond the edges, ``GPUAddressMode``."""
 
 
 @frozen(kw_only=True)
@@ -22,7 +47,9 @@ class TextureLayout:
 
     KEYS: ClassVar = {"view_dimension": "viewDimension", "sample_type": "sampleType"}
 
-    view_dimension: Literal["2d", "2d-array", "3d", "cube"]
+    WORDS: ClassVar = {"view_dimension": DIMENSION_WORDS}
+
+    view_dimension: Dimension
     """GPUTextureViewDimension."""
     sample_type: Literal["float", "unfilterable-float", "depth", "sint", "uint"]
     """GPUTextureSampleType.
@@ -37,6 +64,8 @@ class TextureLayout:
 class TextureRow:
     """A texture."""
 
+    WORDS: ClassVar = {"dimension": DIMENSION_WORDS}
+
     name: str
     """Name as the host says it, ``lamps`` or ``torch.axis``."""
     type: str
@@ -48,6 +77,13 @@ class TextureRow:
 
     The format says whether colours are stored as sRGB, which is the host's affair.
     """
+    intent: Intent
+    """Intent of its numbers, by which a host chooses the format of a picture.
+
+    ``color``: texels become colours, which the shader takes as linear light. Pictures whose colours
+    are encoded as sRGB are bound in a format that decodes them. ``data``: the numbers are taken as
+    they are.
+    """
     layout: TextureLayout
     """The entry of a WebGPU bind group layout for the texture, in WebGPU's words."""
     group: str
@@ -57,6 +93,11 @@ class TextureRow:
     """
     default: str
     """Texture to bind before a host sets one, such as ``white``."""
+    default_texel: tuple[float, ...]
+    """The only texel of that texture, for each layer or face: the numbers that a shader reads.
+
+    There are four of them, and one of depths.
+    """
     stages: tuple[str, ...]
     """Stages that read it."""
     doc: str
@@ -74,14 +115,22 @@ class TextureRow:
 class SamplerState:
     """The state of a sampler: its filters, its comparison, and the texels beyond the edges."""
 
+    WORDS: ClassVar = {"wrap": ADDRESS_MODES, "compare": COMPARE_WORDS}
+
     filter: Literal["linear", "nearest"]
-    """Filter between the texels of a level."""
+    """Filter between the texels of a level, a GPUFilterMode."""
     mip: Literal["linear", "nearest", "none"]
-    """Filter between levels; ``none``: only the first one is read."""
+    """Filter between levels, a GPUMipmapFilterMode.
+
+    ``none``: only the first level is read, for which hosts set the largest level of detail to 0.
+    """
     wrap: Literal["repeat", "clamp", "mirror"]
-    """Texels beyond the edges."""
-    compare: Literal["less", "less_equal", "greater", "greater_equal"] | None
-    """Comparison of a reference, on the left, with a depth; null where none is compared."""
+    """Texels beyond the edges, a GPUAddressMode that holds for all axes."""
+    compare: Compare | None
+    """Comparison of a reference, on the left, with a depth, a GPUCompareFunction.
+
+    Null where none is compared.
+    """
 
 
 @frozen(kw_only=True)
@@ -146,6 +195,8 @@ class VertexInputRow:
     """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
     representation: str
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
+    format: VertexFormat | None
+    """Format, a GPUVertexFormat; null where a buffer has its values."""
     location: Count | None
     """Location; null where a buffer has its values."""
     buffer: InBuffer | None
@@ -184,8 +235,15 @@ class CapturedRow:
 class CaptureRow:
     """Captured vertices: all values of a vertex without gaps, one vertex behind the other."""
 
-    primitive: DrawnPrimitive
-    """Captured primitives: points, lines of two vertices each, or triangles of three each."""
+    WORDS: ClassVar = {
+        "topology": {word: TOPOLOGY_WORDS[word] for word in ("point", "line", "triangle")}
+    }
+
+    topology: DrawnPrimitive
+    """Captured primitives: points, lines of two vertices each, or triangles of three each.
+
+    A GPUPrimitiveTopology, by which the vertices can be drawn again.
+    """
     vertices: Positive
     """Largest number of vertices for each primitive that is drawn."""
     stride: Annotated[int, Range(least=4)]
@@ -257,6 +315,8 @@ class TessellationRow:
 class DrawRow:
     """The draw call, and the primitives that it draws."""
 
+    WORDS: ClassVar = {"topology": TOPOLOGY_WORDS}
+
     primitive: Primitive
     """Primitives of the mesh."""
     corners: Positive
@@ -274,7 +334,10 @@ class DrawRow:
     expanded, it is the number for each of these parts.
     """
     topology: Primitive
-    """Primitives of a draw call's vertices, in turn, for the host to tell the API."""
+    """Primitives of a draw call's vertices, in turn, for the host to tell the API.
+
+    A GPUPrimitiveTopology; for those that WebGPU lacks, as Vulkan calls them: ``patch-list``.
+    """
     layers: LayersRow | None
     """The layers of the render targets; null where these are single pictures."""
     tessellation: TessellationRow | None
@@ -303,6 +366,8 @@ class VaryingRow:
 class TargetRow:
     """A render target and the fixed-function state it wants."""
 
+    WORDS: ClassVar = {"format": TARGET_WORDS}
+
     name: str
     """Name in the pass."""
     representation: str
@@ -310,7 +375,7 @@ class TargetRow:
     location: Count
     """Location."""
     format: str
-    """Pixel format, ``rgba8``."""
+    """Pixel format, a GPUTextureFormat: ``rgba8unorm``."""
     encoding: Literal["linear", "srgb"]
     """Encoding of colours. The shader writes linear light.
 
@@ -334,6 +399,8 @@ class TargetRow:
 @frozen(kw_only=True)
 class RenderStateRow:
     """The state of the pipeline that the host sets, as the pass asks for it."""
+
+    WORDS: ClassVar = {"front": WINDING_WORDS}
 
     cull: Cull
     """Triangles that are not drawn, by the side that is seen of them."""

@@ -7,8 +7,9 @@ from typing import Annotated, ClassVar, Literal
 
 from ...frozen import frozen
 from ..constraints import Count, Length, Positive
+from ..ir.formats import DEPTH_WORDS, TARGET_WORDS
 from ..ir.render_state import Samples
-from ..ir.types import Dimension, Sample
+from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .steps import StepRow
 from .values import BufferRow, LightRow, ParameterRow
 
@@ -42,6 +43,8 @@ class PlaceRow:
 class HostTextureRow:
     """A texture of the host."""
 
+    WORDS: ClassVar = {"dimension": DIMENSION_WORDS}
+
     name: str
     """Name of the texture."""
     type: str
@@ -50,8 +53,20 @@ class HostTextureRow:
     """Dimension."""
     sample: Sample
     """Kind of its values."""
+    intent: Intent
+    """Intent of its numbers, by which a host chooses the format of a picture.
+
+    ``color``: texels become colours, which the shader takes as linear light. Pictures whose colours
+    are encoded as sRGB are bound in a format that decodes them. ``data``: the numbers are taken as
+    they are.
+    """
     default: str
     """Texture until the host binds one."""
+    default_texel: tuple[float, ...]
+    """The only texel of that texture, for each layer or face: the numbers that a shader reads.
+
+    There are four of them, and one of depths.
+    """
     doc: str
     """Doc comment."""
     group: str
@@ -114,10 +129,15 @@ class SizeRow:
 class FrameTextureRow:
     """A texture."""
 
-    format: str
-    """A format of render targets or of depths, as passes name them.
+    WORDS: ClassVar = {
+        "format": {**TARGET_WORDS, **DEPTH_WORDS},
+        "dimension": {word: DIMENSION_WORDS[word] for word in ("2d", "2d_array", "cube")},
+    }
 
-    ``rgba16f`` are floats, ``rgba8`` numbers from 0 to 1.
+    format: str
+    """Format of a render target or of depths, a GPUTextureFormat.
+
+    ``rgba16float`` are floats, ``rgba8unorm`` numbers from 0 to 1.
     """
     dimension: Literal["2d", "2d_array", "cube"]
     """Dimension."""
@@ -570,7 +590,7 @@ class FramePlan:
     parameters: tuple[ParameterRow, ...]
     """Parameters that the host sets for the whole frame, as in reflections. No block holds them.
 
-    Those of the lights are among them, and are those of the same name in each shader, with or
+    Parameters of lights are among them, and are those of the same name in each shader, with or
     without the name of the rig before it; shaders get others through the values of inputs alone.
     """
     lights: tuple[LightRow, ...]

@@ -15,8 +15,9 @@ from functools import cache
 from math import isfinite
 from typing import Any, Literal, TypeVar, cast, get_args, get_origin
 
-from ..constraints import Length, Nested, Pattern, Range
+from ..constraints import Length, Nested, Pattern, Range, Spelling
 from .shapes import (
+    Field,
     alternatives_of,
     bare,
     constraints_of,
@@ -184,6 +185,18 @@ def _word(words: Sequence[Any]) -> Reader:
     return read_word
 
 
+def _spelled(spelling: Spelling, *, is_nullable: bool) -> Reader:
+    """Words that a record in Python spells in another way."""
+    meant = {spelt: word for word, spelt in spelling.items()}
+    known = _word([*meant, None] if is_nullable else [*meant])
+
+    def read_spelled(value: Any, place: Place, found: Found) -> Any:
+        known(value, place, found)
+        return meant.get(value) if isinstance(value, str) else None
+
+    return read_spelled
+
+
 def _list(parts: Sequence[Any]) -> Reader:
     """Lists of any length, which become tuples, or of as many elements as there are types."""
     each = _reader(parts[0] if parts else Any)
@@ -254,7 +267,7 @@ def _late(kind: type) -> Reader:
 @cache
 def _record(kind: type) -> Reader:
     fields = fields_of(kind)
-    readers = {field.key: (field.name, _reader(field.type)) for field in fields}
+    readers = {field.key: (field.name, _field(field)) for field in fields}
     required = [field.key for field in fields if not field.is_optional]
 
     def read_record(value: Any, place: Place, found: Found) -> Any:
@@ -278,6 +291,13 @@ def _record(kind: type) -> Reader:
         return kind(**made)
 
     return read_record
+
+
+def _field(field: Field) -> Reader:
+    """The reader of a record's field."""
+    if field.spelling is None:
+        return _reader(field.type)
+    return _spelled(field.spelling, is_nullable=may_be_null(bare(field.type)))
 
 
 def _union(type_: Any) -> Reader:

@@ -12,6 +12,7 @@ from typing import Any, Literal, get_args, get_origin
 from ..constraints import Length, Nested, Pattern, Range
 from .docstrings import docs_of
 from .shapes import (
+    Field,
     alternatives_of,
     bare,
     constraints_of,
@@ -49,7 +50,7 @@ class _Schemas:
         for field in fields:
             described = docs.fields.get(field.name, "")
             about = {"description": described} if described else {}
-            properties[field.key] = {**about, **self._schema(field.type)}
+            properties[field.key] = {**about, **self._field(field)}
         return {
             "description": docs.whole,
             "type": "object",
@@ -57,6 +58,13 @@ class _Schemas:
             "required": [field.key for field in fields if not field.is_optional],
             "additionalProperties": False,
         }
+
+    def _field(self, field: Field) -> Schema:
+        """The schema of a record's field."""
+        if field.spelling is None:
+            return self._schema(field.type)
+        words: list[str | None] = [*field.spelling.values()]
+        return {"enum": [*words, None] if may_be_null(bare(field.type)) else words}
 
     def _schema(self, type_: Any) -> Schema:
         constraints, inner = constraints_of(type_), bare(type_)
@@ -114,7 +122,7 @@ class _Schemas:
     def _reference(self, kind: type) -> Schema:
         name = kind.__name__
         if name not in self._definitions:
-            self._definitions[name] = {}  # It may contain itself.
+            self._definitions[name] = {}  # A record may contain itself.
             self._definitions[name] = self.record(kind)
         return {"$ref": f"#/$defs/{name}"}
 

@@ -7,21 +7,30 @@ described; writing needs only the names.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from ...frozen import DEFAULTS, frozen
+from ..constraints import Spelling
 
 KEYS = "KEYS"
 """The attribute of a record with the names in JSON of some fields, by their names in Python."""
+WORDS = "WORDS"
+"""The attribute of a record with the spellings of some fields' words, by their names in Python."""
 
 
 def keys_of(kind: Any) -> dict[str, str]:
     """The names in JSON of a record's fields: words of Python have an underscore behind them."""
     own = getattr(kind, KEYS, {})
     return {name: own.get(name, name.rstrip("_")) for name in kind.__match_args__}
+
+
+def spelling_of(kind: Any, name: str) -> Spelling | None:
+    """The words in JSON of a record's field, by those in Python; ``None`` if they are the same."""
+    spellings: Mapping[str, Spelling] = getattr(kind, WORDS, {})
+    return spellings.get(name)
 
 
 def left_out(kind: Any) -> frozenset[str]:
@@ -42,6 +51,8 @@ class Field:
     """The type, with constraints."""
     is_optional: bool
     """True if JSON leaves it out where it is ``None``."""
+    spelling: Spelling | None
+    """The words that it may have in JSON, by those in Python, where they differ."""
 
 
 @cache
@@ -50,7 +61,8 @@ def fields_of(kind: type) -> tuple[Field, ...]:
     hints = get_type_hints(kind, include_extras=True)
     optional = left_out(kind)
     return tuple(
-        Field(name, key, hints[name], name in optional) for name, key in keys_of(kind).items()
+        Field(name, key, hints[name], name in optional, spelling_of(kind, name))
+        for name, key in keys_of(kind).items()
     )
 
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, Literal, get_args, get_origin
 
 from ..constraints import Nested, TypeScript
 from .docstrings import docs_of
 from .schema import is_mapping
 from .shapes import (
+    Field,
     alternatives_of,
     bare,
     constraints_of,
@@ -45,16 +46,23 @@ class _Types:
         """The name of a record's type, which is made if it is not there yet."""
         name = kind.__name__
         if name not in self.made:
-            self.made[name] = ""  # It may contain itself.
+            self.made[name] = ""  # A record may contain itself.
             docs = docs_of(kind)
             lines = [*_comment(docs.whole, ""), f"export interface {name} {{"]
             for field in fields_of(kind):
                 lines += _comment(docs.fields.get(field.name, ""), "  ")
                 mark = "?" if field.is_optional else ""
-                type_ = self._type(field.type, is_optional=field.is_optional)
-                lines.append(f"  {field.key}{mark}: {type_};")
+                lines.append(f"  {field.key}{mark}: {self._field(field)};")
             self.made[name] = "\n".join([*lines, "}", ""])
         return name
+
+    def _field(self, field: Field) -> str:
+        """The type of a record's field; one that may be left out is never null."""
+        if field.spelling is None:
+            return self._type(field.type, is_optional=field.is_optional)
+        words: list[str | None] = [*field.spelling.values()]
+        is_nullable = may_be_null(bare(field.type)) and not field.is_optional
+        return _one_of([*words, None] if is_nullable else words)
 
     def _type(self, type_: Any, *, is_optional: bool = False) -> str:
         """A type as TypeScript writes it; a field that may be left out is never null."""
@@ -68,7 +76,7 @@ class _Types:
             return self.name_of(inner)
         origin, parts = get_origin(inner), get_args(inner)
         if origin is Literal:
-            return " | ".join(json.dumps(word) for word in parts)
+            return _one_of(parts)
         if origin is tuple:
             return self._list(parts)
         if is_mapping(origin):
@@ -97,6 +105,10 @@ class _Types:
                 [*comment, f"export type {name} = {' | '.join(kinds)};", ""]
             )
         return name
+
+
+def _one_of(words: Iterable[Any]) -> str:
+    return " | ".join(json.dumps(word) for word in words)
 
 
 def _comment(text: str, indent: str) -> Iterator[str]:

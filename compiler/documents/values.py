@@ -159,6 +159,12 @@ class DerivedRow:
     layout: LayoutRow
     doc: str
     """Doc comment; empty where there is none."""
+    role: str | None
+    """Meaning for a program that shows scenes, such as ``normal_matrix``.
+
+    Such a program may have the value already, and then needs no steps. Null where they are all that
+    is known.
+    """
     steps: tuple[StepRow, ...]
     """The computation, operands first; the last step is the value.
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
-from .shapes import keys_of, left_out
+from .shapes import keys_of, left_out, spelling_of
 
 _PLAIN = frozenset((str, int, float, bool, type(None)))
 
@@ -26,13 +26,18 @@ def to_json(value: object) -> Any:
 @cache
 def _writer(kind: Any) -> Callable[[object], dict[str, Any]]:
     optional = left_out(kind)
-    rows = [(name, key, name in optional) for name, key in keys_of(kind).items()]
+    rows = [
+        (name, key, name in optional, spelling_of(kind, name))
+        for name, key in keys_of(kind).items()
+    ]
 
     def write(record: object) -> dict[str, Any]:
         found = {}
-        for name, key, is_optional in rows:
+        for name, key, is_optional, spelling in rows:
             value = getattr(record, name)
-            if value is not None or not is_optional:
+            if value is not None and spelling is not None:
+                found[key] = spelling[value]
+            elif value is not None or not is_optional:
                 found[key] = to_json(value)
         return found
 

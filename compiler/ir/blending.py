@@ -8,9 +8,10 @@ Vulkan, OpenGL, Direct3D and WebGPU, whose words these are.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import ClassVar, Literal, get_args
 
 from ...frozen import frozen
+from ..constraints import dashed
 
 Factor = Literal[
     "zero", "one", "src", "one_minus_src", "src_alpha", "one_minus_src_alpha", "dst",
@@ -45,6 +46,12 @@ class BlendEquation:
 
     Where the operation has no factors, both are ``one``, as WebGPU wants them.
     """
+
+    WORDS: ClassVar = {
+        "source": dashed(get_args(Factor)),
+        "destination": dashed(get_args(Factor)),
+        "operation": dashed(get_args(Operation)),
+    }
 
     source: Factor = "one"
     """The factor of the colour that is drawn.

@@ -113,7 +113,7 @@ class Use:
     """A shader in a step, with the inputs that the frame sets there."""
 
     material: str
-    """Whose models are drawn with it; empty where there are none."""
+    """The material whose models the shader draws; empty where there are none."""
     shader: FrameShader
     given: tuple[Given, ...]
 

@@ -6,15 +6,20 @@ draws by it.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal, get_args
 
 from ...frozen import frozen
-from ..constraints import Range
+from ..constraints import Range, Spelling, dashed
 
 Cull = Literal["none", "back", "front"]
 """The faces that are not drawn."""
 Winding = Literal["counter_clockwise", "clockwise"]
 """The order of the corners of a face whose front is seen."""
+WINDING_WORDS: Mapping[Winding, Literal["ccw", "cw"]] = {
+    "counter_clockwise": "ccw", "clockwise": "cw",
+}  # fmt: skip
+"""WebGPU's words for it, ``GPUFrontFace``."""
 Fill = Literal["faces", "lines"]
 """The part of a face that is drawn: all of it, or its edges."""
 Samples = Literal[1, 4]
@@ -24,6 +29,7 @@ Compare = Literal[
     "never", "less", "equal", "less_equal", "greater", "not_equal", "greater_equal", "always"
 ]
 """The comparison of a number of the fragment, on the left, with the one in the attachment."""
+COMPARE_WORDS: Spelling = dashed(get_args(Compare))
 StencilOperation = Literal[
     "keep", "zero", "replace", "invert",
     "increment_clamp", "decrement_clamp", "increment_wrap", "decrement_wrap",
@@ -49,6 +55,8 @@ MOST_BIAS = 1 << 24
 @frozen
 class DepthState:
     """The depth test: its comparison, whether depths are kept, and the depth bias before it."""
+
+    WORDS: ClassVar = {"compare": COMPARE_WORDS}
 
     compare: Compare = "less"
     """The comparison of a fragment's depth, on the left, with the one in the attachment.
@@ -88,6 +96,13 @@ class DepthState:
 @frozen
 class StencilSide:
     """The stencil test of faces seen from one side, and the changes of the values."""
+
+    WORDS: ClassVar = {
+        "compare": COMPARE_WORDS,
+        **dict.fromkeys(
+            ("fail_op", "depth_fail_op", "pass_op"), dashed(get_args(StencilOperation))
+        ),
+    }
 
     compare: Compare = "always"
     """The comparison of the reference, on the left, with the value, both masked."""

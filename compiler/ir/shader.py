@@ -20,6 +20,7 @@ from .node import Graph, Node, Roots
 from .render_state import RenderState
 from .stages import PLACING, RASTERISED, Chain, StageRow
 from .tessellation import Tessellation
+from .types import Intent
 
 ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
@@ -91,6 +92,8 @@ class ResourceInfo:
     """The declaration of the library that it is, as for parameters."""
     is_brought: bool = False
     """True if it belongs to a light that brings the steps to make it, which frames run."""
+    intent: Intent | None = None
+    """The intent that is declared, or ``color`` if texels become colours; ``None`` for others."""
 
 
 @frozen

@@ -9,14 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, get_args
 
 from ...frozen import frozen
+from ..constraints import Spelling, dashed
 
 ScalarKind = Literal["float", "int", "uint", "bool"]
 Dimension = Literal["2d", "2d_array", "3d", "cube"]
+DIMENSION_WORDS: Spelling = dashed(get_args(Dimension))
+"""WebGPU's words, ``GPUTextureViewDimension``."""
 Sample = Literal["float", "depth", "int", "uint"]
 """The content of a texture: colours, depths to compare with, or whole numbers."""
+Intent = Literal["color", "data"]
+"""The sense of a texture's numbers: a picture's colours, or others, such as a height."""
 
 
 @frozen(interned=True)

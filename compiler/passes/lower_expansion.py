@@ -162,7 +162,7 @@ class _Lowering:
             return found
         crossing = CROSS.data(node)
         if crossing.destination not in (EMITTED, FRAGMENTS):
-            return None  # It leads to a vertex of a patch, of which a corner asks.
+            return None  # The vertex of a patch, which a corner asks for.
         if crossing.mode == "corner":
             return self._corners.at_corner(*operands)
         return build.cross(graph, operands[0], FLAT if crossing.mode == "flat" else SMOOTH)

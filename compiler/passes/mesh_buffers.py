@@ -50,7 +50,7 @@ def member_name(leaf: Attribute) -> str:
 
 def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInfo:
     """A buffer that nobody has declared, with the number of its elements."""
-    doc = f"How many elements `{buffer.name}` has"
+    doc = f"The number of elements of `{buffer.name}`"
     limits = (0.0, buffer.count.fact.hi)
     count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
     return BufferInfo(buffer, element, count, "", span)

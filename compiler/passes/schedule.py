@@ -46,7 +46,7 @@ INLINE_SIZE = 12
 _COUNTED = frozenset({"formal", "constant"})
 """Variables of loops, and values that are known from the start."""
 BOUND = (0, 0)
-"""Size and depth, where it is used, of a value that has a name, and of a leaf."""
+"""The size and depth of a named value, or of a leaf, in an expression: its name costs nothing."""
 
 
 @record
@@ -181,10 +181,12 @@ class Scheduler:
 
     def _place(self) -> None:
         """Users first, give every node the region that encloses its uses."""
+        # The first uses are those of the roots, in the regions whose statements take them.
         homes: dict[int, list[_Block]] = {}
         for root, block in self._roots:
             homes.setdefault(root.id, []).append(block)
             self._uses[root.id] = self._uses.get(root.id, 0) + 1
+        # Nodes that some pixels would skip if they were printed in place: sides of choices.
         optional: set[int] = set()
         for node in reversed(self._order):
             # All users have been placed by now, so the regions of all uses are known. The node is
@@ -196,12 +198,13 @@ class Scheduler:
             if lifted or (node.id in optional and node.id in self._together):
                 self._apart.add(node.id)
             home = self._home[node.id]
+            # The blocks of a loop or a branch must exist before its operands are placed into them.
             self._open_blocks(node, home)
             # Texture reads and derivatives need coordinates without choices in them.
             if compares(node) or _reads_texture(node):
                 self._coordinates.update(operand.id for operand in node.operands)
             elif node.id in self._coordinates and is_access(node):
-                # It is never named itself.
+                # An access gets no name itself, so the choice is in its operands.
                 self._coordinates.update(operand.id for operand in node.operands)
             # A part without a name is printed as an access to its whole, which then needs the name
             # and has all uses of the part.
@@ -222,6 +225,9 @@ class Scheduler:
     def _open_blocks(self, node: Node, home: _Block) -> None:
         """The blocks of a loop, or of a choice that becomes a branch."""
         if node.op in LOOPS:
+            # Values that depend on the variables cannot leave the header (``_lifted``). A loop with
+            # states decides in the header and computes its next states in the body, so the body
+            # lies within the header and may use its values.
             variables = frozenset(formals_of(node))
             head = _Block(home, variables, home.depth + 1, home.uniform)
             tail = head
@@ -254,6 +260,7 @@ class Scheduler:
         return is_part(node) and node.id not in names and node.operands[0].id in names
 
     def _region_of(self, user: Node, position: int, home: _Block) -> _Block:
+        """The region in which ``user``, whose own region is ``home``, needs one of its operands."""
         if user.op in LOOPS and position in (inside := bodies_of(user)):
             # A fold has one block for its body; a loop with states has its condition in the header.
             head, tail = self._loops[user.id]
@@ -332,6 +339,7 @@ class Scheduler:
         names = [whole] if count == 1 else [formal.name for formal in formals]
         head, tail = self._loops[node.id]
         nexts = node.operands[2 + count :]
+        # States are assigned one by one, although all next values are of the states before.
         order = _order_of_states(nexts, formals)
         return Iterate(
             node, node.operands[0], data.bound, index,
@@ -355,7 +363,8 @@ class Scheduler:
             return True
         if node.id in self._results:
             return False
-        # Everything else is a matter of taste: names of the user stay, long expressions are cut.
+        # Everything else only makes the text readable: names of the user stay, long expressions are
+        # cut.
         named = node.id in self._notes.names and size > 1
         return named or size > INLINE_SIZE or depth > INLINE_DEPTH
 
@@ -366,6 +375,7 @@ class Scheduler:
 
     def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
+        # An operand with a statement counts as a leaf (``BOUND``): only its name is printed here.
         size, depth = own, 0
         choosing = chooses(node)
         for operand in operands_of(node):
@@ -400,12 +410,13 @@ def is_access(node: Node) -> bool:
 
 
 def _order_of_states(nexts: Sequence[Node], formals: Sequence[Formal]) -> list[tuple[int, bool]]:
-    """The order in which states are set, and which of them have to be kept until the end.
+    """The order in which states are set, and for each if its old value has to be kept.
 
-    All of a turn is computed from the states before it, so a state that another one still needs
-    comes after that; where they need each other, one is kept.
+    All values of a turn are computed from the states before it. So a state is set after the states
+    whose next values read its old value. If states need each other, the old value of one is kept.
     """
     remaining = list(range(len(nexts)))
+    # For each state, the number of next values that still have to read its old value.
     needed = Counter(formal for value in nexts for formal in value.variables)
     order: list[tuple[int, bool]] = []
     while remaining:
@@ -428,6 +439,7 @@ def _enclosing(blocks: list[_Block]) -> _Block:
     common = blocks[0]
     for block in blocks[1:]:
         other = block
+        # Go outwards from the deeper of the two until both are the same region.
         while common is not other:
             if common.depth >= other.depth:
                 assert common.parent is not None

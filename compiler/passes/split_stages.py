@@ -173,7 +173,7 @@ def _outputs(shader: Shader, results: Iterable[Result]) -> Iterator[Output]:
         field = None
         image = _image(result)
         if result.name and result.store is None and image is None:
-            # Whole numbers of a vertex stage's are marked so in ES.
+            # GLSL ES wants whole numbers that a vertex stage delivers to be `flat`.
             is_whole = result.kind == CAPTURE and scalar_kind(result.value.type) != "float"
             field = Field(
                 result.name, result.value.type, next(locations),

@@ -14,7 +14,7 @@ def capture_row(shader: Shader) -> CaptureRow:
     written = next(iter(shader.written), None)
     is_told = written is not None and written.each > capture.numbers
     return CaptureRow(
-        primitive=_primitive(shader),
+        topology=_primitive(shader),
         vertices=_vertices_each(shader),
         stride=capture.stride,
         buffer=None if written is None else written.buffer.name,

@@ -14,7 +14,7 @@ from ..ir.shader import LightInfo, ParameterInfo
 from ..ir.types import Array
 from ..packing import PackedMember, Packing, packing, spread
 from .bytes import layout_row
-from .roles import role_of
+from .roles import role_of, role_of_derived
 from .values import steps
 
 
@@ -126,8 +126,11 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> MemberRow:
     )
 
 
-def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> tuple[DerivedRow, ...]:
-    """The values that the host computes, with the steps that compute them."""
+def derived_rows(
+    places: Places, values: Mapping[Parameter, Node], infos: Sequence[ParameterInfo]
+) -> tuple[DerivedRow, ...]:
+    """The values that the host computes of parameters, with the steps that compute them."""
+    roles = {info.parameter.name: role_of(info) for info in infos}
     rows: list[DerivedRow] = []
     for member in places.derived():
         parameter = member.parameter
@@ -138,7 +141,8 @@ def derived_rows(places: Places, values: Mapping[Parameter, Node]) -> tuple[Deri
         else:
             representation = str(parameter.type)
             place = places.row(parameter)
-            rows.append(_derived_row(parameter, "", representation, place, member.doc, value))
+            role = role_of_derived(value, roles)
+            rows.append(_derived_row(parameter, "", representation, place, member.doc, value, role))
     return tuple(rows)
 
 
@@ -160,6 +164,7 @@ def _derived_row(
     place: Placed,
     doc: str,
     value: Node,
+    role: str | None = None,
 ) -> DerivedRow:
     return DerivedRow(
         name=parameter.name + member,
@@ -167,6 +172,7 @@ def _derived_row(
         group=parameter.group,
         **place,
         doc=doc,
+        role=role,
         steps=steps(value),
     )
 

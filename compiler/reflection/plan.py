@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import Literal
 
 from ..diagnostics.source import Span
@@ -35,6 +36,7 @@ from ..documents.plan import (
     WrittenBuffer,
     WrittenImage,
 )
+from ..ir.default_textures import OF_SAMPLES
 from ..ir.frame import (
     Drawn,
     Elements,
@@ -45,6 +47,7 @@ from ..ir.frame import (
     KernelStep,
     Previous,
     RenderStep,
+    Source,
     Use,
 )
 from ..ir.leaves import Resource
@@ -87,7 +90,7 @@ class _Document:
             rig=frame.rig,
             parameters=tuple(parameter_row(info, names, Places(())) for info in frame.parameters),
             lights=light_rows(frame.parameters),
-            host_textures=tuple(map(_host_texture_row, frame.resources)),
+            host_textures=tuple(map(self._host_texture_row, frame.resources)),
             host_buffers=tuple(map(buffer_row, frame.buffers)),
             sources=dict(self._sources()),
             models=tuple(
@@ -135,6 +138,33 @@ class _Document:
             yield texture.resource.name, _place(texture.span)
         for buffer in frame.buffers:
             yield buffer.buffer.name, _place(buffer.span)
+
+    def _host_texture_row(self, info: ResourceInfo) -> HostTextureRow:
+        resource: Resource = info.resource
+        assert isinstance(resource.type, Texture)
+        return HostTextureRow(
+            name=resource.name,
+            type=str(resource.type),
+            dimension=resource.type.dimension,
+            sample=resource.type.sample,
+            intent=info.intent or ("color" if resource.name in self._colors else "data"),
+            group=resource.group,
+            default=resource.default,
+            default_texel=OF_SAMPLES[resource.type.sample][resource.default],
+            doc=info.doc,
+        )
+
+    @cached_property
+    def _colors(self) -> frozenset[str]:
+        """The host's textures whose texels become colours in one of the shaders that read them."""
+        return frozenset(
+            source.name
+            for step in self._frame.steps
+            for use in step.uses
+            for given in use.given
+            for source in _sources_of(given)
+            if isinstance(source, FromHost) and given.name in _color_textures(use.shader)
+        )
 
     def _texture_rows(self) -> Iterator[FrameTextureRow]:
         for texture in self._plan.textures:
@@ -327,18 +357,16 @@ def _shader_row(shader: FrameShader) -> ShaderRow:
     )
 
 
-def _host_texture_row(info: ResourceInfo) -> HostTextureRow:
-    resource: Resource = info.resource
-    assert isinstance(resource.type, Texture)
-    return HostTextureRow(
-        name=resource.name,
-        type=str(resource.type),
-        dimension=resource.type.dimension,
-        sample=resource.type.sample,
-        group=resource.group,
-        default=resource.default,
-        doc=info.doc,
-    )
+def _sources_of(given: Given) -> tuple[Source | None, ...]:
+    """The source of an input, and that in the first frame if it is another."""
+    source = given.source
+    return (source, source.initially) if isinstance(source, Previous) else (source,)
+
+
+def _color_textures(shader: FrameShader) -> frozenset[str]:
+    """The textures of a shader that hold colours."""
+    infos = shader.shader.resources
+    return frozenset(info.resource.name for info in infos if info.intent == "color")
 
 
 def _place(span: Span) -> PlaceRow:

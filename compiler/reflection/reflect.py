@@ -24,6 +24,7 @@ from ..documents.drawing import (
 from ..documents.reflection import Conventions, Reflection
 from ..documents.values import PromiseRow
 from ..ir.blending import REPLACES
+from ..ir.formats import VERTEX_FORMATS
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Program
@@ -85,7 +86,7 @@ def reflect(
         conventions=CONVENTIONS,
         blocks=tuple(block_rows(program)),
         parameters=tuple(parameter_row(info, names, places) for info in infos),
-        derived=derived_rows(places, derived or {}),
+        derived=derived_rows(places, derived or {}, infos),
         promises=tuple(_promise_rows(shader)),
         lights=light_rows(infos),
         buffers=tuple(buffer_rows(shader.buffers, program)),
@@ -138,6 +139,7 @@ def _vertex_input_rows(
             name=field.name,
             type=info.declared_type,
             representation=str(field.type),
+            format=VERTEX_FORMATS[str(field.type)],
             location=field.location,
             step=_step(field.step),
             column=_column_row(info),
@@ -156,6 +158,7 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
                 name=leaf.name,
                 type=read.declared_type,
                 representation=str(leaf.type),
+                format=None,
                 location=None,
                 step=_step(leaf.step),
                 column=_column_row(read),

@@ -1,4 +1,4 @@
-"""Roles of parameters for a program that shows scenes: the camera, the place of an object.
+"""Roles of values for a program that shows scenes: the camera, the place of an object.
 
 ``parameters.py`` marks the rows of the reflection and of plans by it, and
 ``targets/runner/scene.py`` sets scenes up by the same file of the library.
@@ -10,7 +10,9 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
+from ..ir.node import Node
 from ..ir.shader import ParameterInfo
+from .well_known import well_known
 
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 
@@ -21,6 +23,19 @@ def scene_names() -> Mapping[str, Mapping[str, str]]:
     import tomllib
 
     return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
+
+
+def role_of_derived(value: Node, roles: Mapping[str, str | None]) -> str | None:
+    """The scene's name for a value that the host computes, if it has one for it.
+
+    It has names for functions of values that have a name themselves. ``roles`` are those of the
+    parameters, by the parameters' names.
+    """
+    found = well_known(value)
+    if found is None:
+        return None
+    function, parameter = found
+    return scene_names()["derived"].get(f"{function}({roles.get(parameter.name)})")
 
 
 def role_of(info: ParameterInfo) -> str | None:

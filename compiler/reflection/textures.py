@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, Literal
 
 from ..documents.drawing import SamplerRow, SamplerState, TextureLayout, TextureRow
+from ..ir.default_textures import OF_SAMPLES
 from ..ir.leaves import Resource
 from ..ir.program import Program
 from ..ir.shader import ResourceInfo
-from ..ir.types import Dimension, Texture
-
-VIEW_DIMENSIONS: Mapping[Dimension, Literal["2d", "2d-array", "3d", "cube"]] = {
-    "2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube",
-}  # fmt: skip
-"""GPUTextureViewDimension."""
+from ..ir.types import Texture
 
 
 class TextureRows:
@@ -44,13 +40,15 @@ class TextureRows:
             type=str(type_),
             dimension=type_.dimension,
             sample=type_.sample,
+            intent=info.intent or "data",
             layout=TextureLayout(
-                view_dimension=VIEW_DIMENSIONS[type_.dimension],
+                view_dimension=type_.dimension,
                 sample_type=self._sample_type(resource),
                 sampler=self._sampler_type(resource),
             ),
             group=resource.group,
             default=resource.default,
+            default_texel=OF_SAMPLES[type_.sample][resource.default],
             stages=tuple(name for name, read in self._stages.items() if resource in read),
             doc=info.doc,
             library=info.library or None,

@@ -108,6 +108,6 @@ def _backward(text: str, end: int) -> int:
 
 
 def _stripped(text: str, start: int, end: int) -> tuple[int, int]:
-    """The same place without the blanks at its ends."""
+    """The place without the blanks at its ends."""
     part = text[start:end]
     return start + len(part) - len(part.lstrip()), start + len(part.rstrip())

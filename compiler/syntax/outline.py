@@ -109,6 +109,7 @@ class Outline:
     def _split(self) -> None:
         named_until = 0
         for index, (kind, word, _, _) in enumerate(self.tokens):
+            # Brackets count for the tokens between them: an opening one has the depth outside.
             if kind in _CLOSED_BY:
                 self.depths.append(len(self._open))
                 self._enter(index)
@@ -116,13 +117,17 @@ class Outline:
             if kind in _CLOSERS:
                 self._leave(index, kind)
             elif kind == "NAME" and index >= named_until:
+                # A member that begins within parentheses shows that these were never closed; a
+                # declaration shows it for braces, too (``_begin``).
                 header = self._header(index) if word in DECLARATIONS else 0
                 if self._open and not header and self._ends_parentheses(index):
                     self._abandon_open(index, down_to="{")
+                # The names of a header cannot begin another declaration.
                 if header or (not self._open and self._begins_constant(index)):
                     self._begin(index)
                     named_until = index + max(header, 1)
             self.depths.append(len(self._open))
+        # At the end of the file, brackets that are still open are errors of their chunks.
         self._abandon_open(len(self.tokens))
         for chunk in self.chunks:
             chunk.end = chunk.end or len(self.tokens)

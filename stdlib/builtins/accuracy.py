@@ -94,9 +94,9 @@ class Within:
 
     error: Error
     limit: float = math.inf
-    """Up to which magnitude the error is this one."""
+    """The largest magnitude for which the error is this one."""
     of: Literal["operand", "result"] = "operand"
-    """Whose magnitude that is."""
+    """The value whose magnitude is compared."""
     beyond: Error = Error()
     """The error where the magnitude is larger than the limit."""
 

@@ -31,16 +31,16 @@ def _comparison(
 
 
 ROWS = (
-    _comparison("eq", "==", "Whether two values are equal, lane by lane.", ("P, P -> Q",)),
-    _comparison("ne", "!=", "Whether two values differ, lane by lane.", ("P, P -> Q",)),
-    _comparison("lt", "<", "Whether the first value is less."),
-    _comparison("le", "<=", "Whether the first value is less or equal."),
-    _comparison("gt", ">", "Whether the first value is greater."),
-    _comparison("ge", ">=", "Whether the first value is greater or equal."),
+    _comparison("eq", "==", "True if two values are equal, lane by lane.", ("P, P -> Q",)),
+    _comparison("ne", "!=", "True if two values differ, lane by lane.", ("P, P -> Q",)),
+    _comparison("lt", "<", "True if the first value is less."),
+    _comparison("le", "<=", "True if the first value is less or equal."),
+    _comparison("gt", ">", "True if the first value is greater."),
+    _comparison("ge", ">=", "True if the first value is greater or equal."),
     Builtin(
         name="and",
         signatures=_LOGIC,
-        doc="Whether both conditions hold.",
+        doc="True if both conditions hold.",
         operator="&&",
         short_circuits=True,
         accuracy=EXACT,
@@ -48,7 +48,7 @@ ROWS = (
     Builtin(
         name="or",
         signatures=_LOGIC,
-        doc="Whether at least one condition holds.",
+        doc="True if at least one condition holds.",
         operator="||",
         short_circuits=True,
         accuracy=EXACT,
@@ -56,20 +56,20 @@ ROWS = (
     Builtin(
         name="not",
         signatures=("B -> B",),
-        doc="Whether the condition does not hold.",
+        doc="True if the condition does not hold.",
         operator="!",
         accuracy=EXACT,
     ),
     Builtin(
         name="any",
         signatures=_LANES,
-        doc="Whether at least one lane is true.",
+        doc="True if at least one lane is true.",
         accuracy=EXACT,
     ),
     Builtin(
         name="all",
         signatures=_LANES,
-        doc="Whether every lane is true.",
+        doc="True if every lane is true.",
         accuracy=EXACT,
     ),
     Builtin(

@@ -113,7 +113,7 @@ def _log2(x: Fact, scale: float, error: float) -> Fact:
 
 def _power(facts: tuple[Fact, ...], _same: bool) -> Fact:
     x, y = facts
-    # It is exp2(y * log2(x)); the logarithm of 1 may be above 0.
+    # A power is exp2(y * log2(x)); the logarithm of 1 may be above 0.
     if x.lo < SMALLEST_NORMAL or not math.isfinite(x.hi * y.most):
         above = Fact(0.0, absolute(LOG2))
         falls = x.hi <= 1 and y.lo >= 0

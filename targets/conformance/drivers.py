@@ -97,7 +97,7 @@ _SWIFTSHADER = Driver(
 
 
 def _with_lines(driver: Driver, lines: Lines) -> Driver:
-    """The same driver under an API for which it covers lines by another rule."""
+    """The driver under an API for which it covers lines by another rule."""
     measured = driver.measured and replace(driver.measured, lines=lines)
     return replace(driver, measured=measured)
 

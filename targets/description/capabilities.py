@@ -115,22 +115,21 @@ CAPTURES = Capability(
 )
 CAPTURED_NUMBERS = Capability(
     "numbers of captured vertices",
-    "What is captured depends on `vertex_index`.",
+    "Captured values depend on `vertex_index`.",
     (Way((STREAM_OUTPUT, NUMBERED_CAPTURES)), BY_KERNEL),
     "give the number as a vertex input: `attribute number : uint`",
     on_request=True,
 )
 EMITTED_CAPTURES = Capability(
     "captures of expansions",
-    "What the primitives of a mesh become is captured: `capture` of a material with `expand`.",
+    "Vertices of expanded primitives are captured: `capture` of a material with `expand`.",
     (Way((STREAM_OUTPUT, a_stage(GEOMETRY))), BY_KERNEL),
     "capture the vertices of the mesh as they are, and expand its primitives where they are drawn",
     on_request=True,
 )
 DIVIDED_CAPTURES = Capability(
     "captures of tessellations",
-    "What the patches of a mesh are divided into is captured: `capture` of a material with "
-    "`tessellate`.",
+    "Vertices of divided patches are captured: `capture` of a material with `tessellate`.",
     (Way((STREAM_OUTPUT, a_stage(CONTROL), a_stage(EVALUATION))), BY_KERNEL),
     "capture the control points as they are, and divide the patches where they are drawn",
     on_request=True,
@@ -293,8 +292,8 @@ CAPABILITIES: tuple[Capability, ...] = (
     GATHERED_COMPARISONS,
     Capability(
         "number of levels",
-        "How many levels a texture has: `t.levels()`, and `t.load(texel, level)`, which asks for "
-        "it unless the level is 0.",
+        "The number of levels of a texture: `t.levels()`, and `t.load(texel, level)`, which asks "
+        "for it unless the level is 0.",
         (Way((some_builtins("way to tell how many levels a texture has", "texture_levels"),)),),
         "read level 0, which all have, or filter with `.level(…)`",
     ),
@@ -312,7 +311,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "sizes of textures",
-        "How many texels a texture has: `t.size()`.",
+        "The width and height of a texture: `t.size()`.",
         (Way((some_builtins("way to tell the size of a texture", "texture_size"),)),),
         "declare a parameter that tells it, `param size : vec2`",
     ),
@@ -344,7 +343,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "vertex inputs of integers",
-        "What a mesh supplies is whole: `attribute bone : int`.",
+        "A mesh supplies integers: `attribute bone : int`.",
         (Way((INTEGER_ATTRIBUTES,)),),
         "declare it as `float`",
     ),
@@ -364,7 +363,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "numbers of vertices",
-        "What the pipeline counts: `vertex_index`.",
+        "The numbers that the pipeline counts: `vertex_index`.",
         (Way((VERTEX_NUMBERS,)),),
         "give the number as a vertex input: `attribute number : float`",
     ),
@@ -377,7 +376,7 @@ CAPABILITIES: tuple[Capability, ...] = (
     ),
     Capability(
         "counting bits",
-        f"What there is in a number's bits: {', '.join(f'`{name}`' for name in BIT_COUNTS)}.",
+        f"Questions about the bits of a number: {', '.join(f'`{name}`' for name in BIT_COUNTS)}.",
         (
             Way((WIDE_INTEGERS, words_for("word for each of these", *BIT_COUNTS))),
             Way(

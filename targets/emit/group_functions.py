@@ -29,9 +29,9 @@ from .statements import INDENT
 from .views import FunctionView
 
 DOCS: Mapping[GroupPart, str] = {
-    "all": "What the values of all invocations of a work group come to.",
-    "through": "What the values of the invocations up to this one come to.",
-    "before": "What the values of the invocations before this one come to.",
+    "all": "The values of all invocations of a work group, joined.",
+    "through": "The values of the invocations up to this one, joined.",
+    "before": "The values of the invocations before this one, joined.",
 }
 _WORDS = ("value", "place", "present", "reach", "joined")
 """The parameters and variables of the functions: an invocation's value, its number in the work

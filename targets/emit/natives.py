@@ -30,7 +30,7 @@ from .precedence import POSTFIX, Field, Printed, call, separable, writer
 
 
 def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
-    """How builtin ``name`` is written for operands of these types."""
+    """The spelling of builtin ``name`` for operands of these types."""
     spelled = table.get(name, "")
     if isinstance(spelled, Read):
         texture = operands[0]

@@ -154,14 +154,14 @@ class ExpansionView:
 
 @frozen
 class TessellationView:
-    """How patches are divided, for the two tessellation stages."""
+    """The division of patches, for the two tessellation stages."""
 
     patch: str
     """The kind of the patches, in the language's own word."""
     lines: bool
     """True if patches are divided into lines, and not into triangles."""
     spacing: str
-    """How edges are divided, in the language's own word."""
+    """The division of edges, in the language's own word."""
     points: int
     """The number of control points of each patch."""
     edge_levels: int

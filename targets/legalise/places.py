@@ -75,7 +75,7 @@ def _counted(place: Node, counters: frozenset[Formal]) -> list[Node] | None:
     """The operations of an index that consists of constants and loop counters; else ``None``."""
     operations: list[Node] = []
     pending = [place]
-    for node in pending:  # It grows on the way.
+    for node in pending:  # The list grows on the way.
         if node.op == "constant" or (node.op == "formal" and node.data in counters):
             continue
         is_known = node.op == "native" and NATIVE.data(node) in COUNTED

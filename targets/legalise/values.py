@@ -44,7 +44,7 @@ def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str
             found = [] if need.is_met(profile) else list(islice(needing, 1))
             yield from ((need.feature, node) for node in found)
             if found and need in OF_INPUTS.values():
-                break  # What is computed of it needs more, which is no matter then.
+                break  # Values computed from it would be found, too.
     if stages and not FLAT_VALUES.is_met(profile):
         flat = (each.values[0].id for each in program.varyings if each.field.mode == "flat")
         yield from ((FLAT_VALUES.feature, node) for node in islice(flat, 1))

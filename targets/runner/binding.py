@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import cast
 
 from ...compiler.documents.backends import BackendRow, BindingRow, BlockBindingRow
 from ...compiler.documents.drawing import (
@@ -19,32 +20,28 @@ from ...compiler.documents.drawing import (
 )
 from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.values import BlockRow
+from ...compiler.ir.formats import TARGET_WORDS
+from ...compiler.ir.render_state import WINDING_WORDS
 from ...compiler.ir.stages import EVALUATION
 from .codes import Codes
-from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput, VertexFormat
+from .drivers.pipeline import CapturedOutput, Pipeline, StreamOutput
 from .drivers.pipeline import VertexInput as Input
-from .drivers.render_state import ALL_LANES, RenderTarget, TargetFormat, Winding
+from .drivers.render_state import ALL_LANES, RenderTarget, TargetFormat
 from .drivers.slots import BlockSlot, BufferSlot, ImageSlot, Place, TextureSlot
 from .loose_uniforms import uniforms_of
 from .routes import EVERY_DRIVER, Route
 
-FORMATS: Mapping[str, TargetFormat] = {
-    "r8": "r8unorm",
-    "r16f": "r16float",
-    "r32f": "r32float",
-    "rg8": "rg8unorm",
-    "rg16f": "rg16float",
-    "rg32f": "rg32float",
-    "rgba8": "rgba8unorm",
-    "rgba8_srgb": "rgba8unorm-srgb",
+_IN_ITS_PLACE: Mapping[str, TargetFormat] = {
     # The order of lanes in memory is not visible.
-    "bgra8": "rgba8unorm",
-    "bgra8_srgb": "rgba8unorm-srgb",
+    "bgra8unorm": "rgba8unorm",
+    "bgra8unorm-srgb": "rgba8unorm-srgb",
     # Not all drivers can draw to ten bits a lane; eight bits are clamped and blended in the same
     # way.
-    "rgb10a2": "rgba8unorm",
-    "rgba16f": "rgba16float",
-    "rgba32f": "rgba32float",
+    "rgb10a2unorm": "rgba8unorm",
+}
+"""The format to draw to in place of one that some driver lacks."""
+FORMATS: Mapping[str, TargetFormat] = {
+    name: _IN_ITS_PLACE.get(word) or cast(TargetFormat, word) for name, word in TARGET_WORDS.items()
 }
 """The format to draw to for each target format of the language."""
 
@@ -54,16 +51,6 @@ EXACT: Mapping[str, TargetFormat] = {
     "vec4": "rgba32float",
 }
 """For each type that is written to a target, a format that can hold every value of it."""
-
-WINDINGS: Mapping[str, Winding] = {"counter_clockwise": "ccw", "clockwise": "cw"}
-"""The drivers' words for the winding of front faces."""
-
-VERTEX_FORMATS: Mapping[str, VertexFormat] = {
-    "float": "float32", "vec2": "float32x2", "vec3": "float32x3", "vec4": "float32x4",
-    "int": "sint32", "ivec2": "sint32x2", "ivec3": "sint32x3", "ivec4": "sint32x4",
-    "uint": "uint32", "uvec2": "uint32x2", "uvec3": "uint32x3", "uvec4": "uint32x4",
-}  # fmt: skip
-"""The format of a vertex input, by its representation."""
 
 
 def pipeline(
@@ -107,7 +94,7 @@ def pipeline(
         stencil=state.stencil,
         flip_y=backend.flip_y,
         # Vulkan's viewport makes every picture upright, also that of a text for another API.
-        front_face=WINDINGS[state.front] if on_vulkan else backend.front_face,
+        front_face=WINDING_WORDS[state.front] if on_vulkan else backend.front_face,
         first_row="top" if on_vulkan else backend.first_row,
         host_uniforms=tuple(backend.host_uniforms),
         clip_control=tuple(backend.clip_control),
@@ -135,7 +122,7 @@ def _stream_output(reflection: Reflection, backend: BackendRow) -> StreamOutput 
             for location, row in enumerate(captured.members)
         ),
         stride=captured.stride,
-        primitive=captured.primitive,
+        primitive=captured.topology,
         in_text=backend.stream_output == "text",
     )
 
@@ -178,9 +165,9 @@ def target_format(row: TargetRow, *, exact: bool) -> TargetFormat:
 
 
 def _input(row: VertexInputRow, backend: BackendRow) -> Input:
-    assert row.location is not None, "it is in no buffer"
+    assert row.location is not None and row.format is not None, "it is in no buffer"
     identifier = backend.vertex_inputs[row.name].identifier
-    return Input(identifier, row.location, VERTEX_FORMATS[row.representation], row.step)
+    return Input(identifier, row.location, row.format, row.step)
 
 
 def _block(row: BlockRow, binding: BlockBindingRow) -> BlockSlot:

@@ -34,7 +34,7 @@ class Camera:
 
     def world_to_clip(self, aspect: float) -> Matrix:
         """The projection times the view transform; ``aspect`` is width divided by height."""
-        with np.errstate(all="ignore"):  # Who sets it refuses what is not finite.
+        with np.errstate(all="ignore"):  # The parameter then refuses infinities and NaNs.
             return self._projection(aspect) @ self.world_to_camera
 
     def _projection(self, aspect: float) -> Matrix:

@@ -142,7 +142,7 @@ def vertices(reflection: Reflection, captured: Captured) -> Vertices:
     row = _capture(reflection)
     words = np.frombuffer(captured.data, np.uint8).reshape(captured.count, row.stride)
     members = {each.name: _member(words, each) for each in row.members}
-    return Vertices(members, row.primitive, captured.count)
+    return Vertices(members, row.topology, captured.count)
 
 
 def _capture(reflection: Reflection) -> CaptureRow:

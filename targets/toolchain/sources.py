@@ -1,4 +1,4 @@
-"""Where a tool comes from, and the command that installs it; part of a row of ``tools.py``."""
+"""The origins of tools, and the commands that install them; part of a row of ``tools.py``."""
 
 from __future__ import annotations
 

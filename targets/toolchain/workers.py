@@ -99,7 +99,7 @@ class Worker:
         self._command = self._find_command()
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - closed in _bury
         self._child = Child(self._command, self._limits, stdin=PIPE, stderr=self._errors)
-        if self._closed:  # It was too early then to end this child.
+        if self._closed:  # `close` came too early to end this child.
             self._child.kill()
         return self._child
 

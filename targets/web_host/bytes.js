@@ -23,7 +23,7 @@ export const hasStencil = (format) => format.endsWith("stencil8");
 export const halved = (side, level) => Math.max(side >> level, 1);
 
 /**
- * How many lanes a texel has, and how many bytes each of them.
+ * The number of lanes of a texel, and of bytes of each lane.
  * @param {GPUTextureFormat} format
  * @returns {[number, number]}
  */

@@ -1,7 +1,7 @@
-"""Makes what TypeScript needs besides the host's modules to check their types.
+"""Makes the files that TypeScript needs beside the host's modules to check their types.
 
-``python -m burnish.generate`` writes it beside the modules, so that editors find it, and the tests
-write it into a copy of the host. Git ignores it there, and nothing is served of it.
+``python -m burnish.generate`` writes them beside the modules, so that editors find them, and the
+tests write them into a copy of the host. Git ignores them, and they are not served.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .serving.builtin_table import builtins_module
 from .serving.modules import BUILTINS
 
 _TYPES = "generated/documents.d.ts"
-"""Where the modules find the types of documents."""
+"""The path at which the modules import the types of documents."""
 _BANNER = "// Made of the records of documents by `python -m burnish.generate`: do not edit."
 
 

@@ -8,15 +8,15 @@ from typing import Annotated, Any, ClassVar, Literal
 from ...compiler.constraints import Count, Nested, Positive, TypeScript
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
-from ...compiler.ir.types import Dimension
+from ...compiler.ir.types import DIMENSION_WORDS, Dimension
 from ...frozen import frozen
 
 Value = Annotated[
     Any,
     Nested(
         "Value",
-        "What a host sets: a number, a list of lanes, columns or elements, or members by name; "
-        "null for what nobody has set.",
+        "A value that a host sets: a number, a list of lanes, columns or elements, or members by "
+        "name; null if nobody has set it.",
         objects=True,
     ),
 ]
@@ -33,25 +33,25 @@ class PackagedShader:
 
     reflection: Reflection
     texts: Mapping[str, Mapping[str, ShaderTextRow]]
-    """By profile, such as ``wgsl:webgpu``, and stage."""
+    """The texts by profile, such as ``wgsl:webgpu``, and stage."""
     values: Mapping[str, Value]
-    """The values of its parameters, by name."""
+    """The values of the shader's parameters, by name."""
     roles: Mapping[str, str]
-    """What each parameter is of the scene, by name, if it is something of it."""
+    """The roles of the parameters that the scene sets, by the parameter's name."""
     lights: Mapping[str, str]
-    """What its parameters of lights are of the plan's, by name. Behind an array of which one light
-    is meant stands ``[]``."""
+    """The plan's parameters from which the shader's parameters of lights get their values, by the
+    shader's name. ``[]`` stands behind an array of which one light is meant."""
     textures: Mapping[str, Count]
-    """The pictures that its textures are, by name."""
+    """The numbers of the pictures of the shader's textures, by name."""
     texture_roles: Mapping[str, str]
-    """What each texture is of the look of a model, by name, if it is something of it."""
+    """The roles of the textures that models set, by the texture's name."""
     buffers: Mapping[str, str]
-    """The elements of its storage buffers in base64, by name."""
+    """The elements of the shader's storage buffers in base64, by name."""
     levels: tuple[float, ...] | None
     """Where the host divides patches: the levels of the edges and the inside for which the
     geometries were made."""
     webgpu: WebGPUPipeline | None
-    """Its pipeline in the words of WebGPU; null without texts for it."""
+    """The pipeline in the words of WebGPU; null without texts for it."""
 
 
 @frozen(kw_only=True)
@@ -73,11 +73,11 @@ class WebGPUPipeline:
     KEYS: ClassVar = {"depth_stencil": "depthStencil"}
 
     groups: tuple[tuple[SlotRow, ...], ...]
-    """What is bound, group by group; a group that is not used is empty."""
+    """The bindings of each group; a group that is not used is empty."""
     buffers: tuple[Annotated[Native, TypeScript("GPUVertexBufferLayout")], ...]
     """The vertex buffers."""
     targets: tuple[Annotated[Native, TypeScript("GPUColorTargetState")], ...]
-    """What each target is drawn with."""
+    """The format, blending and write mask of each target."""
     primitive: Annotated[Native, TypeScript("GPUPrimitiveState")]
     """How primitives are drawn."""
     depth_stencil: Annotated[Native, TypeScript('Omit<GPUDepthStencilState, "format">')]
@@ -86,16 +86,16 @@ class WebGPUPipeline:
 
 @frozen(kw_only=True)
 class SlotRow:
-    """What a shader reads or writes at one place of a group."""
+    """A binding of a group: a resource that a shader reads or writes."""
 
     kind: Literal["block", "buffer", "storage_texture", "texture", "sampler"]
-    """What it is."""
+    """The kind of the resource."""
     name: str
-    """The reflection's name for it; of a sampler, that of its texture."""
+    """The name in the reflection; for a sampler, the name of its texture."""
     number: Count
-    """Its number among those of its kind."""
+    """The number among the shader's resources of this kind."""
     layout: Annotated[Native, TypeScript("GPUBindGroupLayoutEntry")]
-    """Its place."""
+    """The entry of the bind group layout, with the number of the binding."""
     sampler: Annotated[Native, TypeScript("GPUSamplerDescriptor")] | None = None
     """The state of a sampler."""
 
@@ -107,18 +107,18 @@ class ShaderTextRow:
     text: str
     """The text."""
     entry: str
-    """Its entry point."""
+    """The name of the entry point."""
 
 
 @frozen(kw_only=True)
 class CameraRow:
-    """What looks at the scene. Both are values of the scene, by their roles."""
+    """The camera of the scene, whose fields are named by their roles."""
 
     view_projection: tuple[tuple[float, ...], ...]
     """World space to the clip space of a square picture: four columns. For a picture that is ``a``
     times as wide as high, the host divides the first row by ``a``."""
     eye: tuple[float, ...]
-    """Where it stands."""
+    """The position of the camera in world space."""
 
 
 @frozen(kw_only=True)
@@ -126,11 +126,11 @@ class ModelRow:
     """A model of the scene."""
 
     material: str
-    """Its material."""
+    """The name of the material."""
     tags: tuple[str, ...]
     """The names by which steps draw it."""
     geometries: Mapping[str, Count]
-    """What each shader that draws it gets of its mesh, by the shader's number."""
+    """The numbers of the geometries that shaders draw of the model, by the shader's number."""
     values: Mapping[str, Value]
     """Values by role: ``object_to_world``, bones, colours."""
     textures: Mapping[str, Count]
@@ -144,14 +144,14 @@ class ElementsRow:
     name: str
     """The buffer."""
     data: str
-    """Its elements, in base64."""
+    """The elements in base64."""
 
 
 @frozen(kw_only=True)
 class GeometryRow:
-    """What a draw call gets of a mesh. Numbers have 32 bits, and are little-endian and in base64. A
-    vertex, or an instance, has the vertex inputs of the reflection that step with it, one behind
-    the other, but for those that are in a buffer."""
+    """The vertices, instances and indices of a draw call. Numbers have 32 bits, and are
+    little-endian and in base64. A vertex, or an instance, has the vertex inputs of the reflection
+    that step with it, one behind the other, but for those that are in a buffer."""
 
     vertices: str
     """The inputs of all vertices; empty if there are none."""
@@ -160,9 +160,9 @@ class GeometryRow:
     indices: str | None
     """The numbers of the vertices that are drawn; null where they are drawn one after the other."""
     count: Count
-    """How many vertices are drawn of each instance."""
+    """The number of vertices of each instance."""
     instance_count: Count
-    """How many instances there are."""
+    """The number of instances."""
     elements: tuple[ElementsRow, ...]
     """The elements of storage buffers that stand for vertex inputs."""
 
@@ -170,6 +170,8 @@ class GeometryRow:
 @frozen(kw_only=True)
 class PictureRow:
     """Texels with all mip levels."""
+
+    WORDS: ClassVar = {"dimension": DIMENSION_WORDS}
 
     format: TextureFormat
     """The format, as WebGPU calls it."""
@@ -207,11 +209,11 @@ class Package:
     models: tuple[ModelRow, ...]
     """The models of the scene."""
     geometries: tuple[GeometryRow, ...]
-    """What draw calls get of meshes, by number."""
+    """The geometries of the draw calls, by number."""
     values: Mapping[str, Value]
     """The values of the plan's parameters, by name."""
     roles: Mapping[str, str]
-    """What each of the plan's parameters is of the scene, by name, if it is something of it."""
+    """The roles of the plan's parameters that the scene sets, by the parameter's name."""
     given: tuple[str, ...]
     """The names that somebody has set, which the scene leaves alone."""
     textures: Mapping[str, Count]

@@ -17,7 +17,7 @@ import { Values } from "./values.js";
  */
 
 const VERSION = 2;
-/** How many frames are told apart, and how many vertices: as many as float32 can. */
+/** Frames and vertices are numbered below this: float32 holds all whole numbers up to it. */
 const NUMBERS = 2 ** 24;
 
 /**
@@ -31,12 +31,12 @@ export function checkVersions({ package: version, plan, shaders }) {
     const other = versions.find((each) => each !== VERSION);
     if (other === undefined) continue;
     const known = `this host knows ${what} of version ${VERSION}`;
-    throw new Error(`${known}, and this one is of version ${other}`);
+    throw new Error(`${known}, and this one is of version ${other}: compile the source again`);
   }
 }
 
 /**
- * A frame that is open: `openFrame` makes one. What cannot be done is an `Error` with a sentence.
+ * An open frame: `openFrame` makes one. Methods throw an `Error` with a sentence if they fail.
  * @template Texture, Buffer
  */
 export class PlanFrame {
@@ -57,7 +57,7 @@ export class PlanFrame {
   #drawn = 0;
   #isFirst = true;
   /**
-   * Each with the storage buffers that stand for its vertex inputs.
+   * Each mesh with the storage buffers that hold its vertex inputs.
    * @type {Map<string, { mesh: Mesh, elements: [string, Buffer][] }>}
    */
   #meshes = new Map();
@@ -86,7 +86,7 @@ export class PlanFrame {
   }
 
   /**
-   * Set what a package says of a frame or a shader.
+   * Set the values and buffers that a package gives a frame or a shader.
    * @param {Values} values
    * @param {Pick<PackagedShader, "values" | "buffers">} from
    */
@@ -117,7 +117,7 @@ export class PlanFrame {
   }
 
   /**
-   * Look from elsewhere. What is left out stays as it is.
+   * Move the camera. Members that are left out stay as they are.
    * @param {Partial<CameraRow>} camera
    */
   setCamera(camera) {
@@ -125,7 +125,7 @@ export class PlanFrame {
   }
 
   /**
-   * The width and height of what the frame draws, as far as it says no other size.
+   * Set the width and height of the textures for which the frame declares no size of its own.
    * @param {number} width
    * @param {number} height
    */
@@ -136,7 +136,7 @@ export class PlanFrame {
     this.#size = [Math.floor(width), Math.floor(height)];
   }
 
-  /** Draw the frame once; what it keeps goes on from the last time. */
+  /** Draw the frame once; the results that it keeps are those of the last time. */
   draw() {
     const told = { ...this.#camera, size: this.#size, number: this.#drawn % NUMBERS };
     this.#apply(this.#values, this.#from.roles, told, this.#size[0] / this.#size[1]);
@@ -177,7 +177,7 @@ export class PlanFrame {
   }
 
   /**
-   * The elements of an output that is a buffer, as its row of `results` says how they lie.
+   * The bytes of an output that is a buffer; its row of `results` gives their layout.
    * @param {string} output
    * @returns {Promise<Uint8Array<ArrayBuffer>>}
    */
@@ -199,14 +199,14 @@ export class PlanFrame {
   }
 
   /**
-   * Wait until all is drawn; an error tells what the API has refused of it.
+   * Wait until everything is drawn; rejects with an error if the API has refused something.
    * @returns {Promise<void>}
    */
   finished() {
     return this.#renderer.finished();
   }
 
-  /** Give everything back that the frame has made. */
+  /** Free everything that the frame has made. */
   dispose() {
     this.#renderer.dispose();
   }
@@ -228,7 +228,7 @@ export class PlanFrame {
   }
 
   /**
-   * Give values what they are of a scene, unless somebody has set them.
+   * Set the values that come from a scene, unless the page has set them.
    * @param {Values} values
    * @param {Record<string, string>} roles
    * @param {Record<string, Value>} scene
@@ -274,7 +274,7 @@ export class PlanFrame {
   }
 
   /**
-   * What a target is cleared to, or a depth, which is within 0 and 1.
+   * The colour that a target is cleared to, or the depth, which is between 0 and 1.
    * @param {AttachmentRow} attachment
    * @returns {number[]}
    */
@@ -286,7 +286,7 @@ export class PlanFrame {
   }
 
   /**
-   * Tell shaders that draw each layer by itself which one it is.
+   * Set the number of the layer for shaders that draw each layer by itself.
    * @param {DrawCall<Texture, Buffer>[]} calls
    * @param {number} layer
    */
@@ -350,13 +350,13 @@ export class PlanFrame {
   }
 
   /**
-   * The number of each light of an entry of the rig; null where it is a single one, or none is
-   * meant.
+   * The number of each light of an entry of the rig; null for a single light, and if there is no
+   * entry.
    * @param {string | null} entry
    * @returns {(number | null)[]}
    */
   #lights(entry) {
-    // Plans put the rig's name before it where it is that of something else as well.
+    // Plans put the rig's name before an entry whose name something else has as well.
     const { rig, lights } = this.plan;
     const row = lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
     if (!row || row.capacity === null) return [null];
@@ -391,7 +391,7 @@ export class PlanFrame {
   // --- what shaders read ---
 
   /**
-   * A shader with the values of its material, and with what the host has for it.
+   * A shader with the values of its material, and with its pictures and buffers from the host.
    * @param {Pick<UseRow, "shader">} use
    * @param {ModelRow | null} model
    * @returns {Bound<Texture, Buffer>}
@@ -412,7 +412,7 @@ export class PlanFrame {
   }
 
   /**
-   * Give a shader what the frame sets.
+   * Set the inputs of a shader that the frame sets.
    * @param {Bound<Texture, Buffer>} bound
    * @param {{ inputs: InputRow[] }} inputs
    */
@@ -448,7 +448,7 @@ export class PlanFrame {
   }
 
   /**
-   * Returns the name of the parameter that says how many elements it has.
+   * Returns the name of the parameter with the number of the buffer's elements.
    * @param {Bound<Texture, Buffer>} bound
    * @param {string} name
    * @param {Buffer} buffer
@@ -472,7 +472,7 @@ export class PlanFrame {
     const { reflection } = this.#from.shaders[use.shader];
     const images = step.images.map(({ texture }) => this.#resources.texture(texture));
     if (images.length && !Object.keys(reflection.backends[this.#renderer.profile].images).length) {
-      // Where a kernel cannot write images it is drawn over all of them.
+      // Without images to write, a kernel is a fragment shader, drawn over all of its targets.
       const target = /** @type {const} */ ({ level: 0, load: "clear", store: true, stencil: null });
       const targets = images.map((texture) => ({
         target, texture, layer: 0, clear: [0, 0, 0, 0], resolve: null,
@@ -491,7 +491,7 @@ export class PlanFrame {
 }
 
 /**
- * The shader of what is drawn for a model, or for vertices.
+ * The shader that draws a model, or vertices without a model.
  * @param {DrawnRow} drawn
  * @param {ModelRow | null} model
  * @returns {UseRow}

@@ -1,4 +1,4 @@
-// What a draw call gets of a mesh: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
+// The geometry of a draw call: see `draw`, "Expansions" and "Patches" in docs/reflection.md.
 
 import { bytesOf } from "./bytes.js";
 import { present } from "./present.js";
@@ -11,8 +11,8 @@ import { present } from "./present.js";
 /** @typedef {ReturnType<typeof unpacked>} Mesh */
 
 /**
- * What packages hold in base64, as bytes. Without indices, vertices are drawn one after the
- * other.
+ * The geometry of a package, decoded from base64 to bytes. Without indices, the vertices are drawn
+ * in order.
  * @param {GeometryRow} geometry
  */
 export function unpacked({ count, instance_count, ...packed }) {
@@ -22,14 +22,14 @@ export function unpacked({ count, instance_count, ...packed }) {
     vertices: bytesOf(packed.vertices),
     instances: bytesOf(packed.instances),
     indices: packed.indices === null ? null : bytesOf(packed.indices),
-    /** By the name of a storage buffer that stands for vertex inputs. */
+    /** The storage buffers that hold vertex inputs, by name. */
     elements: packed.elements.map(({ name, data }) => ({ name, bytes: bytesOf(data) })),
   };
 }
 
 /**
- * So many vertices one after the other, which have nothing but their numbers. Of primitives that
- * are instances, the numbers are vertex inputs.
+ * A mesh of `count` vertices in order that have no inputs but their numbers. If primitives are
+ * instances, the numbers are vertex inputs.
  * @param {Reflection} reflection
  * @param {number} count
  * @returns {Mesh}
@@ -50,7 +50,7 @@ export function bareMesh({ draw, vertex_inputs: inputs }, count) {
 }
 
 /**
- * An error if patches are to be divided in another way than the package has been made for.
+ * Throws an error if patches are to be divided into other levels than the package was made for.
  * @param {PackagedShader} shader
  * @param {Values} values
  */

@@ -19,16 +19,16 @@ import { WebGpuRenderer } from "./webgpu/renderer.js";
  * @typedef {Pick<PlanFrame<unknown, unknown>, keyof PlanFrame<unknown, unknown>>} Frame
  */
 
-/** What a browser can draw with. @typedef {"webgpu" | "webgl2"} Api */
+/** The API that a browser draws with. @typedef {"webgpu" | "webgl2"} Api */
 
 /**
- * The profile whose texts each of them takes, the better one first.
+ * The profile whose texts each API takes, the better API first.
  * @type {Record<Api, string>}
  */
 export const PROFILES = { webgpu: WGSL, webgl2: ES_3_00 };
 
 /**
- * Whether this browser has an API, and a device for it.
+ * True if this browser has an API, and a device for it.
  * @param {Api} api
  * @returns {Promise<boolean>}
  */
@@ -41,7 +41,7 @@ export async function hasApi(api) {
 
 /**
  * The API that draws a package here: WebGPU where the browser has it and the package has its
- * texts, and else WebGL 2. An error says why neither of them does.
+ * texts, and else WebGL 2. If neither can, the error says why.
  * @param {Package} from
  * @returns {Promise<Api>}
  */
@@ -60,15 +60,15 @@ export async function apiFor(from) {
 }
 
 /**
- * The device of each canvas: frames that are opened on it one after the other share what it has
- * compiled.
+ * The device of each canvas: frames that are opened on one canvas, one after the other, share the
+ * pipelines that the device has compiled.
  * @type {WeakMap<HTMLCanvasElement | OffscreenCanvas, Device>}
  */
 const devices = new WeakMap();
 
 /**
- * A frame that draws to a canvas; without one it cannot be shown, but read. A canvas keeps the API
- * with which it was opened first.
+ * A frame that draws to a canvas; without a canvas it can be read, but not shown. A canvas keeps
+ * the API with which it was opened first.
  * @param {Canvas} canvas
  * @param {Package} from
  * @param {Api} [api]

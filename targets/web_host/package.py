@@ -1,8 +1,8 @@
 """Makes the package of a frame: all that the host for web pages needs, as one JSON document.
 
 ``burnish view`` sends packages to its page, and routes of the browser draw with them.
-``documents.py`` declares it. What only Python knows is resolved here: what
-the library's declarations mean in a scene, and what draw calls get of meshes.
+``documents.py`` declares it. It is complete, so the host needs no Python: the declarations of the
+library have their values from the scene, and meshes are the buffers of draw calls.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ VERSION: Literal[2] = 2
 """The version of the document; a host refuses others."""
 
 _COPIES = 5
-"""How much memory a byte of a picture or buffer takes until a package is sent: as text it is a
-third longer, and that text is in the package, in the document, and in the document's bytes."""
+"""The bytes of memory that a byte of a picture or buffer takes until a package is sent: its base64
+is a third longer, and is in the package, in the document, and in the document's bytes."""
 
 _SQUARE = 1.0
 """The width of a picture divided by its height, for which a package has the camera."""
 
 _CAMERA = {"world_to_clip": "view_projection", "eye": "eye"}
-"""What the host calls a value of the camera, by what a scene calls it."""
+"""The host's names of the camera's values, by their roles in a scene."""
 
 
 def frame_package(host: FrameHost, profiles: Iterable[str] = (WGSL,)) -> Package:
@@ -84,7 +84,7 @@ class _Package:
         self._draws = _draws_of_models(host)
         self._instances: list[Instance] = []
         self._bytes = 0
-        """Of all pictures, buffers and meshes so far."""
+        """The size of all pictures, buffers and meshes so far."""
 
     def document(self) -> Package:
         host = self._host
@@ -142,7 +142,7 @@ class _Package:
         return found
 
     def _lights(self, number: int, reflection: Reflection) -> Iterator[tuple[str, str]]:
-        """What the parameters of a shader's lights are of the plan's."""
+        """The parameters of a shader's lights, each with the plan's that it is set to."""
         plan = self._host.plan
         lit = {
             use.shader: drawn.light
@@ -207,7 +207,7 @@ class _Package:
         }
 
     def _geometry(self, mesh: Mesh, shader: int) -> int:
-        """The number of what a shader gets of a mesh. Shaders with the same inputs share it."""
+        """The number of a mesh's geometry for a shader; shaders with the same inputs share it."""
         key = id(mesh), shader
         if key not in self._geometry_of:
             made = _geometry(self._instances[shader].copied(), mesh)
@@ -253,7 +253,7 @@ class _Package:
 
 
 def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
-    """By a name of models and a material, the shaders that draw these."""
+    """The shaders that draw models of a name and a material, by both."""
     found: dict[tuple[str, str], set[int]] = defaultdict(set)
     for step in host.plan.steps:
         for drawn in step.draws:
@@ -264,7 +264,7 @@ def _draws_of_models(host: FrameHost) -> Mapping[tuple[str, str], set[int]]:
 
 
 def _geometry(instance: Instance, mesh: Mesh) -> GeometryRow:
-    """What a draw call gets of a mesh. The instance gets the buffer that has vertex inputs."""
+    """The geometry of a draw call. The instance gets the buffer that has vertex inputs."""
     state = drawn_state(instance, mesh, (1, 1))
     rows = [row for row in instance.reflection.vertex_inputs if row.buffer is None]
     steps = {
@@ -298,7 +298,7 @@ def _interleaved(inputs: list[tuple[VertexInputRow, NDArray[Any]]]) -> str:
 
 
 def _levels(instance: Instance) -> tuple[float, ...] | None:
-    """How finely the host divides patches, if it does; with the values that the instance has."""
+    """The levels into which the host divides patches, if it does, with the instance's values."""
     if instance.reflection.levels is None:
         return None
     edges, inside = instance.patch_levels()
@@ -306,7 +306,7 @@ def _levels(instance: Instance) -> tuple[float, ...] | None:
 
 
 def _roles(declared: Declared) -> dict[str, str]:
-    """What each parameter is of the scene."""
+    """The value of the scene that each parameter has, by the parameter's name."""
     found = value_roles(declared).items()
     return {name: _CAMERA.get(role, role) for name, role in found}
 
@@ -320,7 +320,7 @@ def _values(instance: HostValues) -> dict[str, Any]:
 
 
 def _without_source_maps(reflection: Reflection) -> Reflection:
-    """A reflection without what is longest of it, and what no host draws with."""
+    """A reflection without its source maps: they are long, and no host draws with them."""
     backends = {
         profile: changed(row, source_maps={}) for profile, row in reflection.backends.items()
     }

@@ -1,8 +1,8 @@
 // Values that are there although their types say that they may be missing.
 
 /**
- * The same value. It is called where a value cannot be missing, because of what was checked before
- * or of what documents promise; if one is missing all the same, the error ends here.
+ * Returns its argument. Called where a value cannot be missing, because it was checked before or
+ * because documents promise it; a value that is missing all the same is an error.
  * @template Value
  * @param {Value} value
  * @returns {NonNullable<Value>}

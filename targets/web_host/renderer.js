@@ -1,4 +1,4 @@
-// What an API of the browser has to do for frames: `frame.js` says when.
+// The interface of a renderer: the operations that `frame.js` needs from an API of the browser.
 
 /**
  * @import {
@@ -26,21 +26,21 @@
  */
 
 /**
- * What is drawn by one call.
+ * One draw call.
  * @template Texture, Buffer
  * @typedef {Bound<Texture, Buffer> & { mesh: Mesh }} DrawCall
  */
 
 /**
- * What a target, or the depths, are drawn to.
+ * The texture that a target, or the depths, are drawn to.
  * @template Texture
  * @typedef {object} Attachment
  * @property {Pick<AttachmentRow, "level" | "load" | "store" | "stencil">} target
  * @property {Texture} texture
  * @property {number} layer
- * @property {{ texture: Texture, layer: number, level: number } | null} resolve Where the means of
- *   its samples are written behind the draws.
- * @property {number[]} clear What it is cleared to: a colour, or a depth.
+ * @property {{ texture: Texture, layer: number, level: number } | null} resolve The place to
+ *   which the means of its samples are written after the draws.
+ * @property {number[]} clear The colour or the depth that it is cleared to.
  */
 
 /**
@@ -49,12 +49,12 @@
  */
 
 /**
- * What a step sets for all that it draws.
+ * The settings of a step, for all its draw calls.
  * @typedef {object} DrawSettings
- * @property {Area} viewport Into which part of the targets the clip volume is drawn.
- * @property {Area} scissor To which part of the targets is drawn: nothing outside of the viewport.
- * @property {[number, number, number, number]} blendConstant What the factor `constant` means
- *   where targets are blended.
+ * @property {Area} viewport The part of the targets into which the clip volume is drawn.
+ * @property {Area} scissor The part of the targets that is drawn to; it lies in the viewport.
+ * @property {[number, number, number, number]} blendConstant The value of the factor
+ *   `constant` where targets are blended.
  */
 
 /**
@@ -68,10 +68,10 @@
  */
 
 /**
- * What draws with an API.
+ * Draws with an API.
  * @template Texture, Buffer
  * @typedef {object} Renderer
- * @property {string} profile The profile whose texts it draws.
+ * @property {string} profile The profile whose texts it takes.
  * @property {PackagedShader[]} shaders
  * @property {(size: TextureSize) => Texture} makeTexture A texture without contents: transparent
  *   black, and depths of 1.
@@ -81,7 +81,7 @@
  * @property {(texture: Texture) => number[]} sizeOf
  * @property {(buffer: Buffer) => number} bytesIn
  * @property {(buffer: Buffer, bytes: Uint8Array<ArrayBuffer>) => void} fill Fill a buffer again,
- *   before anything that is still to be drawn.
+ *   before the draws that are not submitted yet.
  * @property {() => void} begin
  * @property {(
  *   targets: Attachment<Texture>[], depth: Attachment<Texture> | null,

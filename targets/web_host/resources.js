@@ -1,4 +1,4 @@
-// The textures and buffers of a plan: which size they have, and what is kept for the next frame.
+// The textures and buffers of a plan, with their sizes; some are kept for the next frame.
 
 import { halved } from "./bytes.js";
 import { present } from "./present.js";
@@ -15,19 +15,19 @@ export class Resources {
   /** The host's pictures, by their numbers in the package. @readonly @type {Texture[]} */
   pictures;
   /**
-   * By the results that kernels have written, and the host's by the names of `hostBuffer`.
+   * The buffers that kernels have written, by result, and the host's, by `hostBuffer`.
    * @readonly @type {Map<string, Buffer>}
    */
   buffers = new Map();
   /** @type {Map<number, Texture>} */
   #textures = new Map();
   /**
-   * How many bytes of a buffer its elements are: of those that kernels have written.
+   * The size of the elements of each buffer that a kernel has written, in bytes.
    * @type {Map<Buffer, number>}
    */
   #lengths = new Map();
   /**
-   * How many texels, or elements, the kernels compute that this frame has run, by step.
+   * The number of texels, or elements, that each kernel of this frame has computed, by step.
    * @type {Map<string, number[]>}
    */
   #extents = new Map();
@@ -49,7 +49,7 @@ export class Resources {
   }
 
   /**
-   * Get ready for the next frame; returns whether it finds what the last one has kept.
+   * Prepare the next frame; returns true if the results that the last frame has kept are there.
    * @param {boolean} isFirst
    * @returns {boolean}
    */
@@ -61,7 +61,7 @@ export class Resources {
     return finds;
   }
 
-  /** Behind the last step: what was drawn is then what the next frame finds. */
+  /** Called after the last step: the kept results become those of the last frame. */
   end() {
     for (const { result, texture, previous } of this.#from.plan.kept) {
       if (texture === null) exchange(this.buffers, result, previousOf(result));
@@ -70,7 +70,7 @@ export class Resources {
   }
 
   /**
-   * What an output shows, or undefined if it is no picture, or was not drawn yet.
+   * The texture of an output; undefined if it is no picture, or was not drawn yet.
    * @param {string} result
    * @param {number | null} texture
    * @returns {Texture | undefined}
@@ -81,7 +81,7 @@ export class Resources {
   }
 
   /**
-   * The buffer that a kernel has written, or undefined if it is none, or was not run yet.
+   * The buffer that a kernel has written; undefined if it writes none, or was not run yet.
    * @param {string} result
    * @returns {Buffer | undefined}
    */
@@ -91,7 +91,7 @@ export class Resources {
   }
 
   /**
-   * How many bytes the elements of a buffer have; there may be none.
+   * The size of the elements of a buffer in bytes; 0 if it has none.
    * @param {Buffer} buffer
    * @returns {number}
    */
@@ -128,7 +128,7 @@ export class Resources {
   }
 
   /**
-   * A texture of the plan, which is made when it is needed first, and anew for another size.
+   * A texture of the plan, made when it is first needed, and again when its size changes.
    * @param {number} number
    * @returns {Texture}
    */
@@ -144,7 +144,7 @@ export class Resources {
   }
 
   /**
-   * How many texels, or elements, a kernel computes that is run.
+   * The number of texels, or elements, that a kernel computes.
    * @param {RunStep} step
    * @param {Bound<Texture, Buffer>} kernel
    * @returns {number[]}
@@ -168,7 +168,7 @@ export class Resources {
   }
 
   /**
-   * Give a kernel the buffers that it writes, new ones or those of the last frame.
+   * Bind the buffers that a kernel writes: new ones, or those of the last frame.
    * @param {RunStep} step
    * @param {Bound<Texture, Buffer>} bound
    */
@@ -225,10 +225,10 @@ export class Resources {
   }
 }
 
-/** What a buffer is called that the last frame has left. @type {(result: string) => string} */
+/** The name of a buffer that the last frame has kept. @type {(result: string) => string} */
 export const previousOf = (result) => `previous(${result})`;
 /**
- * What a buffer of the host is called, which may have the name of a shader's.
+ * The name of a buffer of the host, distinct from those of results.
  * @type {(owner: string, name: string) => string}
  */
 export const hostBuffer = (owner, name) => `${name} of ${owner}, set by the host`;

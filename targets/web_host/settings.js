@@ -1,10 +1,10 @@
-// What a step sets for all that it draws: see `viewport`, `scissor` and `blend_constant` in
-// docs/plans.md.
+// The settings of a step for all its draw calls: see `viewport`, `scissor` and `blend_constant`
+// in docs/plans.md.
 
 /** @import { Area, DrawSettings } from "./renderer.js" */
 
 /**
- * The settings for targets of a size; of the others, what is null is not set.
+ * The settings of a step whose targets have this size; each argument may be null, for its default.
  * @param {number[]} size
  * @param {number[] | null} [viewport]
  * @param {number[] | null} [scissor]

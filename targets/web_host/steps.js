@@ -20,8 +20,8 @@ import { present } from "./present.js";
 /** @typedef {(name: string) => Datum} Parameter */
 
 /**
- * The value of the last step. `element` is the number of the element of an array, if it is one's
- * value.
+ * The value of the last step. If it is the value of an element of an array, `element` is its
+ * number.
  * @param {Step[]} steps
  * @param {Parameter} parameter
  * @param {SizeOf} sizeOf
@@ -56,7 +56,7 @@ class Computation {
   }
 
   /**
-   * The value of a step; `bound` are the variables around it, the innermost first.
+   * The value of a step; `bound` has the values of the variables around it, the innermost first.
    * @param {number} last
    * @param {Datum[]} bound
    * @returns {Datum}
@@ -75,7 +75,7 @@ class Computation {
   }
 
   /**
-   * The steps that one needs and that are not known, in their order.
+   * The steps that a step needs and whose values are not known yet, in their order.
    * @param {number} last
    * @returns {number[]}
    */
@@ -186,7 +186,7 @@ function partOf(value, key) {
 }
 
 /**
- * The arguments that are not a body under the step's binder.
+ * The arguments that the step's binder does not bind: all but its bodies.
  * @param {Step} row
  * @returns {number[]}
  */
@@ -196,7 +196,7 @@ function outside(row) {
 }
 
 /**
- * For each step, how many of the binders around it bind a variable that it uses.
+ * For each step the number of the binders around it that bind a variable that it uses.
  * @param {Step[]} steps
  * @returns {number[]}
  */

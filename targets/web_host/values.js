@@ -12,14 +12,14 @@ import { compute, kindOf } from "./steps.js";
  */
 
 /**
- * What of a plan or a reflection says which values there are.
+ * The parts of a plan or a reflection that declare values.
  * @typedef {Pick<
  *   Reflection, "parameters" | "lights" | "buffers" | "blocks" | "derived"
  * >} Declarations
  */
 
 /**
- * A value, and where its lanes are.
+ * A value, with the place of its lanes.
  * @typedef {Pick<MemberRow, "name" | "representation" | "layout"> & Partial<
  *   Pick<ParameterRow, "type" | "members" | "default" | "range" | "count">
  * >} Placed
@@ -34,12 +34,12 @@ const UNIT_TOLERANCE = 1e-3;
 export class Values {
   /** @type {Map<string, ParameterRow>} */
   #rows = new Map();
-  /** Of all parts of parameters that have no parts themselves. @type {Map<string, Lanes>} */
+  /** The lanes of the parts that have no parts themselves, by name. @type {Map<string, Lanes>} */
   #lanes = new Map();
   /** The parameters that have a value. @type {Set<string>} */
   #known = new Set();
 
-  /** What has these values, for messages. @readonly */
+  /** The name of their owner, for messages. @readonly */
   name;
   /** @readonly */
   declared;
@@ -66,7 +66,7 @@ export class Values {
   }
 
   /**
-   * Values of their own, which can be changed by themselves.
+   * A copy of the values, which can be changed without changing these.
    * @returns {Values}
    */
   copied() {
@@ -74,7 +74,7 @@ export class Values {
   }
 
   /**
-   * Whether there is something of this name: a parameter, a part of one, or a light.
+   * True if a parameter, a part of one, or a light has this name.
    * @param {string} name
    * @returns {boolean}
    */
@@ -84,7 +84,7 @@ export class Values {
 
   /**
    * Set a parameter, a part of one, or a light. Parts that are left out, or null, stay as they
-   * were, and are their defaults or zero at first.
+   * are; at first, each part has its default, or zero.
    * @param {string} name
    * @param {Value} value
    */
@@ -92,7 +92,7 @@ export class Values {
     const found = this.#find(name);
     if (found) {
       const { parameter, part } = found;
-      // All of it, or nothing.
+      // The whole value is checked before the first part is set, so an error sets nothing.
       for (const [each, lanes] of [...accepted(part, value)]) this.#lanes.set(each, lanes);
       this.#known.add(parameter.name);
       const isList = part.row === parameter && Array.isArray(value);
@@ -104,7 +104,7 @@ export class Values {
   }
 
   /**
-   * Say how many elements a storage buffer has.
+   * Set the number of elements of a storage buffer.
    * @param {Declarations["buffers"][number]} buffer
    * @param {number} bytes
    */
@@ -113,7 +113,7 @@ export class Values {
   }
 
   /**
-   * A value as it is stored. An error if somebody has yet to set it.
+   * The stored value. Throws an error if it must be set first.
    * @param {string} name
    * @returns {Datum}
    */
@@ -137,7 +137,7 @@ export class Values {
   }
 
   /**
-   * The value that steps compute. `size` tells the sizes of the textures that they read.
+   * The value that steps compute. `size` returns the sizes of the textures that they read.
    * @param {Step[]} steps
    * @param {SizeOf} [size]
    * @param {number} [element]
@@ -174,7 +174,7 @@ export class Values {
   }
 
   /**
-   * What a name means: a parameter, or a part of one.
+   * The parameter, or the part of one, that has this name.
    * @param {string} name
    * @returns {{ parameter: ParameterRow, part: Part } | undefined}
    */
@@ -260,7 +260,7 @@ function* defaults(row, name) {
 }
 
 /**
- * The lanes that a host means by a value, for each part that it gives.
+ * The lanes of a value that a host sets, for each part that it gives.
  * @param {Part} part
  * @param {Value} value
  * @returns {Generator<[string, Lanes]>}
@@ -324,7 +324,7 @@ function vector({ layout, type = "", representation, range }, value, name) {
 }
 
 /**
- * Write a value where its row says that it lies, `offset` bytes from the start.
+ * Write a value at the place that its row gives, `offset` bytes from the start.
  * @param {DataView} view
  * @param {number} offset
  * @param {Placed} row

@@ -10,12 +10,12 @@ from collections.abc import Collection, Iterator, Sequence
 from ...compiler.documents.plan import DrawStep, FramePlan, FrameTextureRow, RunStep
 from ...compiler.documents.reading import read
 from ...compiler.documents.reflection import Reflection
+from ...compiler.ir.formats import DEPTH_WORDS
 from ...compiler.ir.stages import COMPUTE
 from ..runner.binding import FORMATS, pipeline
 from ..runner.codes import Codes
 from ..runner.drivers import webgpu
 from ..runner.drivers.slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
-from ..runner.frames.by_route import DEPTH_FORMATS
 from ..runner.routes import ROUTES
 from .documents import PackagedShader, PipelineRow, WebGPUPipeline
 
@@ -57,11 +57,11 @@ def _format(plan: FramePlan, texture: int) -> str:
 def format_of(texture: FrameTextureRow) -> str:
     """The format of a texture of a plan."""
     name = texture.format
-    return DEPTH_FORMATS.get(name) or FORMATS[name]
+    return DEPTH_WORDS.get(name) or FORMATS[name]
 
 
 def _names(reflection: Reflection) -> webgpu.Names:
-    """What the reflection calls the slots of each kind, in their order."""
+    """The reflection's names of the slots of each kind, in the order of the slots."""
 
     def read(kind: str) -> list[str]:
         return [row.name for row in getattr(reflection, kind) if row.stages]

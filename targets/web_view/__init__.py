@@ -1,1 +1,1 @@
-"""The page of ``burnish view``: what it shows beside the picture, and its files."""
+"""The page of ``burnish view``: its controls, its first camera, and its files."""

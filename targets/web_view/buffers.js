@@ -12,7 +12,7 @@ import { Elements } from "./records.js";
  * @import { Column, Layout } from "./records.js"
  */
 
-/** So many elements are in the table. */
+/** The number of elements in the table. */
 const LISTED = 100;
 
 const place = element("buffer", HTMLElement);
@@ -28,7 +28,7 @@ export class BufferView {
   /** @type {Orbit | null} */
   #orbit = null;
   #waiting = 0;
-  /** Tells one buffer from another: for a new one, the camera and the plot begin anew. */
+  /** Identifies the buffer that is shown: for another one, the camera and the plot begin anew. */
   #shown = "";
 
   constructor() {
@@ -56,7 +56,7 @@ export class BufferView {
         ...layout.columns.map(({ name }, at) => make("option", { value: at }, name || layout.type)),
       );
       present(columns.closest("label")).hidden = layout.columns.length < 2;
-      // Points say most.
+      // Points in space say more than a plot of lanes.
       const best = layout.columns.findIndex((column) => plotsOf(column)[0] === "points");
       columns.value = String(Math.max(best, 0));
       this.#choose();
@@ -70,7 +70,7 @@ export class BufferView {
     this.#request();
   }
 
-  /** Back to the first view. */
+  /** Return the camera to its first view. */
   home() {
     this.#orbit = null;
     this.#request();

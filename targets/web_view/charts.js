@@ -7,7 +7,7 @@ import { Orbit } from "./orbit.js";
  * @import { Column, Elements } from "./records.js"
  */
 
-/** How a column can be shown. @typedef {"points" | "values" | "histogram"} Plot */
+/** The plot of a column. @typedef {"points" | "values" | "histogram"} Plot */
 
 /** @type {Record<Plot, string>} */
 export const TITLES = {
@@ -26,7 +26,7 @@ export function plotsOf(column) {
 }
 
 /**
- * Inks and sizes in the pixels of a canvas.
+ * A canvas to plot on, its size in pixels, and its colours.
  * @typedef {object} Paper
  * @property {CanvasRenderingContext2D} ink
  * @property {number} width
@@ -41,7 +41,7 @@ const MARGIN = { left: 64, right: 20, top: 16, bottom: 26 };
 const MOST_BARS = 64;
 /** More points than these are drawn smaller. */
 const MANY = 5000;
-/** Of more primitives than these some are left out, evenly: nobody could tell them apart. */
+/** Of more primitives than this, some are left out, evenly: nobody could tell them apart. */
 const MOST_POINTS = 100_000;
 
 /**
@@ -68,7 +68,7 @@ export function paperOf(canvas) {
 }
 
 /**
- * Draw a column. `orbit` is where points are seen from.
+ * Draw a column. `orbit` is the camera for points.
  * @param {HTMLCanvasElement} canvas
  * @param {Plot} plot
  * @param {Elements} elements
@@ -86,7 +86,7 @@ export function drawPlot(canvas, plot, elements, column, orbit) {
 // --- numbers -------------------------------------------------------------------------------------
 
 /**
- * Where the pixels of a diagram are.
+ * Functions from a diagram's coordinates to pixels.
  * @typedef {object} Axes
  * @property {(share: number) => number} x
  * @property {(value: number) => number} y
@@ -126,8 +126,8 @@ function drawAxes(paper, [low, high], ends) {
 }
 
 /**
- * Each lane in the order of the elements. Where several elements share a pixel's column, from the
- * least to the greatest of them.
+ * Draw each lane in the order of the elements. If several elements share a column of pixels, its
+ * line goes from the least to the greatest of them.
  * @param {Paper} paper
  * @param {Elements} elements
  * @param {Column} column
@@ -162,7 +162,7 @@ function drawValues(paper, elements, column) {
 }
 
 /**
- * How many elements have each value, or one of a range of values.
+ * Draw the number of elements with each value, or with a value in each of several ranges.
  * @param {Paper} paper
  * @param {Elements} elements
  * @param {Column} column
@@ -241,7 +241,7 @@ export function orbitAround(elements, column) {
 }
 
 /**
- * Points, or the lines and triangles whose corners they are.
+ * Draw points, or the lines and triangles whose corners they are.
  * @param {Paper} paper
  * @param {Elements} elements
  * @param {Column} column

@@ -1,7 +1,7 @@
 // Colours as people pick them, `#rrggbb` in sRGB, and as shaders take them, in linear light.
 
 /**
- * How bright a colour is that no picker has: as a factor of one that it has.
+ * The factor by which a colour is brighter than one that a picker has; 1 within a picker's range.
  * @param {readonly number[]} color
  * @returns {number}
  */

@@ -1,7 +1,7 @@
 """The controls of a frame in ``burnish view``: what a person can set, with its range and comment.
 
 Everything here comes from the plan and the reflections. The page makes a slider, a colour picker or
-another field of each row, and ``FrameHost.set`` knows the row's name.
+another field from each row, and ``FrameHost.set`` takes the row's name.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from ..runner.instances.shapes import Elements, Members, Numbers, Shape, shape_o
 _VIEW_ROLES = frozenset(
     ("world_to_clip", "eye", "object_to_world", "pose", "morph", "size", "number")
 )
-"""What the page and the scene set by themselves."""
+"""The roles of the parameters that the page and the scene set by themselves."""
 _MOST_ELEMENTS = 16
-"""An array of more numbers than these is data, which nobody sets by hand."""
+"""An array of more numbers than this is data, which nobody sets by hand."""
 _PER_FRAME = "frame"
-"""The group of what changes from frame to frame."""
+"""The group of the parameters that change from frame to frame."""
 
 
 def controls(host: FrameHost) -> list[dict[str, Any]]:
     """A row for each number, vector, colour and texture that a person can set.
 
-    What several shaders have under one name is one row, since it is set for all of them.
+    Parameters of several shaders with one name have one row, since they are set together.
     """
     found: dict[str, dict[str, Any]] = {}
     of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan.rig)
@@ -41,7 +41,7 @@ def controls(host: FrameHost) -> list[dict[str, Any]]:
 
 
 def _belongs(row: ParameterRow, lights: Sequence[LightRow]) -> bool:
-    """Whether a parameter is one of a light, or tells how many there are."""
+    """True if a parameter belongs to a light, or is the number of lights."""
     return any(row.name in (*each.parameters, each.count) for each in lights)
 
 
@@ -75,7 +75,7 @@ def _of_lights(host: FrameHost) -> Iterator[dict[str, Any]]:
 
 
 def _of_shaders(host: FrameHost) -> Iterator[dict[str, Any]]:
-    """What is left to set of each shader, once the frame and the scene have set their part."""
+    """The parameters and textures of each shader that neither the frame nor the scene sets."""
     given = _given(host.plan)
     for number, instance in enumerate(host.instances):
         reflection = instance.reflection
@@ -106,7 +106,7 @@ def _given(plan: FramePlan) -> Mapping[int, frozenset[str]]:
 
 
 def _titles(plan: FramePlan, shader: int) -> str:
-    """What a shader belongs to: its material; of one without a material, its pass or kernel."""
+    """The title of each shader's section: its material, or else its pass or kernel."""
     for step in plan.steps:
         for use in step.uses:
             if use.shader == shader and isinstance(step, DrawStep):
@@ -161,7 +161,7 @@ def _parts(name: str, shape: Shape, light: str | None) -> Iterator[tuple[str, Nu
 
 
 def _kind(shape: Numbers) -> str:
-    """Which field a person sets it by."""
+    """The kind of field by which a person sets a number, vector or matrix."""
     if shape.columns:
         return "matrix"
     if shape.kind == "bool":

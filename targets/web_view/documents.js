@@ -1,4 +1,4 @@
-// What the server tells the page: the documents of `burnish view`, and word of every change.
+// Loads the documents of `burnish view` from the server, and listens to changes of the file.
 
 /**
  * @import { FramePackage, Value } from "../web_host/host.js"
@@ -6,7 +6,7 @@
  */
 
 /**
- * What somebody can set: a row of `controls.py`.
+ * A value that a person can set: a row of `controls.py`.
  * @typedef {object} Control
  * @property {string} name
  * @property {string} section
@@ -22,27 +22,27 @@
  * @property {number} [columns]
  * @property {boolean} [whole]
  * @property {[number, number] | null} [range]
- * @property {boolean} [is_given] Of a texture: whether it is something else than the default,
- *   which `value` names.
+ * @property {boolean} [is_given] Of a texture: true if it is not the default, which `value`
+ *   names.
  * @property {{ file: string, is_float: boolean, is_srgb: boolean } | null} picture The picture
  *   that the page has given it.
- * @property {boolean} [is_timed] Whether it is a number that changes from frame to frame, such as
- *   a time.
+ * @property {boolean} [is_timed] True for a number that changes from frame to frame, such as a
+ *   time.
  */
 
 /**
- * What a page shows of the file.
+ * The choice of what the page draws.
  * @typedef {object} Choice
  * @property {string | null} file One of a folder's files.
  * @property {string | null} subject
  * @property {string | null} rig
  * @property {string | null} pass
  * @property {string | null} mesh
- * @property {string | null} [output] Which output is shown of it; the server need not know.
+ * @property {string | null} [output] The output that is shown; the server need not know.
  */
 
 /**
- * What every document has.
+ * The members that every document has.
  * @typedef {object} Head
  * @property {string} version
  * @property {string} file
@@ -50,16 +50,16 @@
  * @property {string[]} rigs
  * @property {string[]} passes
  * @property {string[]} meshes
- * @property {number} most_bytes How large the file of a picture may be.
+ * @property {number} most_bytes The largest size of a picture's file.
  */
 
 /**
- * What is wrong, as the compiler shows it on a terminal.
+ * A document with the errors of the file, as the compiler shows them on a terminal.
  * @typedef {Head & { error: string }} Broken
  */
 
 /**
- * What the page draws.
+ * A document that the page can draw.
  * @typedef {Head & {
  *   error?: undefined,
  *   chosen: Choice,

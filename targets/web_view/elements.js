@@ -3,7 +3,7 @@
 /** @typedef {Record<string, string | number | boolean | null>} Attributes */
 
 /**
- * An element with attributes, and what is inside it. `true` is an attribute without a value;
+ * An element with attributes and children. `true` is an attribute without a value;
  * `false` and `null` are none.
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag

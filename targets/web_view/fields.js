@@ -10,7 +10,7 @@ import { make } from "./elements.js";
  */
 
 /**
- * Something that shows a value; it tells its maker of every change.
+ * A field that shows a value; its maker is called for every change that a person makes.
  * @template T
  * @typedef {object} Field
  * @property {HTMLElement} element
@@ -18,7 +18,7 @@ import { make } from "./elements.js";
  */
 
 /**
- * What is told of a value that somebody has set.
+ * A function that is called with a value that a person has set.
  * @template T
  * @typedef {(value: T) => void} Changed
  */
@@ -26,7 +26,7 @@ import { make } from "./elements.js";
 const DEGREES = 180 / Math.PI;
 /** From this ratio of the ends of a range on, a slider goes by factors. */
 const WIDE = 500;
-/** A slider has so many steps. */
+/** The number of steps of a slider. */
 const STEPS = 1000;
 const LANES = ["x", "y", "z", "w"];
 
@@ -66,14 +66,14 @@ const makers = {
 // --- numbers -------------------------------------------------------------------------------------
 
 /**
- * Which numbers a field takes.
+ * The numbers that a field takes.
  * @typedef {object} Numbers
  * @property {[number, number] | null} range
  * @property {boolean} whole
  */
 
 /**
- * How a field is called: by the element that labels it, or by a word of its own.
+ * The label of a field: the id of the element that labels it, or a word of its own.
  * @typedef {object} Naming
  * @property {string} label
  * @property {string} [word]
@@ -128,7 +128,7 @@ function numberField(of, named, changed) {
     box.value = shown(value, whole);
     changed(value);
   });
-  // What was typed beyond the range is set to its end when the field is left.
+  // A number beyond the range becomes the nearer end of it when the field loses focus.
   box.addEventListener("change", () => {
     const value = box.valueAsNumber;
     if (Number.isNaN(value) || (range && (value < range[0] || value > range[1]))) {
@@ -276,7 +276,7 @@ function directionField(label, changed) {
 }
 
 /**
- * A matrix, of which each field is a row.
+ * A matrix, with a field for each row.
  * @param {Control} control
  * @param {string} label
  * @param {Changed<number[][]>} changed

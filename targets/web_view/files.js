@@ -105,7 +105,7 @@ export class FileList {
   }
 }
 
-/** Where the list lies over the page. */
+/** Matches narrow windows, in which the list covers the page. */
 const narrow = window.matchMedia("(max-width: 720px)");
 
 /** @type {(text: string) => string} */

@@ -1,4 +1,4 @@
-// Turns what a mouse, fingers and keys do on the picture into movements of the camera.
+// Turns gestures of mouse, fingers and keys on the picture into movements of the camera.
 
 /** @import { Orbit } from "./orbit.js" */
 
@@ -6,7 +6,7 @@ const KEY_TURN = Math.PI / 36;
 const KEY_PAN = 0.05;
 const KEY_ZOOM = 1.1;
 const WHEEL_ZOOM = 0.0015;
-/** What a line and a page of a wheel are, in pixels. */
+/** A wheel's units, pixel, line and page, in pixels. */
 const WHEEL_UNITS = [1, 16, 400];
 
 /** @typedef {{ x: number, y: number }} Place */
@@ -80,7 +80,7 @@ export function follow(element, orbit, moved) {
 }
 
 /**
- * What each key does: a direction, or how many times as far away.
+ * The movement of each key: a direction, or a factor of the distance.
  * @type {Record<string, { right: number, up: number, zoom?: number }>}
  */
 const KEYS = {

@@ -1,4 +1,4 @@
-// The page of `burnish view`: puts together what the server tells, the controls and the picture.
+// The page of `burnish view`: connects the server's documents, the controls and the picture.
 
 import { PROFILES } from "../web_host/host.js";
 import { present } from "../web_host/present.js";
@@ -33,13 +33,13 @@ const outputs = element("output", HTMLSelectElement);
 const play = element("play", HTMLButtonElement);
 
 /**
- * What the page shows; its address says it too, so that a bookmark leads to the same.
+ * The choice that the page shows; it is in the page's address, too, for bookmarks.
  * @type {Choice}
  */
 const choice = { file: null, subject: null, rig: null, pass: null, mesh: null, output: null };
 /** @type {Drawable | null} */
 let shown = null;
-/** Why the source cannot be drawn, and why the picture cannot. */
+/** The errors of the source, and those of drawing it. */
 const problems = { source: "", picture: "" };
 
 function tellProblems() {
@@ -108,7 +108,7 @@ function view(api) {
     document.body.dataset.ready = problems.source || problems.picture ? "no" : "yes";
   }
 
-  // One document is loaded at a time; what was asked for meanwhile is loaded then.
+  // One document is loaded at a time; after it, the latest choice that was made meanwhile.
   let loading = false;
   let again = false;
   /** @returns {Promise<void>} */
@@ -201,14 +201,14 @@ function view(api) {
   });
 }
 
-/** The name of what is shown, among all that there is. @type {(shown: Drawable) => string} */
+/** The name under which the values of a subject are kept. @type {(shown: Drawable) => string} */
 const nameOf = ({ file, chosen }) => `${file}/${chosen.subject}`;
 
-/** What the versions of one server have in common. @type {(version: string) => string} */
+/** The part of a version that names the server's run. @type {(version: string) => string} */
 const serverOf = (version) => version.split(".")[0];
 
 /**
- * Say something for a few seconds.
+ * Show a message for a few seconds.
  * @param {string} text
  */
 function notify(text) {
@@ -219,7 +219,7 @@ function notify(text) {
   place.dataset.timer = String(setTimeout(() => { place.hidden = true; }, 4000));
 }
 
-/** Have the page's address say what is shown. */
+/** Write the choice into the page's address. */
 function remember() {
   const said = Object.entries(choice).filter(([, value]) => value);
   const asked = new URLSearchParams(/** @type {[string, string][]} */ (said));
@@ -227,7 +227,7 @@ function remember() {
 }
 
 /**
- * Say how large the picture is, and how fast it was drawn; null for what is no picture.
+ * Show the size of the picture and the frames per second; null if no picture is shown.
  * @param {Status | null} status
  */
 function tellStatus(status) {
@@ -241,7 +241,7 @@ function tellStatus(status) {
 }
 
 /**
- * Offer what the file has to choose from.
+ * Fill the lists with the choices of the file.
  * @param {Document} found
  */
 function fillSelects(found) {

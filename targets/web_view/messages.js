@@ -1,4 +1,4 @@
-// Shows what the compiler says: text with the codes by which terminals set colours.
+// Shows the compiler's messages: text with the codes by which terminals set colours.
 
 import { make } from "./elements.js";
 

@@ -4,14 +4,14 @@
 /** @typedef {[number, number, number]} Vector */
 
 /**
- * Where the camera begins: what `orbit.py` makes.
+ * The camera's first position, from `orbit.py`.
  * @typedef {object} OrbitRow
  * @property {Vector} eye
  * @property {Vector} target
  * @property {Vector} up
  * @property {number | null} fov The angle of view from bottom to top in radians; null without
  *   perspective.
- * @property {number} height Without perspective: how much it sees from bottom to top.
+ * @property {number} height Without perspective: the height of the view in world space.
  * @property {number} near
  * @property {number | null} far Null means that it sees everything behind `near`.
  */
@@ -27,7 +27,7 @@ export class Orbit {
   #yaw;
   /** @type {number} */
   #pitch;
-  /** How far away the eye is, as a multiple of where it began. */
+  /** The distance of the eye, as a multiple of its first one. */
   #zoomed = 1;
   /** @type {number} */
   #distance;
@@ -68,7 +68,7 @@ export class Orbit {
   }
 
   /**
-   * Go so many times as far away.
+   * Multiply the distance of the eye by a factor.
    * @param {number} factor
    */
   zoom(factor) {
@@ -83,8 +83,8 @@ export class Orbit {
   }
 
   /**
-   * World space to the clip space of a square picture, as four columns. `widening` is how many
-   * times as much is seen as usual: for pictures that are higher than wide.
+   * World space to the clip space of a square picture, as four columns. `widening` is a
+   * factor of the view's size: above 1 for pictures that are higher than wide.
    * @returns {number[][]}
    */
   viewProjection(widening = 1) {
@@ -104,7 +104,7 @@ export class Orbit {
   }
 
   /**
-   * To the right, upwards and back towards the eye.
+   * The camera's axes: to the right, upwards, and back towards the eye.
    * @returns {[Vector, Vector, Vector]}
    */
   #axes() {

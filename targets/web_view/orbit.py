@@ -1,4 +1,4 @@
-"""Where the camera of ``burnish view`` begins, and what it turns around."""
+"""The first camera of ``burnish view``, and the point that it turns around."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 from ..runner.frames.scenery import Scenery
 
 _USUAL = 3.0
-"""How far away a camera's target is if there are no models."""
+"""The distance of a camera's target if there are no models."""
 
 
 def orbit(scenery: Scenery) -> dict[str, Any]:
-    """The camera of a scene, and the point that it turns around: what is before it, as far away as
-    the middle of the models."""
+    """The camera of a scene, and the point that it turns around: straight ahead, as far away as the
+    middle of the models."""
     camera = scenery.scene.camera
     eye = np.array(camera.eye)
     forward = -camera.world_to_camera[2, :3]

@@ -1,4 +1,4 @@
-// The controls beside the picture, in sections, with what somebody has set.
+// The controls beside the picture, in sections, with the values that a person has set.
 
 import { present } from "../web_host/present.js";
 import { make } from "./elements.js";
@@ -13,7 +13,7 @@ import { isTexture, textureField } from "./pictures.js";
  */
 
 /**
- * A value that somebody has set, and the type that it had then.
+ * A value that a person has set, and the type of its parameter then.
  * @typedef {object} Kept
  * @property {string} type
  * @property {Value} value
@@ -35,10 +35,10 @@ export class Panel {
   #kept = {};
   #built = "";
   #subject = "";
-  /** How large the file of a picture may be. */
+  /** The largest size of a picture's file, in bytes. */
   #mostBytes = 0;
   /**
-   * The numbers that run with the time, each with what it is exactly.
+   * The numbers that run with the time, each with its exact value: fields show rounded ones.
    * @type {Map<string, number>}
    */
   #timed = new Map();
@@ -49,7 +49,7 @@ export class Panel {
   #pictures;
 
   /**
-   * `changed` is told of every value that is set.
+   * `changed` is called with every value that is set.
    * @param {HTMLElement} root
    * @param {(name: string, value: Value) => void} changed
    * @param {() => void} animated
@@ -63,8 +63,8 @@ export class Panel {
   }
 
   /**
-   * Show the controls of a subject, by its name among all that there is; values that were set
-   * stay, where the control still takes them. Returns these values.
+   * Show the controls of a subject; `subject` is the name under which its values are kept. Values
+   * that a person has set stay if the control still takes them. Returns these values.
    * @param {string} subject
    * @param {Control[]} controls
    * @param {number} mostBytes
@@ -89,7 +89,7 @@ export class Panel {
   }
 
   /**
-   * Whether some number runs with the time.
+   * True if some number runs with the time.
    * @returns {boolean}
    */
   get runs() {
@@ -97,7 +97,7 @@ export class Panel {
   }
 
   /**
-   * Let the time go on, in seconds.
+   * Add seconds to the numbers that run with the time.
    * @param {number} seconds
    */
   advance(seconds) {
@@ -129,7 +129,7 @@ export class Panel {
   }
 
   /**
-   * Give a texture the picture of a file; its row says what is wrong with that.
+   * Give a texture the picture of a file; errors are shown in its row.
    * @param {string} name
    * @param {File} file
    * @returns {Promise<void>}
@@ -150,7 +150,7 @@ export class Panel {
   }
 
   /**
-   * What was set, as options of the command line.
+   * The values that were set, as options of the command line.
    * @returns {string}
    */
   get options() {
@@ -239,7 +239,7 @@ export class Panel {
   }
 
   /**
-   * It shows what the control says, and is made anew with it.
+   * The field of a texture. It is made anew with the control, so `show` has nothing to do.
    * @param {TextureControl} control
    * @param {string} label
    * @returns {Field<Value>}
@@ -316,7 +316,7 @@ export class Panel {
     this.#hideUncounted();
   }
 
-  /** Of an array of lights, show those that shine. */
+  /** Hide the lights of an array beyond the number that shine. */
   #hideUncounted() {
     for (const { control, element } of this.#rows.values()) {
       const { count, index } = control.element ?? { count: null, index: 0 };

@@ -1,29 +1,29 @@
-// The pictures that somebody gives textures: files go to the server, which knows each by a word.
+// The pictures that a person gives textures: files go to the server, which names each by a word.
 
 import { make } from "./elements.js";
 
 /** @import { Control } from "./documents.js" */
 
-/** Before the word of a picture whose colours are sRGB. */
+/** The prefix of the word of a picture whose colours are sRGB. */
 const SRGB = "srgb:";
-/** What a browser offers to choose from. */
+/** The kinds of files that a browser offers to choose from. */
 const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr";
 
 /**
- * What of a texture's control this module reads.
+ * The members of a texture's control that this module reads.
  * @typedef {Control & { dimension: string, sample: string }} TextureControl
  */
 
 /** @type {(control: Control) => control is TextureControl} */
 export const isTexture = (control) => control.kind === "texture";
 
-/** The pictures of what is shown, and for as long as the tab is open, those of all else. */
+/** The pictures of the subject that is shown; those of others are kept while the tab is open. */
 export class Pictures {
-  /** By the texture's name, what is asked of the server. @type {Record<string, string>} */
+  /** The words that the server is asked for, by texture. @type {Record<string, string>} */
   #asked = {};
   /** @type {string | null} */
   #key = null;
-  /** By the word of a picture, what it looks like. @type {Map<string, string>} */
+  /** The address of each picture's look, by its word. @type {Map<string, string>} */
   #looks = new Map();
 
   #changed;
@@ -37,7 +37,7 @@ export class Pictures {
   }
 
   /**
-   * What to ask the server for, by names of a query.
+   * The pictures to ask the server for, as names and values of a query.
    * @returns {[string, string][]}
    */
   get query() {
@@ -45,8 +45,8 @@ export class Pictures {
   }
 
   /**
-   * Go on with the pictures of something, by its name. Returns whether they are others than those
-   * that were asked for.
+   * Change to the pictures of a subject, by its name. Returns true if they differ from those that
+   * were asked for.
    * @param {string} key
    * @returns {boolean}
    */
@@ -59,7 +59,7 @@ export class Pictures {
   }
 
   /**
-   * Give a texture the picture of a file. An error says why that cannot be.
+   * Give a texture the picture of a file. Throws an error that says why that is impossible.
    * @param {TextureControl} control
    * @param {File} file
    * @param {number} mostBytes
@@ -97,7 +97,7 @@ export class Pictures {
   }
 
   /**
-   * The address of what the picture of a texture looks like, if the page knows that.
+   * The address of an image of a texture's picture, if the page has one.
    * @param {string} name
    * @returns {string | null}
    */
@@ -133,8 +133,8 @@ export class Pictures {
 }
 
 /**
- * The field of a texture: what it has now, a button to choose another picture, and what is wrong
- * with the one that was chosen last.
+ * The field of a texture: its picture, a button to choose another one, and the error of the last
+ * choice.
  * @param {TextureControl} control
  * @param {string} label
  * @param {Pictures} pictures

@@ -1,4 +1,4 @@
-// The elements of a buffer as numbers, by the rows of the reflection that say how they lie.
+// The elements of a buffer as numbers, read by the layout in the rows of the reflection.
 
 import { present } from "../web_host/present.js";
 
@@ -10,22 +10,23 @@ import { present } from "../web_host/present.js";
  * @property {string} name
  * @property {string} type
  * @property {"float" | "int" | "uint" | "bool"} kind
- * @property {number[]} places How many bytes behind the beginning of an element each of its lanes
- *   lies.
+ * @property {number[]} places The offset of each of its lanes in an element, in bytes.
  */
 
 /**
- * How the elements of an output lie in its buffer.
+ * The layout of an output's elements in its buffer.
  * @typedef {object} Layout
  * @property {string} type
  * @property {number} stride
  * @property {Column[]} columns
- * @property {1 | 2 | 3} corners How many elements in turn make a primitive; 1 unless they are
- *   captured vertices.
+ * @property {1 | 2 | 3} corners The number of successive elements that make a primitive; 1
+ *   unless they are captured vertices.
  * @property {number | null} there
  */
 
-const CORNERS = /** @type {const} */ ({ point: 1, line: 2, triangle: 3 });
+const CORNERS = /** @type {const} */ ({
+  "point-list": 1, "line-list": 2, "triangle-list": 3,
+});
 
 /**
  * The layout of an output that is a buffer; null for a picture.
@@ -46,7 +47,7 @@ export function layoutOf(from, output) {
       type: captured ? "vertex" : ofElement(result.type),
       stride: result.stride,
       columns: captured ? captured.members.map(ofCapture) : columnsOf(result, "", 0),
-      corners: CORNERS[captured?.primitive ?? "point"],
+      corners: CORNERS[captured?.topology ?? "point-list"],
       there: captured?.there ?? null,
     };
   }
@@ -124,7 +125,7 @@ export class Elements {
   }
 
   /**
-   * One lane of a column, of an element.
+   * One lane of an element in a column.
    * @param {Column} column
    * @param {number} lane
    * @param {number} element
@@ -138,7 +139,7 @@ export class Elements {
   }
 
   /**
-   * What a person reads of an element.
+   * The text of an element in a column, for people.
    * @param {Column} column
    * @param {number} element
    * @returns {string}

@@ -11,31 +11,31 @@ import { layoutOf } from "./records.js";
  * @import { Layout } from "./records.js"
  */
 
-/** How much of the last measurements counts for the number of frames per second. */
+/** The weight of earlier measurements in the number of frames per second. */
 const SMOOTHING = 0.9;
-/** The longest time between two frames that counts as such, in seconds. */
+/** A longer time between two frames, in seconds, is a pause, and not measured. */
 const LONGEST = 0.5;
-/** A picture has no more pixels on a side than this. */
+/** The largest width and height of a picture in pixels. */
 const LARGEST = 4096;
 
 /**
- * What was drawn.
+ * The size and the speed of the picture that was drawn.
  * @typedef {object} Status
  * @property {number} width
  * @property {number} height
- * @property {number} magnified How many pixels of the screen one of the picture has on a side.
+ * @property {number} magnified The width of a pixel of the picture in pixels of the screen.
  * @property {number | null} rate
  */
 
 /**
- * Who is told what happens to the picture.
+ * The functions that are called when something happens to the picture.
  * @typedef {object} Watcher
  * @property {(text: string) => void} problem Something could not be drawn; an empty text if it can
  *   be again.
  * @property {(status: Status) => void} drawn A picture was drawn.
  * @property {(layout: Layout, bytes: Uint8Array) => void} written A buffer was written.
- * @property {() => boolean} runs Whether anything runs with the time.
- * @property {(seconds: number) => void} elapsed So many seconds have gone by.
+ * @property {() => boolean} runs True if a number runs with the time.
+ * @property {(seconds: number) => void} elapsed Time has gone by.
  */
 
 export class Screen {
@@ -51,7 +51,7 @@ export class Screen {
   /** @type {OrbitRow | null} */
   #start = null;
   #output = "";
-  /** How the elements of the output lie, if it is a buffer. @type {Layout | null} */
+  /** The layout of the output's elements, if it is a buffer. @type {Layout | null} */
   #layout = null;
   #reading = false;
   #readsAgain = false;
@@ -77,7 +77,7 @@ export class Screen {
   }
 
   /**
-   * Whether each picture goes on from the last one.
+   * True if each picture is computed from the last one.
    * @returns {boolean}
    */
   get evolves() {
@@ -85,7 +85,7 @@ export class Screen {
   }
 
   /**
-   * Whether there is another picture to draw after each.
+   * True if pictures are drawn one after the other.
    * @returns {boolean}
    */
   get #goesOn() {
@@ -112,7 +112,7 @@ export class Screen {
     this.#choose(output);
     this.#draw();
     if (this.#goesOn) this.request();
-    // What the API refuses it tells later.
+    // An API reports errors later.
     frame.finished().catch((/** @type {Error} */ error) => {
       if (this.#frame === frame) this.#watcher.problem(error.message);
     });
@@ -134,7 +134,7 @@ export class Screen {
   }
 
   /**
-   * Whether a buffer is shown, and no picture.
+   * True if the output is a buffer, and no picture.
    * @returns {boolean}
    */
   get showsBuffer() {
@@ -168,7 +168,7 @@ export class Screen {
    * @returns {Promise<Blob>}
    */
   async picture() {
-    // What is on a canvas can be read until the browser shows it.
+    // A canvas can only be read until the browser shows it, so it is drawn again.
     this.#present();
     /** @type {Blob | null} */
     const found = await new Promise((done) => this.#canvas.toBlob(done, "image/png"));
@@ -227,8 +227,8 @@ export class Screen {
   }
 
   /**
-   * Tell what is in the buffer; one reading at a time, and once more for what was drawn in the
-   * meantime.
+   * Read the buffer for the watcher; one reading at a time, and one more if frames were drawn in
+   * the meantime.
    * @returns {Promise<void>}
    */
   async #readElements() {
@@ -263,7 +263,7 @@ export class Screen {
   }
 
   /**
-   * Give the frame its size and camera. Returns whether there is anything to see.
+   * Give the frame its size and camera. Returns false if no pixel of the canvas is visible.
    * @returns {boolean}
    */
   #fit() {

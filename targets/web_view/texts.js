@@ -8,7 +8,7 @@ const dialog = element("texts", HTMLDialogElement);
 const chosen = element("text-of", HTMLSelectElement);
 const shown = element("text", HTMLPreElement);
 
-/** By the name of the shader and its stage. @type {Map<string, string>} */
+/** Each text by the names of its shader and stage. @type {Map<string, string>} */
 let texts = new Map();
 
 chosen.addEventListener("change", show);
@@ -21,7 +21,7 @@ element("copy-text", HTMLButtonElement).addEventListener("click", () => {
 });
 
 /**
- * Take the texts of another package; what is open shows the new text.
+ * Take the texts of another package; an open dialog shows the new text.
  * @param {FramePackage} from
  */
 export function showTextsOf(from) {
@@ -36,7 +36,7 @@ export function showTextsOf(from) {
   );
   const before = chosen.value;
   chosen.replaceChildren(...[...texts.keys()].map((name) => make("option", { value: name }, name)));
-  // The fragment shader says most about a material.
+  // The fragment shader is the best first choice: it says most about a material.
   const first = [...texts.keys()].find((name) => name.endsWith("fragment")) ?? chosen.value;
   chosen.value = texts.has(before) ? before : first;
   if (dialog.open) show();

@@ -111,7 +111,7 @@ pass Early : Forward {
 
 
 def test_a_blending_that_a_profile_lacks_is_told_where_the_target_is_declared() -> None:
-    """Also of a target whose value is a constant, which stands nowhere."""
+    """This holds also for a target whose value is a constant, which has no place in the text."""
     with pytest.raises(burnish.CompileError) as caught:
         burnish.compile(MASKED, ("glsl:es310",), pass_="Early")
     (told,) = caught.value.diagnostics
@@ -130,7 +130,7 @@ def test_a_blending_that_a_profile_lacks_is_told_where_the_target_is_declared() 
     ],
 )  # fmt: skip
 def test_arguments_of_wrong_types(argument: str, value: object) -> None:
-    """They are told by the argument's name, and not by what breaks further in."""
+    """The error names the argument; the value does not cause another error further in."""
     given: dict[str, object] = {"source": TWO, argument: value}
     with pytest.raises(TypeError, match=f"^`{argument}` takes "):
         burnish.compile(**given)  # type: ignore[arg-type]
@@ -178,7 +178,7 @@ def test_textures_of_what_is_none() -> None:
 
 
 def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
-    """Where so many calls in calls are no shader any more, that is told at once."""
+    """A shader with too many nested calls to inline is refused at once."""
 
     def source(count: int) -> str:
         functions = "\n".join(
@@ -195,7 +195,7 @@ def test_sums_that_share_sums_take_no_longer_than_their_graph() -> None:
 
 
 def test_what_was_compiled_before_changes_nothing() -> None:
-    """Not even the order of a reflection's lists: hosts compare them with stored ones."""
+    """The order of a reflection's lists stays, too: hosts compare reflections with stored ones."""
     script = (
         "import burnish, json, sys\n"
         "from burnish.compiler.documents.writing import to_json\n"

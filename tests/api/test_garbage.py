@@ -1,4 +1,4 @@
-"""How often Python looks for garbage while a function of the library runs, and afterwards."""
+"""The thresholds of Python's garbage collector during and after a call of the library."""
 
 from __future__ import annotations
 

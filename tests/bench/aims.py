@@ -26,16 +26,16 @@ from .table import Row, Section
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[1] / "examples"
 ROUNDS = 12
-"""How often the checkouts take turns."""
+"""The number of rounds in which the checkouts take turns."""
 RUNS = 8
-"""How often each compiles, or starts, in its turn."""
+"""The number of compiles, or starts, of each checkout in its turn."""
 
 WARM = (
     (EXAMPLES / "plastic.burnish", 8.0),
     (HERE / "street.burnish", 16.0),
     (EXAMPLES / "principled.burnish", 18.0),
 )
-"""What is compiled to three targets in a process that goes on, and milliseconds to aim at."""
+"""The files that a running process compiles to three targets, and the milliseconds to aim at."""
 COLD_AIM, UNCHANGED_AIM = 130.0, 50.0
 CHAIN_AIM = 15_000.0
 
@@ -51,7 +51,7 @@ class Number:
     aim: float | None
     rounds: int
     of: Mapping[str, Measure]
-    """By the checkout's name."""
+    """The measures by the checkout's name."""
 
     def row(self) -> Row:
         """Measure the checkouts in turn; the last one is what the aim is for."""
@@ -151,7 +151,7 @@ class _Start:
         return self._best(*self._compile())[0]
 
     def unchanged_wall(self) -> float:
-        """The same, by the clock on the wall."""
+        """The wall-clock time of a compile of a text that was compiled before."""
         self._example().write_text(self._text(), "utf-8")
         self._once(*self._compile())
         return self._best(*self._compile())[1]

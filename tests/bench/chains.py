@@ -44,7 +44,7 @@ def equations(length: int) -> str:
 
 
 def affine(length: int) -> str:
-    """The same over an interpolated value, so that the vertex stage can compute it all."""
+    """A chain over an interpolated value, which the vertex stage can compute as a whole."""
     return _chain("uv.x", length)
 
 

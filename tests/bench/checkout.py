@@ -21,7 +21,7 @@ class Checkout:
     """The root folder of a checkout, whose compiler is measured with the Python that runs this."""
 
     name: str
-    """What the tables call it."""
+    """The checkout's name in the tables."""
     root: Path
 
     @contextmanager
@@ -68,7 +68,7 @@ class Worker:
         runs: int = 7,
         limit: float = 600.0,
     ) -> dict[str, Any] | None:
-        """What the phases of compiling a file took at best, and the codes of its errors.
+        """The best times of the phases of compiling a file, and the codes of its errors.
 
         The file is compiled until ``enough`` seconds have been spent, at most ``runs`` times.
         ``None`` if the process ended over it, as it does after ``limit`` seconds of CPU time.

@@ -12,7 +12,7 @@ PATIENCE = 1800.0
 
 
 def seconds(work: Callable[[], object], runs: int = 1) -> list[float]:
-    """How long each of ``runs`` runs of ``work`` took, each from a collected heap."""
+    """The times of ``runs`` runs of ``work``, each from a collected heap."""
     found = []
     for _ in range(runs):
         gc.collect()

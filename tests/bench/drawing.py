@@ -1,4 +1,4 @@
-"""How long pictures take: the reference's own, and a conformance run, from nothing and again."""
+"""The times of pictures: the reference's own, and a conformance run, from nothing and again."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _row(what: str, taken: float, limit: float) -> Row:
 
 
 def _seconds(cache: Path, *arguments: str) -> float:
-    """By the clock, of one command in a fresh process, whose caches start in an own folder."""
+    """The wall-clock time of one command in a fresh process, with caches in a folder of its own."""
     return command_times(cache, *arguments)[1]
 
 

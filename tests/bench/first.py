@@ -1,4 +1,4 @@
-"""What the first compile on a fresh machine takes beside later ones, in CPU time.
+"""The time of the first compile on a fresh machine beside later ones, in CPU time.
 
 A checkout is installed as a wheel, and once more as ``pip install --editable`` does it, each into
 an environment of its own. For every round, all is put back as it was when pip had ended, and the
@@ -25,7 +25,7 @@ from .table import Row, Section
 EXAMPLE = Path(__file__).parents[2] / "examples" / "plastic.burnish"
 ROUNDS = 10
 LATER = 2
-"""How many later compiles there are in a round. Medians count, of these as of the first ones."""
+"""The number of later compiles in a round. Medians count, of these as of the first ones."""
 AIM = 1.1
 NOT_INSTALLED = shutil.ignore_patterns(
     ".*", "*.egg-info", "__pycache__", "build", "dist", "docs", "examples", "generated", "tests"
@@ -86,7 +86,7 @@ def _compile(folder: Path, python: Path, number: int) -> float:
 
 
 def _environment(folder: Path) -> dict[str, str]:
-    """As a user has it, who has never run Burnish; no byte code is kept from being written."""
+    """The environment of a user who has never run Burnish; byte code may be written."""
     dropped = ("PYTHONDONTWRITEBYTECODE", "PYTHONPATH")
     kept = {name: value for name, value in os.environ.items() if name not in dropped}
     return kept | {"BURNISH_CACHE": str(folder / "cache")}

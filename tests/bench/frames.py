@@ -16,11 +16,11 @@ from .drawing import command_times
 from .table import Row, Section
 
 DEFERRED = MATERIALS / "frames" / "deferred.burnish"
-"""With up to 32 lights."""
+"""A frame with up to 32 lights."""
 TARGETS = ("hlsl", "glsl", "wgsl")
 COMPILE_AIM, RENDER_AIM, MEMORY_AIM = 0.1, 3.0, 0.6
 RUNS = 12
-"""Of which the best counts."""
+"""The number of runs; the best one counts."""
 COMMANDS = 3
 """Likewise."""
 

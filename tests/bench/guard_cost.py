@@ -1,4 +1,4 @@
-"""What guards cost in the examples of local shading: instructions with them and without any.
+"""The cost of guards in the examples of local shading: instructions with them and without any.
 
 The examples are those that ``examples/README.md`` lists under "Local shading". Each is compiled
 twice; the second time every operation with a domain counts as safe, as hand-written code takes it
@@ -67,7 +67,10 @@ def _trusted(row: Builtin) -> Builtin:
 
 
 def _unless_fractional(domain: Domain) -> Domain:
-    """No language has a remainder of floats that is rounded down: that is no guard."""
+    """A domain that trusts all operands except a remainder of floats.
+
+    No language rounds that remainder down, so the operations that do it are no guard.
+    """
 
     def trusted(facts: tuple[Fact, ...]) -> bool:
         return domain is not BUILTINS["mod"].domain or facts[0].kind != "float"

@@ -1,4 +1,4 @@
-"""How long the shaders are, beside hand-written ones: with the same defined meaning, and with none.
+"""The lengths of the shaders beside hand-written ones, with the same meaning and with none.
 
 ``floors`` is the surface as short as hand can write it, with no care for what happens at the edges.
 ``twins`` is the floor plus what the meaning asks for, and nothing else:
@@ -35,7 +35,7 @@ from .table import Row, Section
 
 HERE = Path(__file__).parent
 LIMIT = 1.08
-"""For fragment shaders, beside the unguarded floor."""
+"""The largest length of fragment shaders, as a multiple of the unguarded floor's."""
 TEXT_LIMIT = 2400
 STAGES = {"vertex": "vert", "fragment": "frag"}
 AUTHORS = ("burnish", "twins", "floors")
@@ -49,7 +49,7 @@ class Route:
     target: str
     file: str
     entries: tuple[str, str]
-    """Of the hand-written vertex and fragment shader."""
+    """The entry points of the hand-written vertex and fragment shader."""
 
 
 ROUTES = (

@@ -1,4 +1,4 @@
-"""What work groups gain where a buffer is reduced: each invocation reads one element, on lavapipe.
+"""The gain of work groups that reduce a buffer: each invocation reads one element, on lavapipe.
 
 The other way, each invocation would add 64 elements itself, one after the other.
 """

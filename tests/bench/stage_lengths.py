@@ -1,7 +1,7 @@
-"""How long geometry and tessellation stages are, beside stages that are written by hand.
+"""The lengths of geometry and tessellation stages beside stages that are written by hand.
 
-The ``twins`` compute the same as the examples with the same meaning: where a normal may vanish that
-is interpolated, they take care of it, too.
+The ``twins`` compute the same as the examples with the same meaning: if an interpolated normal may
+vanish, they take care of it, too.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .table import Row, Section
 TWINS = Path(__file__).with_name("twins")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COMPILERS = {"glsl": ("glslang-vulkan", "glsl:vulkan"), "hlsl": ("dxc-spirv", "hlsl:sm6")}
-"""By language, what makes SPIR-V of a text, and the profile whose texts it takes."""
+"""The compiler to SPIR-V of each language, and the profile whose texts it takes."""
 LIMIT = 1.05
 
 MEASURED = (

@@ -1,4 +1,4 @@
-"""How long it takes to draw what has no stage of its own: lowered forms beside native ones.
+"""The time to draw programs whose stages are lowered, beside the same programs with native stages.
 
 Both forms of a material draw the same picture on lavapipe, in this process, so that nothing but the
 driver's work is measured. A draw with a new pipeline also compiles it, so each time is that of more
@@ -35,14 +35,14 @@ ROUTE = ROUTES["lavapipe:glsl"]
 SIZE = (512, 512)
 SPRITES = 100_000
 LIMIT = 1.5
-"""For the lowered form, beside the native one."""
+"""The largest time of the lowered form, as a multiple of the native one's."""
 ROUNDS = 5
-"""How often the forms take turns; the best time of each counts."""
+"""The number of turns of each form; its best time counts."""
 DRAWS = 4
-"""How many draws are timed together."""
+"""The number of draws that are timed together."""
 
 FORMS: Mapping[str, Mapping[str, Any]] = {"native": {"native_stages": True}, "lowered": {}}
-"""By form, what ``compile`` is told."""
+"""The options of ``compile`` for each form."""
 
 
 def measure() -> Iterator[Section]:
@@ -89,7 +89,7 @@ def _sprites(options: Mapping[str, Any]) -> Job:
 
 
 def _cloud() -> Mesh:
-    """So many points in a ball; its triangles only say that they are there."""
+    """A mesh of ``SPRITES`` points in a ball; its triangles only list the points."""
     chance = np.random.default_rng(0)
     directions = chance.normal(size=(SPRITES, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)

@@ -13,7 +13,7 @@ class Section:
     """A titled table; every row has the same columns."""
 
     name: str
-    """Its key in the JSON file."""
+    """The key in the JSON file."""
     title: str
     rows: list[Row]
 

@@ -1,7 +1,7 @@
-"""What tiles in the memory of work groups would gain: a blur by 31 texels of a row, on lavapipe.
+"""The possible gain of tiles in work groups' memory: a blur by 31 texels of a row, on lavapipe.
 
-The kernel reads each texel 31 times. Its twin, written by hand, has each work group read its texels
-once, and share them. Burnish does not write tiles: it would, where these numbers said so.
+The kernel reads each texel 31 times. In its hand-written twin, each work group reads its texels
+once, and shares them. Burnish does not write tiles: it would, if these numbers called for it.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
 
 
 def milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
-    """Of the commands alone, without what goes to the device before and comes back afterwards."""
+    """The best time of the commands alone, without the transfers before and after them."""
     taken: list[float] = []
     with patch.object(frame, "recording", lambda gpu: _Timed(gpu, taken)):
         for _ in range(RUNS):

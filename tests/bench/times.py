@@ -1,4 +1,4 @@
-"""Where the time of a compile goes: its phases, its functions, and what a fresh process imports."""
+"""The parts of a compile's time: its phases, its functions, and the imports of a fresh process."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SHOWN = 20
 Call = tuple[str, int, str]
 """A function as the profiler names it: file, line, name."""
 Timings = tuple[int, int, float, float, dict[Call, tuple[int, int, float, float]]]
-"""What it says of one: calls, own time, time with callees, and the same by caller."""
+"""The profiler's numbers of a function: calls, own time, time with callees, the same by caller."""
 
 
 def measure() -> Iterator[Section]:
@@ -124,7 +124,7 @@ def _command(*options: str) -> list[str]:
 
 
 def _run(command: list[str]) -> str:
-    """What a command says on its error output; byte code is cached as for any user."""
+    """The error output of a command; byte code is cached as for any user."""
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     done = subprocess.run(
         command, env=environment, capture_output=True, text=True, check=True, timeout=PATIENCE
@@ -133,7 +133,10 @@ def _run(command: list[str]) -> str:
 
 
 def _imports() -> list[Row]:
-    """From ``-X importtime``, whose lines are ``import time: own | with imports | module``."""
+    """The times of imports.
+
+    They are from ``-X importtime``, with lines ``import time: own | with imports | module``.
+    """
     own: dict[str, float] = {}
     for line in _run(_command("-X", "importtime")).splitlines():
         _, _, figures = line.partition("import time:")

@@ -1,4 +1,4 @@
-"""How long it takes from a saved file to the new picture in the page of ``burnish view``.
+"""The time from a saved file to the new picture in the page of ``burnish view``.
 
 A file is written again and again, each time with another constant, so that its shader is new to
 everybody. The clock starts before the file is written, and stops when the browser is about to show
@@ -26,7 +26,7 @@ FILES = {
     "plastic.burnish": ("base * albedo", "base * 0.{:02} * albedo"),
     "frames/glow.burnish": ("24 * uv.y", "24.{:02} * uv.y"),
 }
-"""What is shown, and a constant that the changes are made to."""
+"""The files that are shown, each with the text around a constant that the changes are made to."""
 ROUNDS = 8
 AIM = 300
 SIZE = {"width": 900, "height": 600}

@@ -26,7 +26,7 @@ HOOKS = (
     ("passes", "burnish.api", "stage"),
     ("emission", "burnish.api", "emit"),
 )
-"""What does the work of each phase: a function or a method, where its caller looks it up."""
+"""The work of each phase: the function or method, at the place where its caller looks it up."""
 
 MEMORY_LIMIT = 6 << 30
 

@@ -1,4 +1,4 @@
-"""Where the results of overloads may be on a platform, for the operands of ``samples.py``.
+"""The bounds of the results of overloads on a platform, for the operands of ``samples.py``.
 
 The builtins' definitions are evaluated with bounds, as the reference does for its pictures.
 """
@@ -53,7 +53,7 @@ def operands_at(overload: Overload, place: tuple[int, int]) -> str:
 
 
 def _within_range(overload: Overload) -> Flags:
-    """Where the steps of a device stay within float32.
+    """True where the steps of a device stay within float32.
 
     The inverse is expanded into other products than those of its definition, which are too large,
     or too small, for other operands.

@@ -30,13 +30,13 @@ PROFILES = tuple(sorted({route.profile for route in ROUTES.values()}))
 
 @cache
 def floats() -> list[Floats]:
-    """What the textures of floats hold."""
+    """The contents of the textures of floats."""
     return float_operands()
 
 
 @cache
 def integers() -> list[Integers]:
-    """What the textures of integers hold."""
+    """The contents of the textures of integers."""
     return integer_operands()
 
 
@@ -62,7 +62,7 @@ def compiled(program: Program) -> CompiledMaterial:
 def returned(
     material: CompiledMaterial, route: Route, runner: Runner, toolchain: Toolchain
 ) -> list[Floats]:
-    """What a device returns for each lane of a program, as pictures."""
+    """The values that a device returns for each lane of a program, as pictures."""
     instance = material.instance()
     wanted = {row.name for row in material.reflection.textures}
     for name, texture in textures().items():

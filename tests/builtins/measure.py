@@ -60,7 +60,7 @@ def _of_exponents(sampled: Sampled) -> Error:
 
 
 def _absolute(sampled: Sampled, ulps: float = 1.0) -> Error:
-    """One unit in the last place, and further an absolute error, as polynomials have."""
+    """An error of one unit in the last place plus an absolute error, as polynomials have."""
     return Error(ulp=ulps, absolute=_most(sampled.error - ulps * ulp(sampled.result)))
 
 
@@ -88,10 +88,10 @@ class Function:
     fit: Fit
     low: float = -LARGE
     high: float = LARGE
-    """Between which operands it is measured."""
+    """The largest operand with which it is measured; ``low`` is the smallest."""
     operands: int = 1
     divisor: bool = False
-    """Whether the error depends on the second operand."""
+    """True if the error depends on the second operand."""
 
 
 FUNCTIONS: Mapping[str, Function] = {

@@ -36,7 +36,7 @@ _SWIZZLES = ("", "x", "xy", "xyz", "xyzw")
 
 @dataclass(frozen=True)
 class Lane:
-    """Where the number of one lane of a result is in the targets."""
+    """The content of one lane of the targets: the number of a lane of an overload's result."""
 
     overload: Overload
     lane: int
@@ -44,7 +44,7 @@ class Lane:
 
 @dataclass(frozen=True)
 class Program:
-    """A text that calls overloads, and what each of its targets' lanes is."""
+    """A text that calls overloads, and the contents of its targets' lanes."""
 
     text: str
     lanes: tuple[Lane, ...]

@@ -61,7 +61,7 @@ _KINDS: tuple[Numbers, ...] = (
 
 
 def float_operands() -> list[Floats]:
-    """What each texture of floats holds, (side, side, 4); every number is a float32."""
+    """The contents of each texture of floats, (side, side, 4); every number is a float32."""
     chance = np.random.default_rng(SEED)
     shape = (FLOAT_MAPS, _TILE, _TILE, 4)
     tiles = [kind(chance, shape) for kind in _KINDS]
@@ -92,7 +92,7 @@ def _related(chance: np.random.Generator, shape: Shape) -> Floats:
 
 
 def integer_operands() -> list[Integers]:
-    """What each texture of integers holds."""
+    """The contents of each texture of integers."""
     chance = np.random.default_rng(SEED)
     shape = (INT_MAPS, _TILE, _TILE, 4)
     tiles = [

@@ -14,7 +14,7 @@ from burnish.stdlib.builtins.accuracy import Platform
 
 @dataclass(frozen=True)
 class Table:
-    """What one specification says, by the names of Burnish's builtins."""
+    """The promises of one specification, by the names of Burnish's builtins."""
 
     document: str
     section: str
@@ -68,7 +68,7 @@ _EQUATIONS = (
     "mod fract mix smoothstep radians degrees sinh cosh tanh dot cross length distance normalize "
     "reflect refract faceforward"
 )
-"""Of chapter 8 of both specifications of GLSL."""
+"""The builtins of chapter 8 of both specifications of GLSL."""
 
 TABLES: Mapping[Platform, Table] = {
     "wgsl": Table(

@@ -88,7 +88,7 @@ def test_inherited_errors_are_those_of_the_tables(platform: Platform) -> None:
 
 @platforms
 def test_what_a_specification_does_not_say_is_called_assumed(platform: Platform) -> None:
-    """Of what the hardware computes; what Burnish always expands inherits its definition's error.
+    """This concerns operations of the hardware; others inherit the error of their definition.
 
     Signs, whole numbers and operands are no matter of accuracy, nor are reads of textures here.
     """
@@ -196,7 +196,7 @@ class Device:
         return exact + error * direction
 
     def sqrt(self, x: Floats) -> Floats:
-        """By its definition, unless the platform has it."""
+        """The square root by its definition, unless the platform has an operation for it."""
         if self.errors.platforms == ("direct3d",):
             return self.off("sqrt", x, np.sqrt(x))
         inverse = self.off("inversesqrt", x, 1.0 / np.sqrt(x))

@@ -27,7 +27,7 @@ EDGES = [0.0, -0.0, 1e-45, -1e-40, SMALLEST_NORMAL, 0.5, 1.0, -1.0, 2.0, 88.0, -
 INT_EDGES = [0, 1, -1, 2, 7, 2**31 - 1, -(2**31)]
 UINT_EDGES = [0, 1, 2, 7, 2**31, 2**32 - 1]
 EXAMPLES = 15
-"""For each row; the suite has to stay quick."""
+"""The number of examples for each row; the suite has to stay quick."""
 
 OF_NUMBERS = [row for row in BUILTINS.values() if row.method is None]
 """All but reads of textures, which have tests of their own (``tests/reference/test_kinds.py``)."""
@@ -250,7 +250,7 @@ WITHOUT_A_NAIVE_ONE = {
     "float_of_bits",
     "first_leading_bit",
 }
-"""Of whole vectors, or of integers and bits, which are tried by value."""
+"""Builtins of whole vectors, or of integers and bits, which are tried by value."""
 
 NAIVE: dict[str, Callable[..., float]] = {
     "div": lambda x, y: x / y,
@@ -306,5 +306,5 @@ def naive(name: str, lanes: list[float]) -> float:
 
 
 def flushed(lane: float) -> float:
-    """What a device without subnormals makes of a lane."""
+    """The value of a lane on a device without subnormals."""
     return lane if abs(lane) >= SMALLEST_NORMAL else 0.0

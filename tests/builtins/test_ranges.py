@@ -24,9 +24,12 @@ from ..reference.device import HABITS, Device
 
 BOXES, POINTS = 160, 12
 LARGEST = {"tanh": 16.0}
-"""Where expansions begin; elsewhere 300. Far beyond, sines are off by more, but not above 1."""
+"""The largest operand of each builtin, if not 300: from there on, an expansion takes over.
+
+Sines of far larger operands are off by more than is promised, but not above 1.
+"""
 OF_DOUBLES = 1 - Fraction(2.0**-50)
-"""How exactly ranges are computed."""
+"""The accuracy of the computation of ranges."""
 VECTORS = {"dot": 4, "length": 4, "distance": 4, "cross": 3, "normalize": 4, "reflect": 4}
 LOOSE = ("smoothstep", "asin", "tan")
 """Bounds forget that two factors depend on each other, that a root is never negative, or that only
@@ -39,7 +42,11 @@ OF_FLOATS = [
     and row.of_group is None
     and (row.name in VECTORS or any(set(s) <= set("TNS ,->") for s in row.signatures))
 ]
-"""What joins work groups is none of these: ``tests/reference/test_in_groups.py`` has its ranges."""
+"""Builtins of floats with a range rule.
+
+Builtins that join work groups are not among them: ``tests/reference/test_in_groups.py`` has their
+ranges.
+"""
 
 Floats = NDArray[np.float64]
 
@@ -130,7 +137,7 @@ def test_a_normalised_vector_is_of_length_one_on_all_platforms() -> None:
 
 
 def test_errors_of_operations_in_turn_multiply() -> None:
-    """What a device may return at most if each operation is off as far as it may be."""
+    """A device may return the most if each operation has its largest allowed error."""
     one, step = Fact(1.0, 1.0), Fraction(ROUNDING)
     assert highest("dot", one, one) >= 4 * (1 + step) ** 4 * OF_DOUBLES
     quotient = Fraction(relative(BUILTINS["div"].accuracy))

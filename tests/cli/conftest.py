@@ -1,4 +1,4 @@
-"""What several tests of the command line need."""
+"""The fixtures that several tests of the command line need."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ COMMENTS = {
     "apostrophe": ("-o x.png, it's fine", PLAIN),
     "help": ("--help", PLAIN),
 }  # fmt: skip
-"""What the comments of some files ask for, and what is in these files."""
+"""The options that the comments of some files ask for, and the rest of these files."""
 
 
 def fill(outside: Path) -> Path:
@@ -106,7 +106,7 @@ def _write_names(folder: Path) -> None:
 
 
 class Reader(HTMLParser):
-    """What a page may lead to, load or run."""
+    """Collects the addresses that a page may lead to or load, and the code that it may run."""
 
     ADDRESSES = ("href", "src", "srcset", "action", "formaction", "data", "poster", "xlink:href")
 

@@ -28,7 +28,7 @@ finally:
 
 
 class Run(NamedTuple):
-    """What came of a command."""
+    """The result of a command."""
 
     how: str
     """``KNOWN`` if it was done before, else ``COMPILED``."""

@@ -1,4 +1,4 @@
-"""Whatever is wrong with the input: a diagnostic, an exit code, no traceback, nothing written."""
+"""Any wrong input gives a diagnostic and an exit code, but no traceback, and nothing is written."""
 
 from __future__ import annotations
 

@@ -41,7 +41,41 @@ def test_every_code_is_explained(rule: Rule) -> None:
     text = invoke("explain", rule.code.lower()).stdout
     assert text.startswith(f"{rule.severity}[{rule.code}]: ")
     assert not re.search(r"\{\w+\}", text.partition("\n")[0]), "no placeholders for a reader"
-    assert " ".join(text.split()).endswith(" ".join(rule.help.split()))
+    assert " ".join(rule.help.split()) in " ".join(text.split())
+    assert "\nRight:\n" in text or "\nNo program shows this. " in text
+
+
+def test_explaining_shows_a_wrong_and_a_right_program() -> None:
+    assert (
+        invoke("explain", "B0302").stdout
+        == """\
+error[B0302]: `…` cannot be called with (…)
+
+The number and the types of the arguments have to match one of the candidates.
+Arguments that share a type parameter need the same type.
+
+Wrong:
+
+    material M { color = vec3(uv) }
+
+error[B0302]: `vec3` cannot be called with (vec2)
+ --> <text>:1:22
+  |
+1 | material M { color = vec3(uv) }
+  |                      ^^^^^^^^
+  = help: say what the other lanes are: `vec3(uv, 0)`
+
+Right:
+
+    material M { color = vec3(uv, 0) }
+"""
+    )
+
+
+def test_explaining_names_the_target_that_a_program_is_wrong_for() -> None:
+    text = invoke("explain", "B0701").stdout
+    assert "\nWrong if it is compiled for glsl:es300:\n" in text
+    assert "\nerror[B0701]: glsl:es300 has no gathering of texels\n" in text
 
 
 def test_unknown_code() -> None:
@@ -132,7 +166,7 @@ def test_colours(no_color: str, wanted: bool, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_reader_that_leaves(tmp_path: Path) -> None:
-    """As in ``burnish compile … -o - | head -1``."""
+    """The reader is ``head`` in ``burnish compile … -o - | head -1``."""
     (tmp_path / "m.burnish").write_text(f"/// {'long ' * 50_000}\n{PLAIN}")
     reading, writing = os.pipe()
     os.close(reading)
@@ -158,7 +192,7 @@ def test_a_full_device_for_output(line: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("line", DRAWING)
 @pytest.mark.parametrize("stream", [1, 2])
 def test_closed_streams(line: str, stream: int, tmp_path: Path) -> None:
-    """As in ``burnish … >&-``."""
+    """A shell closes a stream by ``burnish … >&-``."""
     (tmp_path / "m.burnish").write_text(PLAIN)
     command = f'exec "$0" -m burnish {line} {stream}>&-'
     ended = run(["sh", "-c", command, sys.executable], cwd=tmp_path)

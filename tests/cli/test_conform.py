@@ -121,7 +121,7 @@ def test_a_pass_that_fits_some_materials() -> None:
 
 
 def test_the_errors_of_all_files_are_told() -> None:
-    """So is a slot of which no material knows."""
+    """An unknown slot in one file does not hide the errors of another file."""
     Path("a.burnish").write_text(GLOW.replace("material.glow", "material.gleam"))
     Path("b.burnish").write_text(UP.replace("normal", "norml"))
     result = invoke("conform", "a.burnish", "m.burnish", "b.burnish", "--routes", "llvmpipe:gl330")
@@ -131,7 +131,7 @@ def test_the_errors_of_all_files_are_told() -> None:
 
 
 def test_routes_whose_profile_lacks_something() -> None:
-    """They are not run; the others are."""
+    """Only these routes are not run."""
     Path("m.burnish").write_text(
         "material Four { map t : texture2d  color = t.gather(uv, 0).rgb }\n"
     )
@@ -144,7 +144,7 @@ def test_routes_whose_profile_lacks_something() -> None:
 
 
 def test_values_that_overflow() -> None:
-    """Where a value leaves float32 nothing is promised: no agreement, and no driver's fault."""
+    """A value beyond float32 has no promise: no agreement, and no fault of the driver."""
     Path("m.burnish").write_text(
         "material Hot { param heat : float = 1e30  color = vec3(heat * heat) }\n"
     )
@@ -170,7 +170,7 @@ def test_values_that_nobody_has_set() -> None:
 
 
 def test_warnings_are_told_once() -> None:
-    """However many rigs a file is compiled with."""
+    """The number of rigs with which a file is compiled does not matter."""
     Path("m.burnish").write_text(
         f"import std.lights.{{Point}}\n{UP}rig A {{ p : Point }}\nrig B {{ p : Point }}\n/// lost\n"
     )
@@ -186,7 +186,7 @@ def test_warnings_are_told_once() -> None:
 
 
 def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where a device may not round at all, some pixel is wrong; the report shows which."""
+    """If devices are not allowed to round, some pixel is wrong; the report shows which one."""
 
     def exactly(*of: Any) -> Expected:
         found = remembered(*of)
@@ -221,7 +221,7 @@ HASH = "material Hash { color = vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) *
 
 
 def test_what_proves_little_is_a_warning() -> None:
-    """It names the place in the source, and is a failure only with --strict."""
+    """The warning names the place in the source; only with --strict it is a failure."""
     Path("m.burnish").write_text(HASH)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl")
     assert result.exit_code == 0
@@ -278,7 +278,7 @@ def test_nothing_to_draw_with() -> None:
 
 
 def without(monkeypatch: pytest.MonkeyPatch, tool: str) -> None:
-    """One tool is not there."""
+    """Makes one tool seem to be missing."""
     find = tools.inspect_all
 
     def found(wanted: Iterable[Tool]) -> Mapping[str, ToolState]:
@@ -339,7 +339,7 @@ def test_an_error_in_any_file_is_told_before_anything_is_drawn() -> None:
 
 
 def test_the_report_in_a_browser(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is one file, whose links lead somewhere, whose pictures are there, and which says all."""
+    """The report is one complete file, whose links have targets and whose pictures are there."""
     without(monkeypatch, "chromium")
     Path("w.burnish").write_text(
         "pass Two : Forward { target more : rgba16f = vec4(normal, 1) }\nmaterial Wall { }\n"

@@ -20,7 +20,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_explaining_a_pixel() -> None:
-    """Its value, its bounds, what each route has drawn, and the way of the error."""
+    """The explanation has the pixel's value and bounds, each route's value, and the error's way."""
     Path("m.burnish").write_text(HASH)
     result = invoke(
         "conform", "m.burnish", "--routes", "llvmpipe:gl330,lavapipe:glsl", "--explain", "36,28",

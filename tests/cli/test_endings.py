@@ -1,4 +1,4 @@
-"""Whatever ends a command, also ends at once all that it has started, and what these have."""
+"""A command that ends for any reason also ends its child processes, and their children, at once."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ COMMANDS = {
     "gallery . -o out --routes lavapipe:glsl --on lavapipe:glsl --size 16": "glslangValidator",
     "doctor": "glslangValidator",
 }
-"""What each of them is waiting for, by words of that program's command line."""
+"""The commands, each with words of the command line of the program that it is waiting for."""
 SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
 """The exit code after each of them."""
 
@@ -36,7 +36,7 @@ def place(tmp_path: Path) -> Path:
 
 
 def environment(place: Path, command: str) -> Mapping[str, str]:
-    """In it, glslang answers nothing but what its version is, to all commands but ``doctor``."""
+    """An environment in which glslang ends only for ``--version``, and for ``doctor`` never."""
     tool = place.parent / "tools" / "glslang" / "bin" / "glslangValidator"
     tool.parent.mkdir(parents=True)
     version = "" if command == "doctor" else 'test "$1" = --version && '

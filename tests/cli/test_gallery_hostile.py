@@ -229,7 +229,7 @@ for line in sys.stdin:
 def test_a_process_that_dies_is_told_in_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What it has printed tells of this machine, and is on no page; other files are shown."""
+    """The process's output describes this machine, so it is on no page; other files are shown."""
     (tmp_path / "in").mkdir()
     for name in ("a", "bad", "c"):
         (tmp_path / "in" / f"{name}.burnish").write_text(MODULE)

@@ -142,7 +142,7 @@ def test_pipes_and_circles_in_the_places_of_outputs_are_replaced(
 
 
 def test_second_names_of_other_files_are_not_written_through(received: Path, victim: Path) -> None:
-    """As in a folder that shares its files with another one: what they hold stays there."""
+    """This happens in a folder that shares its files with another one, whose contents stay."""
     shared = received / "shared"
     shared.write_text("shared")
     os.link(shared, received / "build" / "Plain.json")

@@ -17,7 +17,7 @@ from ..suite.processes import run
 MOST = 10**6
 """Kibibytes that a command may have in memory at the same time, as each of its children."""
 SECONDS = 60.0
-"""After this a command has hung. It takes a few seconds."""
+"""The time in seconds after which a command counts as hanging. It takes a few seconds."""
 MEASURED = """
 import resource
 from pathlib import Path
@@ -72,7 +72,7 @@ class Hostile:
     command: str
     """All words behind ``burnish``; the file is ``m.burnish``."""
     told: str
-    """What the error begins with, or has after the name of a material."""
+    """The beginning of the error, or its text behind the name of a material."""
 
 
 RENDER = "render m.burnish -o m.png --size 16"
@@ -131,7 +131,7 @@ def test_one_that_is_refused_does_not_keep_others_from_being_compared(tmp_path: 
 
 
 def test_many_pictures_are_kept_as_images(tmp_path: Path) -> None:
-    """Those of a screen, instead of the numbers of the reference, which are 32 times as large."""
+    """Pictures are kept with 8 bits; the reference's numbers would take 32 times as much memory."""
     (tmp_path / "m.burnish").write_text(MOVING.replace("1024", "512"))
     words = ["render", "m.burnish", "-o", "m.gif", "--size", "16", "--frames", "24"]
     done = run([sys.executable, "-c", MEASURED, *words], cwd=tmp_path, limit=SECONDS)

@@ -55,14 +55,14 @@ for fatal, folder in enumerate(sys.argv[2:], start=1):
         killed(folder, fatal, moment)
     print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
-"""For each folder in turn, a process that writes there and is killed at the call of that number."""
+"""Kills a process for each folder while it writes there, at the call with the folder's number."""
 
 OLD = {"a": b"old", "b": b"old"}
 NEW = {"a": b"new", "b": b"new", "c": b"new"}
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    """What the files of a folder hold; temporary ones are left out."""
+    """The contents of a folder's files by their names; temporary files are left out."""
     files = (path for path in folder.iterdir() if not path.name.startswith(TEMPORARY))
     return {path.name: path.read_bytes() for path in files}
 
@@ -183,7 +183,7 @@ def test_a_file_system_without_second_names(
 def test_an_interruption_takes_back_as_well(
     call: str, links: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It comes when the first call that involves `b` is done, before anything else happens."""
+    """The interruption comes directly after the first call that involves `b`."""
     put_old(tmp_path)
     if not links:
         monkeypatch.setattr(os, "link", _cannot_link)
@@ -225,7 +225,7 @@ def test_a_file_system_without_locks(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """There, a second file must not silently take the place of the first."""
+    """A second file must not silently replace the first one there."""
     put_old(tmp_path)
     monkeypatch.setattr(replacing._Folder, "_at", lambda _, name: name.lower())
     with pytest.raises(FileExistsError, match=r"here `a` is the same name: '.*/A'$"):
@@ -235,7 +235,10 @@ def test_a_file_system_that_ignores_case(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 PLANTED = ("lock", "whole", "new", "new/a", "old", "old/id", "journal")
-"""What an earlier version kept in a folder while it wrote there, and believed when it found it."""
+"""Files of the journal that an earlier version kept in a folder while it wrote there.
+
+It believed the journal when it found one.
+"""
 
 
 @pytest.mark.parametrize("linked", PLANTED)
@@ -267,7 +270,7 @@ def _plant(journal: Path, linked: str, victim: Path) -> None:
 
 
 def _everything(folder: Path) -> dict[str, object]:
-    """What there is below a folder, with the number of each file, its kind and its content."""
+    """All entries below a folder: the number, kind, links and content of each."""
     found: dict[str, object] = {}
     for path in folder.rglob("*"):
         status = path.lstat()

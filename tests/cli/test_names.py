@@ -96,7 +96,7 @@ def toolchain() -> Iterator[Toolchain]:
 
 
 def judged(toolchain: Toolchain, *sources: str) -> list[Verdict]:
-    """What the compilers of all profiles say about the only material of each source."""
+    """The verdicts of the compilers of all profiles about the only material of each source."""
     stages = {"vertex": "vert", "fragment": "frag"}
     jobs = [
         Job(checker, stages[file.stage], file.text, name=file.name)
@@ -148,7 +148,7 @@ HARMFUL = {
 
 
 def sizes(verdicts: list[Verdict]) -> list[int]:
-    """How many instructions each text became, where the checker makes SPIR-V."""
+    """The number of instructions of each text for which the checker makes SPIR-V."""
     return [count_instructions(verdict.spirv) for verdict in verdicts if verdict.spirv]
 
 

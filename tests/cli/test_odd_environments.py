@@ -56,7 +56,7 @@ def place(tmp_path: Path) -> Path:
 
 
 def environment(place: Path, **variables: str) -> dict[str, str]:
-    """What Python and Burnish need, and nothing else, with some variables."""
+    """The variables that Python and Burnish need, and nothing else but ``variables``."""
     return {"PATH": os.environ["PATH"], "HOME": str(place.parent / "home")} | variables
 
 
@@ -132,7 +132,7 @@ def test_processes(place: Path, shell: str) -> None:
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_nobody_in_a_narrow_world(place: Path, command: str) -> None:
-    """No home, password entry, terminal, temporary folder or standard input, and ASCII only."""
+    """No home, password entry, terminal, temporary folder or standard input exists; only ASCII."""
     variables = environment(place, TMPDIR="/nowhere", LC_ALL="C", PYTHONUTF8="0", COLUMNS="0")
     variables |= {"HOME": "", "PYTHONIOENCODING": "ascii"}
     code, said = outcome(place, command, variables, "exec <&-", NOBODY)
@@ -141,7 +141,7 @@ def test_nobody_in_a_narrow_world(place: Path, command: str) -> None:
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_full_disk_behind_the_output(place: Path, command: str) -> None:
-    """What was to succeed fails with a message, and what was to fail keeps its exit code."""
+    """A command that would succeed fails with a message; one that fails keeps its exit code."""
     code, said = outcome(place, command, environment(place), "exec >/dev/full")
     silent = command == "check main.burnish"
     assert code == (0 if silent else COMMANDS[command] or 1)
@@ -157,7 +157,7 @@ def test_no_output_at_all(place: Path, command: str) -> None:
 
 
 def test_a_mask_that_forbids_everything(place: Path) -> None:
-    """Who may do everything, as root, may also use the files; others are told."""
+    """A user with all rights, such as root, may use the files; others get an error."""
     compile_ = "compile main.burnish -t wgsl -o out"
     code, said = outcome(place, compile_, environment(place), "umask 777")
     assert code == 0 or "cannot write to `out`" in said

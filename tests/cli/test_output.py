@@ -159,7 +159,7 @@ cli.main()
 def test_a_reader_that_has_left_does_not_start_another_compile(
     material: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As in ``burnish compile m.burnish -o - | head``; the second time, the output is known."""
+    """For ``burnish compile m.burnish -o - | head``, the output is known the second time."""
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("BURNISH_VERIFY", raising=False)  # Nothing is known again where it is set.
     command = [sys.executable, "-c", COUNTING, "compile", str(material), "-o", "-"]
@@ -204,7 +204,7 @@ def test_a_link_among_the_outputs_is_replaced(material: Path, tmp_path: Path) ->
 def test_a_link_with_the_name_of_an_output_is_replaced(
     target: str, material: Path, tmp_path: Path
 ) -> None:
-    """It may have come with a folder that somebody has cloned, and lead anywhere."""
+    """The link may lead anywhere: it may have come with a cloned repository."""
     (tmp_path / "real.dot").write_text(OLD)
     link = tmp_path / "link.dot"
     link.symlink_to(target)

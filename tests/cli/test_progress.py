@@ -26,7 +26,7 @@ class Terminal(StringIO):
 
 
 def shown(monkeypatch: pytest.MonkeyPatch, stream: StringIO, patience: float) -> str:
-    """What is written while something is a quarter done, and then all of it."""
+    """The text that is written when a task is a quarter done, and then completely."""
     monkeypatch.setattr(sys, "stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", patience)
     with Progress("drawing") as bar:
@@ -76,9 +76,9 @@ def empty(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("everybody", [True, False], ids=["terminal", "kill"])
 def test_interrupted(line: str, at_work: str, everybody: bool, tmp_path: Path, empty: Path) -> None:
-    """By Ctrl-C, which goes to all processes of a terminal, or by a signal to the command alone.
+    """Ctrl-C goes to all processes of a terminal; a signal may go to the command alone.
 
-    It ends at once, without a word and with everything that it has started; nothing is written.
+    The command ends at once, without a word and with all that it has started; nothing is written.
     The browser is among the last to draw a material, so that of a single one too little may be left
     to do when it is seen.
     """

@@ -238,7 +238,7 @@ def test_routes_side_by_side(tmp_path: Path) -> None:
 
 
 def test_routes_whose_profile_lacks_something(tmp_path: Path) -> None:
-    """Of all routes those draw that can; one that is named has to."""
+    """With ``all``, the routes that can draw do so; a route that is named must be able to."""
     file = tmp_path / "m.burnish"
     file.write_text("material Four { map t : texture2d  color = t.gather(uv, 0).rgb }")
     result = invoke("render", file, "-o", tmp_path / "m.png", "--size", 8, "--on", "all")
@@ -256,7 +256,7 @@ def test_one_route(route: str, tmp_path: Path) -> None:
 
 
 def test_instances(tmp_path: Path) -> None:
-    """As many as are asked for, each in a place of its own; and one of what has no instances."""
+    """There are as many instances as are asked for, each in a place of its own."""
     text = (
         "import std.instancing.{Instanced}\n"
         "material Stones : Surface + Instanced { color = vec3(1)  view_projection = look }\n"
@@ -307,7 +307,7 @@ UNMADE = (
 
 
 def test_a_shadow_map_that_nobody_makes_is_told(tmp_path: Path) -> None:
-    """Who compiles for a host that binds it is not told."""
+    """A user who compiles for a host gets no note, as the host binds the map."""
     (tmp_path / "m.burnish").write_text(SHADOWED)
     render = ("render", tmp_path / "m.burnish", "-o", tmp_path / "m.png", "--size", "8")
     result = invoke(*render)

@@ -39,17 +39,17 @@ frame Fading {
 }
 """
 LEFT = (1.0, 0.8, 0.6, 0.4)
-"""How bright the frames are, of a light that is linear."""
+"""The linear brightness of the frames."""
 
 
 def bytes_of(linear: float) -> int:
-    """What sRGB stores of it."""
+    """The byte of a linear brightness in sRGB."""
     stored: float = 255 * (1.055 * linear ** (1 / 2.4) - 0.055)
     return round(stored)
 
 
 def render(folder: Path, name: str, count: int) -> str:
-    """What the command prints that draws some frames of ``COUNTED``."""
+    """The output of the command that draws some frames of ``COUNTED``."""
     (folder / "f.burnish").write_text(COUNTED)
     result = invoke(
         "render", folder / "f.burnish", "-o", folder / "out" / name, "--size", "4x2",
@@ -61,13 +61,13 @@ def render(folder: Path, name: str, count: int) -> str:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """With a folder for pictures."""
+    """A folder with an empty folder for pictures."""
     (tmp_path / "out").mkdir()
     return tmp_path
 
 
 def greys(path: Path) -> Iterator[tuple[int, float]]:
-    """How bright each picture of a file is, and for how many milliseconds it is shown."""
+    """The brightness of each picture of a file, and its duration in milliseconds."""
     with Image.open(path) as image:
         for shown in ImageSequence.Iterator(image):
             values = np.asarray(shown.convert("RGB"))

@@ -86,7 +86,7 @@ def test_neither_folder_nor_path_matters(tmp_path: Path) -> None:
 
 
 def test_a_text_has_no_folder(tmp_path: Path) -> None:
-    """What it imports is named from the first folder of the search path."""
+    """The names of the files that it imports begin at the first folder of the search path."""
     for where in (checkout(tmp_path / "one"), checkout(tmp_path / "two")):
         text = "import far.{Far}\nmaterial M : Surface + Far { a = sin(far) color = vec3(a * a) }\n"
         (material,) = burnish.compile(text, "wgsl", search_path=[where / "src", where / "lib"])

@@ -1,4 +1,4 @@
-"""Where answers of ``burnish compile`` are kept: odd folders, damage, many at once, bounds."""
+"""The cache of answers of ``burnish compile``: odd folders, damage, many at once, bounds."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _is_circular(folder: Path) -> Mapping[str, str]:
 
 
 def _is_nowhere(_: Path) -> Mapping[str, str]:
-    """As where there is no ``HOME``, and the user has none."""
+    """The home is unknown: there is no ``HOME``, and the user has no home folder."""
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "", "HOME": "~"}
 
 
@@ -47,12 +47,12 @@ def _is_empty(_: Path) -> Mapping[str, str]:
 
 
 def _is_relative(_: Path) -> Mapping[str, str]:
-    """Where the commands run is not where a user's caches are."""
+    """The cache must not be in the current folder, as a relative path would have it."""
     return {"BURNISH_CACHE": "", "XDG_CACHE_HOME": "caches", "HOME": "home"}
 
 
 def _is_chosen_and_relative(_: Path) -> Mapping[str, str]:
-    """Who has made the current folder does not make the cache."""
+    """A relative choice is ignored: the maker of the current folder must not make the cache."""
     return {"BURNISH_CACHE": "caches", "XDG_CACHE_HOME": "caches", "HOME": "home"}
 
 
@@ -129,7 +129,7 @@ def test_many_answers(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_clock_that_goes_backwards(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What was kept before then seems to be newer than all that follows."""
+    """Answers from before the change seem to be newer than all later ones."""
     monkeypatch.setattr(cache, "KEPT", 2)
     place.write(main="material Main { }")
     for number in range(3):
@@ -176,7 +176,7 @@ def test_an_answer_writes_nowhere_else(place: Place, changes: dict[str, object])
 
 
 def test_a_source_that_has_become_huge(place: Place) -> None:
-    """It is not read to its end only to see that it is another one."""
+    """The source is not read to its end only to see that it has changed."""
     place.write(main="material Main { }")
     place.run()
     main = place.folder / "main.burnish"
@@ -187,7 +187,7 @@ def test_a_source_that_has_become_huge(place: Place) -> None:
 
 
 def test_what_was_kept_for_others_is_ignored(place: Place) -> None:
-    """As former versions did, whose folders anybody can read."""
+    """Former versions kept answers in folders that anybody can read."""
     place.write(main="material Main { color = vec3(1) }\n")
     before = place.run()
     (place.cache / "private").chmod(0o755)

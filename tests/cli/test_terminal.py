@@ -1,4 +1,4 @@
-"""What a terminal would obey instead of showing it is written out, whichever command prints it."""
+"""Characters that a terminal would obey are escaped, whichever command prints them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from burnish.targets.toolchain import tools
 from .kit import invoke
 
 EVIL = "a\x1b]0;b\x07\u202ec\x9bd"
-"""It sets the title of a window, turns what follows round, and begins another command."""
+"""Sets a window's title, reverses the direction of the text, and begins another command."""
 SHOWN = "a<U+001B>]0;b<U+0007><U+202E>c<U+009B>d"
 
 
@@ -37,7 +37,7 @@ class Terminal(io.TextIOWrapper):
 
 
 def printing(patch: pytest.MonkeyPatch, is_terminal: bool) -> Terminal:
-    """What standard output is from now on."""
+    """The stream that takes the place of standard output."""
     stream = Terminal(is_terminal)
     patch.setattr(sys, "stdout", stream)
     patch.delenv("NO_COLOR", raising=False)

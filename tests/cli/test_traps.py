@@ -25,7 +25,7 @@ from ..suite.processes import run, started
 
 SECRET = "S3CRET-0F-AN0THER-F0LDER"
 COLOR = (13, 177, 91)
-"""Of a picture outside, which no material here has."""
+"""The colour of a picture outside, which no material here has."""
 MATERIAL = "material Good {{ color = vec3(0.5) }}{}\n"
 FRAME = """import std.frames.{FullScreen}
 pass Sky : FullScreen { target color : rgba8 = vec4(uv, 0, 1) }
@@ -65,7 +65,7 @@ SETTINGS = {
         "khronos_validation.log_filename = {marks}/layer\n"
     ),
 }
-"""What other programs read of the current folder."""
+"""Files in the current folder that other programs read."""
 COMMANDS = (
     "compile good.burnish -o build",
     "compile good.burnish -o build --validate",

@@ -117,7 +117,7 @@ def _link_import_elsewhere(place: Place) -> None:
 
 
 def _link_out(place: Place) -> None:
-    """The same text, where no import may lead."""
+    """Moves the same text to a place where no import may lead."""
     shutil.move(place.folder / "shades.burnish", place.folder.parent / "shades.burnish")
     (place.folder / "shades.burnish").symlink_to("../shades.burnish")
 

@@ -36,7 +36,7 @@ cli.main()
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("line", ["compile m.burnish -o out --validate", "doctor"])
 def test_the_main_thread_is_woken(line: str) -> None:
-    """However a command is run: a plain ``compile`` does not go through click."""
+    """This holds for each way to run a command: a plain ``compile`` does not go through click."""
     with started([sys.executable, "-c", WAITING, *line.split()]) as program:
         assert program.line() == b"waits\n"
         program.signal(signal.SIGINT)

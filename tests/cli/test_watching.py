@@ -1,4 +1,4 @@
-"""What tells commands that files have changed: ``commands/watch.py``."""
+"""The events that tell commands about changed files: ``commands/watch.py``."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def watching() -> Iterator[Told]:
 
 @pytest.fixture(params=["reported", "polled"])
 def told(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Told]:
-    """Both where the system reports changes, and where it cannot."""
+    """A watcher whose system reports changes, and one whose system cannot."""
     if request.param == "polled":
         monkeypatch.setattr(watchfiles, "watch", _exhausted)
     with watching() as told:
@@ -105,7 +105,7 @@ def test_files_that_are_written_and_replaced(told: Told, tmp_path: Path) -> None
 
 
 def test_imports_that_appear_later(told: Told, tmp_path: Path) -> None:
-    """Also the folder in which they lie; and they are followed from then on."""
+    """Their folder may appear later as well; from then on they are followed."""
     file, half = tmp_path / "m.burnish", tmp_path / "parts" / "half.burnish"
     file.write_text(IMPORTING)
     told.follow(file)
@@ -145,7 +145,7 @@ def test_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
 
 
 def test_other_names_that_are_no_unicode(told: Told, tmp_path: Path) -> None:
-    """They are reported like all others, which the package that watches cannot tell."""
+    """Changes of a file are seen although the watching package fails on such names beside it."""
     file = tmp_path / "m.burnish"
     file.write_text(PLAIN)
     told.follow(file)
@@ -174,7 +174,7 @@ def test_an_exhausted_system_is_told_once(
 
 
 def test_one_watch_for_all_files_of_a_folder(tmp_path: Path) -> None:
-    """However many are followed: the system allows a user some 128."""
+    """This holds for any number of files: the system allows a user some 128 watches."""
 
     def watches() -> int:
         opened = [each for each in Path("/proc/self/fd").iterdir() if each.is_symlink()]

@@ -15,7 +15,7 @@ CELL = 16
 COLUMNS, ROWS = 8, 4
 WIDTH, HEIGHT = COLUMNS * CELL, ROWS * CELL
 LOW, HIGH = 2, 14
-"""Where a quad begins and ends in its cell, in pixels."""
+"""The begin and the end of a quad in its cell, in pixels."""
 CENTER = 8
 """The pixel of a cell that tests examine; it is right of and below the centre."""
 

@@ -91,7 +91,7 @@ class Studio(Closing):
         return arrays(picture)
 
     def judged(self, route: str, name: str, subject: CompiledMaterial) -> Row:
-        """What ``conform`` says of a material or a kernel."""
+        """The row of ``conform`` for a material or a kernel."""
         (row,) = conform([(name, subject)], [ROUTES[route]], self.runner, self.toolchain)
         return row
 

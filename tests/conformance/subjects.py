@@ -45,7 +45,7 @@ _NEEDING = {
 }
 """The capabilities that materials use, of those that some profiles lack."""
 LACKING = {name: profiles("absent", *needed) for name, needed in _NEEDING.items()}
-"""By material, the profiles that lack something of it."""
+"""The profiles that lack a capability of a material, by material."""
 
 DEFECTS = {"gathered: Varying": ("lavapipe", "llvmpipe")}
 """Materials that show a driver's bug. Mesa 22.3.6 uses the size of the level of one pixel for all,

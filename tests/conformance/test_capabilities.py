@@ -1,4 +1,4 @@
-"""What the table of capabilities promises of a profile, its routes draw or compute.
+"""The routes of a profile draw or compute all that the table of capabilities promises of it.
 
 ``tests/targets/test_capabilities.py`` holds the table against the texts. Where a stage is native as
 well as lowered, what is run here is the lowered form; ``test_geometry_stage.py`` compares both.
@@ -20,7 +20,7 @@ from ..targets.capability_probes import PROBES
 from .kit import PROFILES, Studio
 
 RUN = [row for row in CAPABILITIES if not PROBES[row.name].options]
-"""Those that a plain program shows."""
+"""The capabilities that a program shows without further options."""
 
 
 @pytest.mark.parametrize("row", RUN, ids=lambda row: row.name)

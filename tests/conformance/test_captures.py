@@ -41,14 +41,14 @@ PLAIN = (
 )  # fmt: skip
 """The routes with a stream output."""
 EXPANDED = PLAIN[:4]
-"""Those with a geometry stage as well."""
+"""The routes with a stream output and a geometry stage."""
 KERNELS = (
     "lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga",
     "llvmpipe:gl450", "llvmpipe:es310", "chromium:webgpu",
 )  # fmt: skip
 """The routes that run kernels."""
 DIVIDED = (*PLAIN[:3], PLAIN[4])
-"""Those that divide patches by stages."""
+"""The routes with a stream output that divide patches by stages."""
 NAMES = ("Plain", "Tent", "Sparks", "Whiskers")
 PATCHES = ("Blanket", "Strings", "Crumbs")
 """Materials that divide patches."""
@@ -85,7 +85,7 @@ def test_kernels_agree(studio: Studio, name: str, route: str) -> None:
 
 
 def agrees(studio: Studio, material: CompiledMaterial, route: str) -> None:
-    """What is divided by stages is compared with what the reference computes of the kernel."""
+    """Compares a capture with the vertices that the reference computes by the lowered kernel."""
     work = [(material.name, material)]
     meant = {material.name: compiled(native=False)[material.name]}
     (row,) = conform(work, [ROUTES[route]], studio.runner, studio.toolchain, meant=meant)
@@ -173,7 +173,7 @@ pass Moved {{
 
 @pytest.mark.parametrize("name", EXACT)
 def test_both_forms_capture_the_same(studio: Studio, name: str) -> None:
-    """Of a mesh that is drawn in several instances, too."""
+    """This holds for a mesh that is drawn in several instances, too."""
     text = TEXT.format(EXACT[name])
     native = captured(studio, text, native_stages=True)
     lowered = captured(studio, text)
@@ -302,7 +302,7 @@ def _member_later(right: Any) -> Callable[..., Any]:
 
 
 def _all_there(_right: Any) -> Callable[..., Any]:
-    """What no strip emits is kept."""
+    """Keeps also the vertices that no strip emits."""
 
     def found(state: SceneState, written: Written) -> Captured:
         capture = state.instance.reflection.capture

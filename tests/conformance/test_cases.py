@@ -59,7 +59,7 @@ def matrix(instance: Instance, name: str) -> Floats:
 
 
 def clip_positions(case: Case) -> Floats:
-    """Of the corners of all triangles, (triangles, 3, 4)."""
+    """The clip positions of the corners of all triangles, (triangles, 3, 4)."""
     instance = case.state.instance
     places = case.state.attributes["vertex_position"]
     whole = np.concatenate([places, np.ones((len(places), 1))], axis=1)

@@ -92,7 +92,7 @@ def both(name: str) -> tuple[CompiledMaterial, CompiledMaterial]:
 
 
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
-    """What is drawn with the stages, and as instances."""
+    """The pictures that are drawn with native stages, and as instances."""
     native, lowered = both(name)
     assert tuple(s.row for s in native.staged.program.stages) == TESSELLATED_EXPANDED
     (found,) = studio.draw(route, native, state_of(native))
@@ -155,7 +155,7 @@ def given() -> CompiledMaterial:
 
 
 def by_hand(level: str) -> SceneState:
-    """What ``OUTWARDS`` says, vertex by vertex."""
+    """The scene that ``OUTWARDS`` means, vertex by vertex."""
     source = text(OUTWARDS.format(level))
     (native,) = burnish.compile(source, "glsl:vulkan", native_stages=True).materials
     state = state_of(native)

@@ -1,4 +1,4 @@
-"""What makes two pictures agree, by pictures of a few pixels."""
+"""The comparison of two pictures, by pictures of a few pixels."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ def test_what_may_overflow_may_be_infinite_on_that_side_only() -> None:
 @pytest.mark.parametrize("got", [1.0, math.nan, math.inf, -math.inf])
 @pytest.mark.parametrize("value", [1e39, -1e39, math.nan, math.inf, -math.inf])
 def test_nothing_is_promised_where_the_value_leaves_float32(got: float, value: float) -> None:
-    """It is no agreement, and no fault of the driver's."""
+    """Such a pixel is no agreement, and no fault of the driver's."""
     found = compared(changed(got), expected(changed(value)))
     assert not found.agrees and (found.wrong, found.changed, found.overflowing) == (0, 0, 1)
     assert found.proven == found.covered - 1

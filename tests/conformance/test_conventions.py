@@ -1,6 +1,6 @@
-"""What the conventions promise, executed: each expectation is worked out by hand, for every route.
+"""The promises of the conventions, executed: the expected pixels are worked out by hand.
 
-The reference is held against the same expectations, as if it were one more route.
+Every route draws them. The reference is held against them too, as if it were one more route.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from .kit import REFERENCE, Floats, Studio
 from .matrices import PIXELS
 
 Pixel = tuple[float | None, float | None, float | None, float | None]
-"""What a pixel holds; None where it does not matter."""
+"""The lanes of a pixel; None where a lane does not matter."""
 
 HALF = 0.5
 CLOSE = 2e-3
@@ -50,7 +50,7 @@ class Expectation:
     target: int = 0
     tolerance: float = 0.0
     flipped: Pixel | None = None
-    """What it is instead in a flipped text whose first row in memory is the bottom one."""
+    """The pixel in a flipped text, whose first row in memory is the bottom one, if it differs."""
 
 
 def _world() -> Iterator[Expectation]:
@@ -185,7 +185,7 @@ WRAPS: Sequence[Callable[[int, int], int]] = (
         else 2 * count - 1 - place
     ),
 )
-"""Of a texel one texture's size before, in or behind a texture, which texel is shown."""
+"""The texel that is shown for a place up to one texture's size before or behind a texture."""
 
 
 def _textures() -> Iterator[Expectation]:

@@ -105,7 +105,7 @@ def sixteens(side: int) -> Indices:
 
 
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
-    """What is drawn of a buffer by a route, and with stages."""
+    """The pictures that are drawn from a buffer by a route, and with native stages."""
     lowered, native = made(name, route, native=False), made(name, NATIVE, native=True)
     rows = lowered.reflection.vertex_inputs
     assert sum(row.buffer is not None for row in rows) > corners_in_buffer.MOST_INPUTS

@@ -1,7 +1,7 @@
-"""What is said of a driver that does something its own way is true: without it, it differs.
+"""The listed peculiarities of drivers are true: without an entry, its driver's results differ.
 
-So a new version that does as specified is noticed, as one is that no longer has a defect on the
-list of ``subjects.py``.
+So a new version of a driver is noticed if it does as specified, or if it no longer has a defect
+on the list of ``subjects.py``.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ material Product : Surface {
     color = rgb(ddx(product), ddy(product), 0)
 }
 """
-"""Its derivatives differ between the rows and the columns of a quad."""
+"""A material whose derivatives differ between the rows and the columns of a quad."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What is said of the error of a pixel, by its rendered text."""
+"""The rendered text of the explanation of a pixel's error."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_wide_bounds_without_a_cause() -> None:
 
 
 def test_jumps() -> None:
-    """How far away they are, and what would become of the pixel."""
+    """A message gives the distance of a jump, and its effect on the pixel."""
     close = Tipping(FRACTION, "a whole number", True, 2e-7, 5e-7, 0.75)
     discards = replace(close, effect=math.inf)
     found = replace(FOUND, losses=(), tippings=(close, discards))
@@ -114,7 +114,7 @@ def test_jumps() -> None:
 
 
 def test_jumps_that_change_nothing_by_themselves() -> None:
-    """They are told if there is no better cause, as the bounds allow for several at once."""
+    """A jump is told if there is no better cause, as the bounds allow for several jumps at once."""
     tie = Tipping(FRACTION, "equality", False, 0.0, 5e-7, 0.0)
     found = replace(FOUND, losses=(), contributions=(), tippings=(tie,))
     assert list(causes(found)) == [

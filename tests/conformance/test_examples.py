@@ -29,11 +29,11 @@ HALF = (51, 40)
 WHOLE = {"normals", "particles", "threads"}
 """Examples that are drawn in its usual size: in half of the pixels, some picture proves little."""
 LEAST_COVERED = 0.1
-"""Of the pixels of all cases together."""
+"""The least share of the pixels of all cases together that an object covers."""
 LEAST_CASES = 4
-"""Of a material."""
+"""The least number of cases of a material."""
 KERNELS_CASES = (IMAGE_CASES, ELEMENT_CASES)
-"""Those of a kernel over images, and of one over buffers."""
+"""The numbers of cases of a kernel over images, and of one over buffers."""
 
 Key = tuple[Variant, str, str]
 """A variant, a material and a route."""
@@ -75,7 +75,7 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[Path], dict[Key, Row]]:
-    """What a run over a file finds, with all its rigs, passes and materials."""
+    """The rows of a run over a file, with all its rigs, passes and materials."""
 
     @keeping_the_last
     def found(path: Path) -> dict[Key, Row]:

@@ -1,4 +1,4 @@
-"""What a device may have of a buffer that a kernel has written counts in all that read it.
+"""The errors that a device may make in a buffer that a kernel writes reach all that reads it.
 
 Each frame writes a buffer whose elements rounding may change, and shows it as a picture. If its
 elements were taken to be what they mean, no driver would agree; if they could be anything, no
@@ -154,7 +154,7 @@ frame F {
     output value = seen.value
 }
 """
-"""Of the elements 0, 1, 2, 16, 20, 32, 40, 48 and 60 nothing is defined."""
+"""A frame of which the elements 0, 1, 2, 16, 20, 32, 40, 48 and 60 are undefined."""
 PAINTED = """
 pass Painted : FullScreen {
     line = normalize(nonzero(vec2(0, floor(frag_coord.y) - 3)))
@@ -172,7 +172,7 @@ frame F {
     output value = seen.value
 }
 """
-"""Of the first two columns and the last row nothing is defined."""
+"""A frame of which the first two columns and the last row are undefined."""
 FRAMES = {
     "rounded": ROUNDED, "members": MEMBERS, "tipping": TIPPING, "chosen": CHOSEN,
     "scattered": SCATTERED, "growing": GROWING, "placed": PLACED, "cancelled": CANCELLED,
@@ -192,7 +192,7 @@ WRONG = {
     "painted": ("= 2 *", "= 2.01 *"),
     "placed": ("sin(float(index))", "sin(float(index)) + 0.01"),
 }
-"""What the kernel of each frame says, and what one says that is slightly wrong."""
+"""A part of the text of each frame's kernel, and a text in its place that is slightly wrong."""
 TIPPED = ("tipping", "chosen", "scattered")
 
 
@@ -202,7 +202,7 @@ def compiled(text: str, route: str) -> CompiledFrame:
 
 
 def judged(studio: Studio, text: str, route: str) -> Row:
-    """What ``conform`` says of a frame."""
+    """The row of ``conform`` for a frame."""
     rows = conform(
         [("F", compiled(text, route))], [ROUTES[route]], studio.runner, studio.toolchain, size=SIZE
     )

@@ -47,7 +47,7 @@ CASES = [
 
 @pytest.fixture(scope="module")
 def plans() -> Callable[[Path], list[Planned]]:
-    """What is to be drawn of an example, with what the reference has drawn for other routes."""
+    """The planned drawings of an example; they remember the reference's pictures for all routes."""
 
     @keeping_the_last
     def found(path: Path) -> list[Planned]:

@@ -1,4 +1,4 @@
-"""How a pixel of a frame came about: the step that made it, and what carries the error to it.
+"""Explanations of a pixel of a frame: the step that made it, and what carries the error to it.
 
 No driver is needed: the reference draws with the rounding that a route's device may have.
 """
@@ -45,7 +45,7 @@ pass Added : FullScreen blend add {
 
 
 def made(frame: str, pixel: tuple[int, int] = (3, 1), case: str = "value") -> Made | None:
-    """How a pixel of the output ``value`` came about."""
+    """The explanation of a pixel of the output ``value``."""
     (found,) = burnish.compile(f"{PASSES}\nframe F {{ {frame} }}", "glsl:vulkan").frames
     return FramePlan("F", found, SIZE).made(case, ROUTE, DEVICE, "guaranteed", pixel)
 

@@ -49,7 +49,7 @@ RAMP = np.stack(np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1])), axis=-1).as
 
 
 def outputs(text: str, where: str, studio: Studio, count: int = 1) -> list[dict[str, Floats]]:
-    """What some frames show, by a route or the reference."""
+    """The outputs of some frames, drawn by a route or the reference."""
     (frame,) = burnish.compile(text, PROFILES, partial=True).frames
     host = _host(frame)
     if where != REFERENCE:
@@ -512,7 +512,7 @@ def test_stencil_values_go_from_pass_to_pass(studio: Studio, where: str) -> None
 
 @EVERYWHERE
 def test_depth_tests_that_fail_are_counted_by_their_side(studio: Studio, where: str) -> None:
-    """What is behind a wall is counted: two of the first three columns are backs."""
+    """The faces behind a wall are counted: two of the first three columns are backs."""
     text = f"""{HEAD}{BARS}
     pass Behind : Bars {{
         at : vec2 = corner[int(vertex_index mod 6u)]

@@ -134,7 +134,7 @@ def test_both_forms_are_one_picture(studio: Studio, name: str, route: str) -> No
 
 
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
-    """What is drawn with a geometry stage, and as instances."""
+    """The pictures that are drawn with a geometry stage, and as instances."""
     native, lowered = both(name)
     assert [stage.name for stage in native.staged.program.stages][1] == "geometry"
     (found,) = studio.draw(route, native, state_of(native))

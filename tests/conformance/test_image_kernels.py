@@ -19,7 +19,7 @@ from .planted.planting import Planted
 FILE = Path(__file__).with_name("image_kernels.burnish")
 NAMES = ("Bytes", "Few", "Floats", "Stored", "Alone", "Branches")
 WRITTEN = {"Stored", "Alone", "Branches"}
-"""Those whose formats a kernel can write."""
+"""The kernels whose formats a compute shader can write."""
 WITHOUT_BUFFERS = routes("absent", "storage buffers at fragments")
 
 

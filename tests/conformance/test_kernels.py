@@ -155,7 +155,7 @@ def test_without_a_planted_error_all_agrees(studio: Studio) -> None:
 CANCELLED = """
 kernel Cancelled { result steps : int[200] = int(float(index) / 7 * 7) }
 """
-"""Its text does not compute the division, whose rounding tips some elements."""
+"""A kernel whose text does not compute the division, whose rounding tips some elements."""
 
 
 def test_what_tips_in_double_precision_is_no_change_of_the_meaning(studio: Studio) -> None:

@@ -182,7 +182,7 @@ def test_a_list_that_is_too_short_is_seen() -> None:
 
 
 def test_wrong_bounds_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if only two of the lamps were asked."""
+    """The bounds are wrong as only two of the lamps are asked."""
     monkeypatch.setattr(rigs, "LONGEST", 2)
     free = lit("[]")
     monkeypatch.undo()

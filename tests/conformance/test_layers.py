@@ -122,7 +122,7 @@ def test_all_targets_are_as_the_reference_has_them(studio: Studio, route: str) -
 
 @pytest.mark.parametrize("native", [True, False])
 def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
-    """What is drawn at a pixel says which strip drew it, and that says the layer."""
+    """Each pixel shows the number of the strip that drew it, which also tells its layer."""
     material = compiled(native=native)
     one, _two = studio.draw("lavapipe:glsl", material, state_of(material))
     for number, layer in enumerate(by_layer(one)):
@@ -133,7 +133,7 @@ def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
 
 
 def test_a_host_draws_the_layers_one_by_one() -> None:
-    """By the reflection alone: each draw differs from the others in one parameter."""
+    """The reflection is enough: each draw differs from the others in one parameter."""
     material = compiled(native=False)
     assert material.reflection.draw.layers == LayersRow(count=COUNT, parameter="draw.layer")
     draw = state_of(material).draw()

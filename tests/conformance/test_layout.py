@@ -1,4 +1,4 @@
-"""What a host writes is what shaders read: value for value, on every route.
+"""Shaders read the values that a host writes: value for value, on every route.
 
 Nothing but the values that were set says what has to come out, and it has to be exactly that.
 """
@@ -53,7 +53,7 @@ def program_of(layout: Layout, *, hoist: bool) -> Program:
 
 @pytest.fixture(scope="module")
 def programs(studio: Studio) -> dict[str, Program]:
-    """By name; the routes' compilers have seen them all."""
+    """Programs by name, which the routes' compilers have all seen."""
     made = {
         "every type, hoisted": program_of(every_type(), hoist=True),
         "every type": program_of(every_type(), hoist=False),

@@ -96,7 +96,7 @@ def state(of: CompiledMaterial) -> SceneState:
 def comparison(
     studio: Studio, name: str, *, native: bool = False, rule: Lines | None = None
 ) -> Comparison:
-    """What a route draws, held against what was measured of its driver, or another rule."""
+    """A route's picture, compared with its driver's measured rule for lines, or another rule."""
     route = ROUTES[name]
     drawn, meant = material(native=native), material()
     (got,) = studio.draw(name, drawn, state(drawn))

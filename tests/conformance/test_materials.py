@@ -27,7 +27,7 @@ CASES = [
 
 @pytest.fixture(scope="session")
 def rows(studio: Studio) -> Callable[[str], dict[str, Row]]:
-    """What a run over one of ``NAMES`` finds, by route."""
+    """The rows of a run over one of ``NAMES``, by route."""
 
     @keeping_the_last
     def found(name: str) -> dict[str, Row]:
@@ -55,7 +55,6 @@ def test_it_agrees(rows: Callable[[str], dict[str, Row]], route: str, name: str)
 
 
 def test_every_builtin_is_called() -> None:
-    """By a material, by a kernel whose groups join values, or it is an operator that the first
-    pass has replaced."""
+    """A material calls it, or a kernel whose groups join values, or the first pass replaces it."""
     subjects = [compiled(name) for name in NAMES] + [*all_of(test_work_groups.FILE)]
     assert not set(BUILTINS) - set().union(*map(called, subjects))

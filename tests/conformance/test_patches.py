@@ -133,7 +133,7 @@ def nines(side: int) -> Indices:
 
 
 def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
-    """What is drawn with tessellation stages, and as instances."""
+    """The pictures that are drawn with tessellation stages, and as instances."""
     native, lowered = both(name)
     rows = tuple(stage.row for stage in native.staged.program.stages)
     assert rows == TESSELLATED_CHAIN
@@ -209,7 +209,7 @@ def test_levels_that_differ_are_those_of_the_edges(
 
 
 def drawn_with_levels(studio: Studio, spacing: Spacing, route: str) -> tuple[Floats, Floats]:
-    """What is drawn where levels differ, and the triangles of the reference."""
+    """The pictures of patches with different levels, and of the reference's triangles."""
     source = text(DIFFERING.format(spacing))
     (native,) = burnish.compile(source, PROFILES, native_stages=True).materials
     state = state_of(native)

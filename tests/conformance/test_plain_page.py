@@ -142,7 +142,7 @@ def set_up_with(source: str, values: Mapping[str, object]) -> tuple[CompiledMate
 def drawn_by_page(
     page: Chromium, material: CompiledMaterial, state: SceneState, reflection: Mapping[str, Any]
 ) -> Texels:
-    """What the page draws of the ball, with the values that an instance has."""
+    """The page's picture of the ball, with the values of an instance."""
     width, height = SIZE
     names = [row["name"] for row in reflection["parameters"]]
     job = {
@@ -172,7 +172,7 @@ def mesh_of(mesh: Mesh, draw: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def drawn_by_runtime(studio: Studio, material: CompiledMaterial, state: SceneState) -> Texels:
-    """What the browser's driver draws, in the format of the only target."""
+    """The picture of the browser's driver, in the format of the only target."""
     codes = compile_one(ROUTE, material.files, studio.toolchain)
     made = pipeline(material.reflection, ROUTE, codes)
     (picture,) = studio.runner.draw(ROUTE, Job(made, (state.draw(),)))

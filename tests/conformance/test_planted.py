@@ -1,4 +1,4 @@
-"""That a conformance run finds errors: many are planted, one at a time, and each has to show."""
+"""A conformance run finds planted errors: many, one at a time, and each has to show."""
 
 from __future__ import annotations
 

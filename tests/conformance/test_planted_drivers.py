@@ -85,7 +85,7 @@ ERRORS = [
 
 
 def _agrees(studio: Studio, name: str) -> bool:
-    """Whether all that a route draws of the frame is what it means."""
+    """True if all results of the frame on a route agree with their meaning."""
     route = ROUTES[name]
     (frame,) = burnish.compile(FRAME, (route.profile,)).frames
     with Runner([route]) as runner:

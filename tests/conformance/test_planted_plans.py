@@ -122,7 +122,7 @@ def _half_the_size(plan: Plan) -> None:
 
 
 def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
-    """Whether each output agrees."""
+    """For each output, true if it agrees."""
     (frame,) = burnish.compile(FRAME, (ROUTE.profile,)).frames
     document = to_json(frame.plan)
     change(document)

@@ -1,4 +1,4 @@
-"""What conformance blames a material for, and what it lets pass: neither too much nor nothing."""
+"""The faults that conformance finds in a material: neither too many nor none."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ NO_VIOLATION = {
         "material M { color = abs(normalize(nonzero(max(vec3(0), vec3(uv, 0.5) - vec3(0.5))))) }"
     ),
 }
-"""What devices may draw in many ways."""
+"""Materials whose pictures devices may draw in many ways."""
 
 
 def row(studio: Studio, text: str, route: str) -> Row:

@@ -20,8 +20,11 @@ from .reads import Reads
 COUNT = int(os.environ.get("BURNISH_READS", "3"))
 
 DECIDED = 0.75
-"""What has to be decided of all that is drawn. Single texels and comparisons have so many borders
-that a picture of nothing else may well be more undecided than a material's should be."""
+"""The share of a picture that has to be decided.
+
+Single texels and comparisons have so many borders that a picture of nothing else may well be more
+undecided than a material's should be.
+"""
 
 
 @pytest.mark.parametrize("route", ["lavapipe:glsl", "swiftshader:wgsl-naga"])

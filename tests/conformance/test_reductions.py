@@ -49,7 +49,7 @@ class Kernels:
     source: str | Path
 
     def run(self, name: str, values: Mapping[str, Any], result: str, kind: str) -> Array:
-        """What a kernel writes to one of its buffers, whose elements are of a kind of NumPy's."""
+        """The elements, of a NumPy type ``kind``, that a kernel writes to its buffer ``result``."""
         kernel: CompiledMaterial = compiled(self.source)[name]
         instance = Instance(kernel.reflection)
         for member, value in values.items():
@@ -67,7 +67,7 @@ class Kernels:
         return values
 
     def prefix_sums(self, blocks: str, before: str, counts: Array) -> Array:
-        """How many there are before each element."""
+        """The sum of all counts before each element."""
         above = np.zeros(0, np.uint32)
         if len(counts) > 64:
             in_blocks = self.run(blocks, {"counts": counts}, "blocks", "<u4")

@@ -129,7 +129,7 @@ def test_the_details() -> None:
 
 
 def test_what_proves_little_is_said_once() -> None:
-    """Of the row that proves the least; what was not run is told elsewhere."""
+    """The message is of the row that proves least; rows that were not run are told elsewhere."""
     said = [([row.route.name for row in rows], lines) for rows, lines in messages(ROWS)]
     names = [names for names, _ in said]
     assert names == [

@@ -78,7 +78,7 @@ def everything() -> Instance:
 
 
 def sampled(seed: int) -> Instance:
-    """The same with values."""
+    """The instance with every kind of parameter, with random values."""
     instance = everything()
     sample_values(instance, seed)
     sample_textures(instance, seed)

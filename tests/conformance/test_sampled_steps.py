@@ -109,9 +109,9 @@ STEP = 1 / 255
 
 
 PLACES = np.array(((0.375, 0.125), (0.875, 0.375), (0.125, 0.625), (0.625, 0.875)))
-"""Of the samples in a pixel, from the left and from the top."""
+"""The places of the samples in a pixel, from the left and from the top."""
 CORNERS = [(2.25, 1.5), (2.5, 2.25), (5.75, 0.5), (3.0, 2.0), (7.5, 3.75)]
-"""Between columns and between rows of samples, in pixels."""
+"""Corners of triangles between columns and between rows of samples, in pixels."""
 
 
 @EVERYWHERE
@@ -159,7 +159,7 @@ def test_depths_are_those_of_the_places(studio: Studio, where: str, across: bool
 @EVERYWHERE
 @pytest.mark.parametrize("quarters", [1, 3])
 def test_values_are_those_of_the_centre(studio: Studio, where: str, quarters: int) -> None:
-    """Also where it lies outside of the triangle."""
+    """The centre counts even if it lies outside of the triangle."""
     sloped = f"sloped = Sloped(screen) with {{ edge = {CUT + quarters / 4} }}"
     frame = f"{PASSES}\nframe F {{ {sloped} output picture = sloped.value }}"
     found = outputs(frame, where, studio)[-1]["picture"][0, ..., 0]
@@ -199,7 +199,7 @@ def test_what_draws_over_samples_finds_each_of_them(studio: Studio, where: str) 
 
 @EVERYWHERE
 def test_a_step_with_one_sample_draws_over_means(studio: Studio, where: str) -> None:
-    """Its edge is right of the pixel's centre, so that it covers all of the column."""
+    """The later step's edge is right of the pixel's centre, so that it covers the whole column."""
     found = shown(studio, where, OVER, "late")
     assert np.abs(found - columns(1, 2.5 / 4 + 0.25)).max() <= 2 * STEP
 

@@ -90,7 +90,7 @@ def ours(studio: Studio, name: str) -> Pipeline:
 
 
 def drawn(studio: Studio, made: Pipeline, name: str, values: Values) -> Floats:
-    """What a pipeline draws of a plane."""
+    """A pipeline's picture of a plane."""
     (picture,) = studio.runner.draw(ROUTE, Job(made, (state_of(name, values).draw(),)))
     return arrays(picture)[0]
 
@@ -138,7 +138,7 @@ HEAT = np.random.default_rng(7).integers(0, 16, 150).astype(np.float32)
 
 
 def computed(studio: Studio, made: Pipeline) -> dict[str, NDArray[Any]]:
-    """What a pipeline computes of ``HEAT``."""
+    """A pipeline's results for ``HEAT``."""
     instance = Instance(compiled("Spreading").reflection)
     instance.set("heat", HEAT)
     job = job_of(instance.reflection, made, [dispatch_of(instance)])

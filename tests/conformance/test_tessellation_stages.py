@@ -72,7 +72,7 @@ LEVELS: Mapping[Patch, tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]] 
     "quad": (((1, 1, 1, 1), (1, 1)), ((4, 2, 3, 5), (6, 3)), ((2.5, 1, 7, 4), (1, 4.75))),
     "isoline": (((3, 1), ()), ((5, 4.5), ())),
 }
-"""Of edges and of the inside."""
+"""Levels of the edges and of the inside, for each kind of patch."""
 
 CORNERS: Mapping[Patch, list[list[float]]] = {
     "triangle": [[-0.875, -0.75, 0.25], [0.75, -0.5, 0.75], [-0.25, 0.875, 0.5]],
@@ -134,7 +134,7 @@ def divided(patches: Tessellation) -> Shader:
 
 
 def seen(toy: Toy, smooth: Node, flat: Node) -> list[Result]:
-    """What the fragments show: which way a triangle turns, too."""
+    """The values that the fragments show, with the side of the triangle that is seen."""
     graph, row = toy.graph, inputs_of((FRAGMENT,))["front_facing"]
     front = graph.node("input", BOOL, (), row)
     one, other = (build.floating(graph, each) for each in (1.0, -1.0))
@@ -183,7 +183,7 @@ def patches_of(patch: Patch) -> Floats:
 def state(
     material: CompiledMaterial, attributes: Mapping[str, Floats], cells: Indices, **values: float
 ) -> SceneState:
-    """These vertices and primitives, with values of the parameters."""
+    """The state of a scene with these vertices, primitives, and values of the parameters."""
     instance = material.instance()
     for name, value in values.items():
         instance.set(name, value)
@@ -208,7 +208,7 @@ def natively(patch: Patch, spacing: Spacing) -> list[SceneState]:
 
 
 def expected(patch: Patch, spacing: Spacing) -> list[SceneState]:
-    """What the reference divides them into, as triangles or lines of their own."""
+    """The triangles or lines into which the reference divides the patches, drawn by themselves."""
     return [state(compiled(None), *_cells(patch, spacing, *levels)) for levels in LEVELS[patch]]
 
 
@@ -235,7 +235,7 @@ def _cells(
 
 
 def _placed(patch: Patch, where: Floats, points: Floats) -> Floats:
-    """Where a patch's vertices lie, with all of which float32 can do without rounding."""
+    """The places of a patch's vertices, which float32 can compute without rounding."""
     if patch == "triangle":
         weighted: Floats = where @ points
         return weighted

@@ -74,11 +74,11 @@ _PRECISIONS = "precision highp float;\nprecision highp int;"
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """What a GLSL of OpenGL has otherwise than that of Vulkan."""
+    """The differences of an OpenGL's GLSL from that of Vulkan."""
 
     header: str
     by_name: bool = False
-    """Whether blocks and varyings have no numbers."""
+    """True if blocks and varyings have names only, and no numbers."""
     clip_control: tuple[str, ...] = ()
 
 
@@ -178,7 +178,7 @@ def material(error: str = "") -> CompiledMaterial:
 
 
 def state(scene: str, error: str = "") -> SceneState:
-    """What Burnish's shader is to draw."""
+    """The scene that Burnish's shader draws."""
     mesh, placed = SCENES[scene]
     taken = set_up(material(error).instance(), mesh, placed, SIZE, UNCOVERED)
     for name, value in VALUES.items():

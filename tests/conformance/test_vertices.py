@@ -1,4 +1,4 @@
-"""What comes in with vertices and instances is drawn by every route as the reference does."""
+"""Every route draws the inputs of vertices and instances as the reference does."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from burnish.compiler.syntax.parser import parse
 
 
 def calls(work: Callable[[], object]) -> int:
-    """How many functions are called while something is done."""
+    """The number of functions that are called while ``work`` runs."""
     count = 0
 
     def profile(_frame: FrameType, event: str, _argument: object) -> None:
@@ -61,7 +61,7 @@ def test_twice_the_text_is_twice_the_work(shape: Callable[[int], str]) -> None:
 
 
 def letters(source: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> int:
-    """How many pairs of letters are compared with each other when a text is checked."""
+    """The number of pairs of letters that are compared when a text is checked."""
     compared = 0
     search = nearest.nearest
 
@@ -122,7 +122,7 @@ def test_one_long_line_of_mistakes_is_read_at_once(text: str) -> None:
 
 
 def test_a_long_comment_takes_no_memory_of_its_own() -> None:
-    """None but a few times its text, which the lexer, the parser and what they keep hold."""
+    """The memory is a few times that of the text, which the lexer and the parser keep."""
     burnish.check("material M { }")
     comment = "/* " + "x " * 500_000 + "*/"
     tracemalloc.start()

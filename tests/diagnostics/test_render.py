@@ -90,7 +90,7 @@ def test_labels_here_and_in_another_file() -> None:
 
 
 def finding_with(diagnostic: Diagnostic, labels: tuple[Label, ...]) -> Diagnostic:
-    """The same finding with labels."""
+    """The diagnostic with labels."""
     return Diagnostic(
         diagnostic.rule,
         diagnostic.message,

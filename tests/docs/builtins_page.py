@@ -111,7 +111,7 @@ def builtins_page() -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-ELSEWHERE_HEAD = """## What other languages call it
+ELSEWHERE_HEAD = """## Names in other languages
 
 Every function of GLSL 4.50 and ES 3.00, of HLSL's list of intrinsics and of WGSL is listed above
 under the same name, or in this table. Messages about unknown names take their advice from it,
@@ -159,7 +159,7 @@ def _builtin(row: Builtin) -> Iterator[str]:
 
 
 def _bounds(row: Accuracy) -> str:
-    """What holds on each platform, with the section if it is not that of the platform's table."""
+    """The promise of each platform, with its section if it is not that of the platform's table."""
     together = _together(row, lambda promise, _: str(promise.bound))
     sections = _together(row, _section)
     parts = [
@@ -185,7 +185,7 @@ def _section(promise: Promise, platform: Platform) -> str:
 
 
 def _assumptions(row: Accuracy) -> str:
-    """What no specification says, and why it is assumed."""
+    """The promises that no specification makes, and the reasons why they are assumed."""
     whole = _together(row, lambda promise, _: promise.source if promise.assumed else "")
     beyond = _together(row, lambda promise, _: promise.beyond_assumed)
     return "; ".join(
@@ -214,7 +214,7 @@ def _written(row: Builtin) -> str:
 
 
 def _read(row: Builtin) -> str:
-    """How a texture ``t`` is read. Arrays also have a layer, as the second argument."""
+    """The code that reads a texture ``t``. Arrays also have a layer, as the second argument."""
     method = f".{row.method}" if row.method else ""
     return f"t{method}({', '.join(row.parameters)})"
 

@@ -10,7 +10,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
+from textwrap import indent
 
+from burnish.commands.explain.programs import Shown, every_shown
 from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
@@ -37,6 +39,9 @@ Every error and warning has a code. Codes stay the same from one version to the 
 of a removed diagnostic is not used again. `burnish explain B0203` shows an entry on the command
 line, and `burnish check FILE --format json` writes what it finds [for programs](#as-json). Words
 in braces are placeholders.
+
+Where a program can show a diagnostic, there is a short wrong one, about which nothing else is said,
+and the same one mended. `burnish explain` also shows what is said about the wrong one.
 
 After an error a compile writes nothing, the exit code is 1, and the library raises `CompileError`.
 Warnings have no such effect.
@@ -89,12 +94,23 @@ def diagnostics_page() -> str:
     found = [rule for rule in vars(rules).values() if isinstance(rule, Rule)]
     lines = [DIAGNOSTICS_HEAD]
     ordered = sorted(found, key=lambda rule: rule.code)
+    shown = {entry.code: entry for entry in every_shown()}
     for section, members in groupby(ordered, key=lambda rule: rule.code[:3]):
         lines.append(f"## {section}: {SECTIONS[section]}\n")
         for rule in members:
             lines += [f"### {rule.code}\n", f"{rule.severity}: {_code(rule.message)}\n"]
-            lines.append(f"{rule.help}\n")
+            lines += [f"{rule.help}\n", *_programs(shown[rule.code])]
     return "\n".join(lines).rstrip() + "\n"
+
+
+def _programs(entry: Shown) -> Iterator[str]:
+    """The programs of a diagnostic as indented code, which no snippet's test runs once more."""
+    if entry.reason:
+        yield f"No program shows this. {entry.reason}\n"
+        return
+    for title, program in ((f"Wrong{entry.condition}", entry.wrong), ("Right", entry.right)):
+        yield f"{title}:\n"
+        yield indent(program, "    ")
 
 
 def _code(message: str) -> str:

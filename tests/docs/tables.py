@@ -9,7 +9,7 @@ from pathlib import Path
 DOCS = Path(__file__).parents[2] / "docs"
 
 NOTE = "<!-- Made by `python -m tests.docs.generate`; do not edit. -->"
-"""Where a whole page is made."""
+"""The first line of a page that is generated as a whole."""
 
 
 def spliced(page: str, name: str, text: str) -> str:

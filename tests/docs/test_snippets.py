@@ -40,7 +40,7 @@ def whole(block: Block) -> str:
 
 
 def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
-    """What there is to say about a block, beside the files that its page declares before it."""
+    """The diagnostics of a block, compiled beside the files that its page declares before it."""
     for other in blocks(block.page, "burnish"):
         if (name := other.value("file")) and other.line < block.line:
             path = folder / name

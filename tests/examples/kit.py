@@ -38,8 +38,10 @@ NEEDING: Mapping[str, str] = {
     # Without a stage of its own for that, a capture is a kernel.
     "particles-Step": "kernels over buffers",
 }
-"""By example, by one of its variants, or by one of its materials and kernels, the capability that
-it shows, if there are profiles without it."""
+"""The capability that an example shows, if there are profiles without it.
+
+The keys are examples, variants of them, or their materials and kernels.
+"""
 LACKING: Mapping[str, frozenset[str]] = {
     name: profiles("absent", capability) for name, capability in NEEDING.items()
 }
@@ -84,7 +86,7 @@ VARIANTS = tuple(variants())
 
 
 def jobs_of(material: CompiledMaterial) -> Iterator[Job]:
-    """What the downstream compilers have to check of a material: every stage, by each checker."""
+    """The checks of a material by the compilers behind it: every stage, by each checker."""
     for file in material.files:
         for stage, entry in file.entry_points.items():
             for checker in file.checkers:

@@ -34,7 +34,7 @@ def rgb(text: str) -> Floats:
 
 
 def mixed(dark: str, light: str, share: Floats) -> Floats:
-    """From one colour to another."""
+    """A mixture of two colours: ``dark`` where the share is 0, ``light`` where it is 1."""
     return rgb(dark) + (rgb(light) - rgb(dark)) * np.clip(share, 0, 1)[..., None]
 
 
@@ -64,7 +64,7 @@ def noise(seed: int, cells: int, side: int = SIDE) -> Floats:
 
 
 def brick_depths() -> Floats:
-    """How deep it is below the surface of bricks: joints are 1."""
+    """The depth below the surface of bricks: joints are 1."""
     right, down = places()
     rows = down * 6
     along = right * 3 + 0.5 * (np.floor(rows) % 2)
@@ -99,7 +99,7 @@ def grounds(dark: str, light: str, seed: int, cells: int) -> Floats:
 
 
 def weights() -> Floats:
-    """How much there is of four kinds of ground."""
+    """The shares of four kinds of ground."""
     first, second = noise(21, 3), noise(22, 3)
     shares = np.stack([first, 1 - first, second, 1.2 * (1 - second) - 0.3], axis=-1)
     return np.clip(2.2 * shares - 0.7, 0, 1)
@@ -136,7 +136,7 @@ def star() -> Floats:
 
 
 def directions() -> Floats:
-    """Of each pixel of a panorama, twice as wide as high."""
+    """The direction of each pixel of a panorama, which is twice as wide as high."""
     right, down = places(2 * SIDE, SIDE)
     around, above = 2 * np.pi * (right - 0.5), np.pi * (0.5 - down)
     level = np.cos(above)
@@ -211,7 +211,7 @@ def palette() -> Floats:
 
 
 def letter() -> Floats:
-    """How far it is to the outline of an R, alike in all channels: 1 is deep inside."""
+    """The distance to the outline of an R, the same in all channels: 1 is deep inside."""
     size = 48
     right, down = places(size, size)
     x, y = (right - 0.5) * 1.3 + 0.5, (down - 0.5) * 1.3 + 0.5
@@ -231,7 +231,7 @@ def letter() -> Floats:
 
 
 def ramp() -> Floats:
-    """From shade to light in four steps."""
+    """A ramp of four colours from shade to light."""
     steps = ("#5b2a3c", "#a8473f", "#e8843c", "#ffd98a")
     return np.array([[rgb(color) for color in steps for _ in range(8)]])
 
@@ -255,10 +255,10 @@ PICTURES: Mapping[str, Callable[[], Floats]] = {
     "star": star,
     "weights": weights,
 }
-"""What is painted in 8 bits, by the names of the files."""
+"""The pictures that are painted in 8 bits, by the names of the files."""
 
 PANORAMAS: Mapping[str, Callable[[], Floats]] = {"garden": garden, "room": room}
-"""What is painted in floats, of all directions: skies that are brighter than white."""
+"""The pictures in floats, of all directions: skies that are brighter than white."""
 
 
 def painted(name: str) -> Image.Image:

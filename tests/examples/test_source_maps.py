@@ -15,7 +15,7 @@ from .kit import VARIANTS, Variant
 
 FUNCTION = re.compile(r"(?!struct|cbuffer|layout|uniform)\S.*\{$")
 HELPER = re.compile(r"int\d? texture_\w+\(\w+<\w+> texels")
-"""What a language needs to ask for a texture's size comes from no material."""
+"""The head of a function by which a language asks for a texture's size; it is of no material."""
 NO_STATEMENT = re.compile(r"\s*(//.*|\}|\} else \{|)$")
 
 

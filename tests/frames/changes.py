@@ -14,7 +14,7 @@ from typing import Any
 Path = tuple[str | int, ...]
 
 FREE = frozenset(("doc", "source", "sources"))
-"""What only people read."""
+"""The members of a plan that only people read, so that they may be changed freely."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ def _key(path: Path) -> str:
 
 
 def _others(path: Path, value: Any, known: dict[str, list[Any]]) -> Iterator[tuple[str, Any]]:
-    """What else might be at a place."""
+    """The other values that a place might have, each with a sentence about the change."""
     if isinstance(value, list):
         yield from _other_lists(value)
         return
@@ -97,7 +97,7 @@ def _others(path: Path, value: Any, known: dict[str, list[Any]]) -> Iterator[tup
 
 
 def _other_lists(value: Sequence[Any]) -> Iterator[tuple[str, list[Any]]]:
-    """Without a row, with a row twice, with two rows exchanged."""
+    """Other lists: without a row, with a row twice, with two rows exchanged."""
     for number, row in enumerate(value):
         yield f"without row {number}", [*value[:number], *value[number + 1 :]]
         yield f"row {number} twice", [*value[: number + 1], *value[number:]]

@@ -32,16 +32,16 @@ ANY = "*"
 
 @dataclass(frozen=True, slots=True)
 class Growing:
-    """A list or an object of a document, and what its elements are."""
+    """A list or an object of a document that can have any number of elements."""
 
     path: Path
     element: Any
-    """Their type."""
+    """The type of its elements."""
     is_list: bool
 
     @property
     def name(self) -> str:
-        """What tests call it."""
+        """The name of a test's parameter."""
         return "/".join(each if isinstance(each, str) else each.__name__ for each in self.path)
 
 
@@ -156,7 +156,7 @@ def _changed(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -
 
 
 def _changed_element(value: Any, type_: Any, path: Path, change: Callable[[Any], Any]) -> Any:
-    """The same for an element: the one that has most of the way."""
+    """A list or an object with a change in the element that has most of the path."""
     element = _element(type_)
     change_one = partial(_changed, type_=element, path=path, change=change)
     if not value:
@@ -169,7 +169,7 @@ def _changed_element(value: Any, type_: Any, path: Path, change: Callable[[Any],
 
 
 def _fits(value: Any, type_: Any, path: Path) -> bool:
-    """Whether a value has what comes next in a path."""
+    """True if a value has the element that a path leads to next."""
     if not path or not isinstance(value, dict):
         return False
     first = path[0]
@@ -179,7 +179,7 @@ def _fits(value: Any, type_: Any, path: Path) -> bool:
 
 
 def _is(value: Any, kind: type, kinds: Sequence[type]) -> bool:
-    """Whether a value is a record of one of several kinds."""
+    """True if a value is a record of ``kind``, one of the ``kinds`` that are possible there."""
     if value is None or len(kinds) == 1:
         return value is not None
     key = telling(kinds)

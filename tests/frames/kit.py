@@ -18,7 +18,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "frames"
 EXAMPLES = tuple(sorted(FOLDER.glob("*.burnish")))
 
 LACKING = {"transparency": profiles("absent", "equations by target")}
-"""By example, the profiles that cannot do what it shows."""
+"""The profiles that lack the capability of an example, by example."""
 
 
 @cache
@@ -35,13 +35,13 @@ def of_text(text: str) -> CompiledFrame:
 
 
 def inputs_of(step: PlanStep) -> list[InputRow]:
-    """What the frame sets in a step of a plan."""
+    """The inputs that the frame sets in a step of a plan."""
     return [row for use in step.uses for row in use.inputs]
 
 
 def memory_share(frame: CompiledFrame, size: tuple[int, int] = (512, 512)) -> float:
-    """How much memory the textures of a frame need that take turns, as a share of what its results
-    would need each by itself."""
+    """The memory of a frame's textures if they take turns, as a share of the memory that they would
+    need if each result had a texture of its own."""
     plan = frame.plan
     tags = {row.name: row.materials for row in plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))

@@ -37,7 +37,7 @@ pass Unlisted : FullScreen {
 """
 MOST_STEPS = 9
 BY_BUFFERS = 0.15
-"""How often a step reads a buffer, which a kernel writes for it."""
+"""The probability that a step reads a buffer, which a kernel writes for it."""
 
 
 def random_frame(seed: int) -> str:

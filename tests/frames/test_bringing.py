@@ -42,7 +42,7 @@ MISSING = """error[B0806]: `Forward` needs `sun.shadow`
 
 
 def steps_of(text: str) -> Mapping[str, list[str]]:
-    """What each step of a frame is given by others, by its name."""
+    """The results that each step of a frame reads, by the step's name."""
     plan = of_text(HEAD + text).plan
     return {
         step.name: [
@@ -53,7 +53,7 @@ def steps_of(text: str) -> Mapping[str, list[str]]:
 
 
 def said_of(text: str) -> str:
-    """What is said of a text, as a person reads it."""
+    """The errors of a text, as a person reads them."""
     with pytest.raises(burnish.CompileError) as caught:
         burnish.compile(HEAD + text, ("wgsl",))
     return render_all(caught.value.diagnostics)

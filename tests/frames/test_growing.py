@@ -29,13 +29,16 @@ from .kit import of_text
 FRAME = received("reaction")
 SHADERS = [read(Reflection, each) for each in FRAME.reflections.values()]
 ONCE = 100
-"""How many elements there are; and then twice as many."""
+"""The number of elements at first; the second document has twice as many."""
 OTHER = 3000
-"""So many calls more are for what does not grow."""
+"""The number of additional calls that are allowed for work that does not grow."""
 
 
 WRONG = (PlanError, BudgetError, LookupError)
-"""What ends a check of a document: some believe what others have checked, but not here."""
+"""The errors that may end a check of a document.
+
+Some checks rely on earlier ones; here each check runs by itself, also on wrong documents.
+"""
 
 
 def of_a_plan(document: Any) -> None:

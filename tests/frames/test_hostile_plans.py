@@ -71,7 +71,7 @@ def levels_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
 
 
 def layers_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
-    plan["textures"][0] |= {"dimension": "2d_array", "layers": 2**40}
+    plan["textures"][0] |= {"dimension": "2d-array", "layers": 2**40}
 
 
 def sampler_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
@@ -118,7 +118,7 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     ),
     "no word of samplers": (
         sampler_of, "`Shadows.Shadowed.Clay.json` is no reflection that can be read:\n"
-        '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp" or "mirror"'
+        '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp-to-edge" or "mirror-repeat"'
     ),
     "an option as entry point": (
         entry_of, "Shadows.Shadowed.Clay, glsl:vulkan: `--help` is no name of an entry point"

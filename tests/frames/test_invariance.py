@@ -1,4 +1,4 @@
-"""Which shaders of a frame have to place vertices alike: those that draw to the same depths."""
+"""Invariant positions: the shaders of a frame that draw to the same depths place vertices alike."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_whatever_draws_to_depths_that_are_compared_for_being_equal() -> None:
 
 
 def test_a_model_that_is_drawn_twice_to_the_same_depths() -> None:
-    """Where it is compared for being nearer, it must not be before and behind itself in turns."""
+    """With a comparison for being nearer, a model must not be in front of itself by rounding."""
     assert invariant("compare = less") == {"Early.Slate", "Late.Slate"}
 
 

@@ -59,7 +59,7 @@ def cosine_of_glossy(width: float) -> float:
 
 
 def test_light_from_around_is_filtered_as_surfaces_do() -> None:
-    """Of light 1 + a·d, a surface sees 1 + c a·n. For matt ones c is the mean of the squared cosine
+    """A surface sees light 1 + a·d as 1 + c a·n. For matt ones c is the mean of the squared cosine
     over that of the cosine, which is two thirds."""
     drawing = drawn()
     for name, share in (("arriving", 2 / 3), ("mirrored", cosine_of_glossy(0.49))):

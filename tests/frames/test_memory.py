@@ -1,4 +1,4 @@
-"""Which textures take turns in the same memory, by hand and for the examples."""
+"""Textures of a frame that take turns in the same memory, by hand and for the examples."""
 
 from __future__ import annotations
 

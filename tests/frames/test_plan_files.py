@@ -40,7 +40,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def said(folder: Path) -> str:
-    """What is said of the plan in a folder."""
+    """The error of the plan in a folder, as text."""
     with pytest.raises((PlanError, FileError, BudgetError)) as failed:
         read_frame(folder / "Deferred.plan.json", PROFILES)
     return str(failed.value)
@@ -262,7 +262,7 @@ def test_steps_of_values_follow_the_schema(folder: Path) -> None:
 
 
 def test_reflections_that_say_what_cannot_be(folder: Path) -> None:
-    """Their schema knows no types; and what fails of one's own frames is a bug, and stays one."""
+    """The schema does not check types, so using them fails; for own frames that stays a bug."""
 
     def add_a_matrix(reflection: Any) -> None:
         steps = reflection["derived"][0]["steps"]

@@ -62,7 +62,7 @@ def lines(plan: FramePlan) -> Iterator[str]:
 
 
 def source_text(source: Source) -> str:
-    """What an input is set to."""
+    """The source of an input, as text."""
     match source:
         case ValueSource():
             return f"value {source.value}"
@@ -77,12 +77,12 @@ def source_text(source: Source) -> str:
 
 
 def in_texture(texture: int | None) -> str:
-    """In which texture something is, if it is in any."""
+    """The texture that holds something, as text; empty if none does."""
     return "" if texture is None else f" in texture {texture}"
 
 
 def waits(place: PlanStep | WaitingRow) -> Iterator[str]:
-    """What is waited for before a step, or behind the last one."""
+    """The barriers before a step, or behind the last one, as text."""
     for row in place.barriers:
         yield f"  texture {row.texture}: {row.before} -> {row.after}"
     for each in place.buffer_barriers:
@@ -98,7 +98,7 @@ def test_examples_are_planned_as_before(path: Path) -> None:
 
 
 def planted(plan: dict[str, Any]) -> Iterator[Change]:
-    """One error each: a barrier that is missing, a wrong load, a texture for another."""
+    """Changes of one error each: a missing barrier, a wrong load, a texture for another."""
     for s, step in enumerate(plan["steps"]):
         yield from without_waiting(("steps", s), step)
         for t, target in enumerate(step.get("targets", [])):
@@ -114,7 +114,7 @@ def planted(plan: dict[str, Any]) -> Iterator[Change]:
 
 
 def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
-    """One barrier less, each in turn."""
+    """Changes that leave out one barrier each."""
     for kind in ("barriers", "buffer_barriers"):
         for b in range(len(place[kind])):
             others = [row for number, row in enumerate(place[kind]) if number != b]
@@ -122,7 +122,7 @@ def without_waiting(path: Place, place: dict[str, Any]) -> Iterator[Change]:
 
 
 def places_of_sources(number: int, step: dict[str, Any]) -> Iterator[tuple[Place, dict[str, Any]]]:
-    """What the inputs of a step are set to, and where that stands in the plan."""
+    """The sources of a step's inputs, each with its place in the plan."""
     uses: list[tuple[Place, Any]] = [
         (("steps", number, "draws", d, "uses", u), use)
         for d, drawn in enumerate(step.get("draws", []))

@@ -48,11 +48,11 @@ MEANING = re.compile(
 
 SEED = 13
 SAMPLE = 100
-"""How many changes of each example are tried; ``BURNISH_PLANTED=all`` tries all."""
+"""The number of changes of each example that are tried; ``BURNISH_PLANTED=all`` tries all."""
 
 
 def is_refused(frame: CompiledFrame, wrong: dict[str, Any]) -> bool:
-    """Whether a host says no, before anything is drawn."""
+    """True if a host refuses the plan before anything is drawn."""
     files = {row.reflection: made.reflection for row, made in
              zip(frame.plan.shaders, frame.shaders, strict=True)}  # fmt: skip
     try:
@@ -69,7 +69,10 @@ SWAPPED = re.compile(r"steps: row (\d+) before the one before it")
 
 
 def is_independent(plan: FramePlan, change: str) -> bool:
-    """Whether a change swaps steps for two layers or levels of the same: any order will do."""
+    """True if a change swaps two steps that draw to two layers or levels of the same texture.
+
+    Their order does not matter.
+    """
     match = SWAPPED.match(change)
     if match is None:
         return False

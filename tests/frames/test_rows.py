@@ -1,4 +1,4 @@
-"""What steps of the examples leave, drawn by the reference, against values from elsewhere."""
+"""The results of single steps of the examples, drawn by the reference, against other sources."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Drawn:
         self._left = steps.left
 
     def left(self, result: str) -> Floats:
-        """What a step has left: (height, width, lanes)."""
+        """The texels that a step has drawn: (height, width, lanes)."""
         return self._left[result]
 
 
@@ -115,7 +115,7 @@ def test_virtual_lights_lie_where_light_of_others_arrives() -> None:
 
 
 def is_hit(start: Floats, way: Floats, middle: Floats) -> NDArray[np.bool_]:
-    """Whether a ball with radius 1 lies on a way from a place."""
+    """True where a ray from ``start`` along ``way`` hits a ball with radius 1."""
     unit = way / np.linalg.norm(way, axis=-1, keepdims=True)
     along = ((middle - start) * unit).sum(axis=-1)
     aside = np.linalg.norm(start + along[..., None] * unit - middle, axis=-1)
@@ -123,8 +123,9 @@ def is_hit(start: Floats, way: Floats, middle: Floats) -> NDArray[np.bool_]:
 
 
 def mistaken(split: str) -> tuple[int, int]:
-    """How many pixels of the floor are lit or not otherwise than by a ray to the lamp, and how many
-    are in the shadow."""
+    """The number of the floor's pixels whose light differs from that of a ray to the lamp, and the
+    number of its pixels in the shadow.
+    """
     side = 128
     drawn = Drawn("silhouettes", side, split=split)
     camera = drawn.host.scenery.scene.camera

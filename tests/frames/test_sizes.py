@@ -23,7 +23,7 @@ pass Both : FullScreen {
 
 
 def said(frame: str, **values: str) -> str:
-    """What is said when a frame is drawn with some values."""
+    """The error that is raised when a frame is drawn with some values, as text."""
     host = FrameHost(of_text(f"{HEAD}frame F {{\n{frame}\n}}"), in_a_row([], {}, "sphere"), (8, 8))
     for name, text in values.items():
         host.set_text(name, text)

@@ -19,7 +19,7 @@ from .tracing import FLOOR, NOTHING, Floats, Row, linear, rays, seen, smoothstep
 
 SIZE = 128
 APART = 2.2
-"""How far the middles of balls are apart."""
+"""The distance between the centres of two neighbouring balls."""
 AMBIENT = 0.1
 
 
@@ -60,8 +60,10 @@ def test_shadows_fall_where_rays_to_the_lamp_are_stopped() -> None:
 
 
 def share_that_is_right(steps: int) -> float:
-    """How much of what balls mirror of the floor is seen where rays find it, if all of them make as
-    many steps."""
+    """The share of the judged pixels of balls that mirror the floor as traced rays find it.
+
+    The shader's search takes as many ``steps`` for each of them.
+    """
     text = (FOLDER / "impostors.burnish").read_text("utf-8")
     text = re.sub(r"steps = [148]", f"steps = {steps}", text)
     (frame,) = burnish.compile(text, ("wgsl",), search_path=[FOLDER]).frames

@@ -25,10 +25,10 @@ class Row:
 
     middles: Sequence[float]
     half: float
-    """How far the floor reaches to each side."""
+    """The distance from the floor's centre to each of its sides."""
 
     def hit(self, start: Floats, way: Floats) -> tuple[Floats, NDArray[np.int64]]:
-        """How far rays of unit length get, and the number of what stops them."""
+        """The distances that rays of unit length travel, and the numbers of the things they hit."""
         far = np.full(way.shape[:-1], np.inf)
         what = np.full(way.shape[:-1], NOTHING)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -46,8 +46,10 @@ class Row:
         return far, what
 
     def clearance(self, start: Floats, end: Floats, but: NDArray[np.int64]) -> Floats:
-        """How far the way between two points passes all balls by, but the one of a number; less
-        than 0 through one."""
+        """The distance from the line between two points to the nearest ball other than ``but``.
+
+        It is negative if the line passes through a ball.
+        """
         way = end - start
         found = np.full(start.shape[:-1], np.inf)
         for number, x in enumerate(self.middles):
@@ -77,8 +79,8 @@ def rays(camera: Camera, size: int, shift: tuple[float, float] = (0.5, 0.5)) -> 
 
 
 def seen(row: Row, camera: Camera, size: int) -> tuple[Floats, NDArray[np.int64]]:
-    """What the middles of pixels show, (size, size, 3), and its number; ``NOTHING`` also where a
-    pixel shows the edge of something."""
+    """The points that the middles of pixels show, (size, size, 3), and the numbers of the things
+    there; ``NOTHING`` also where a pixel shows the edge of something."""
     eye = np.array(camera.eye)
     way = rays(camera, size)
     far, what = row.hit(np.broadcast_to(eye, way.shape), way)
@@ -90,12 +92,12 @@ def seen(row: Row, camera: Camera, size: int) -> tuple[Floats, NDArray[np.int64]
 
 
 def linear(code: str) -> Floats:
-    """What ``#rrggbb`` means."""
+    """The linear colour of a code ``#rrggbb``."""
     stored = np.array([int(code[at : at + 2], 16) for at in (1, 3, 5)]) / 255
     return np.where(stored <= 0.04045, stored / 12.92, ((stored + 0.055) / 1.055) ** 2.4)
 
 
 def smoothstep(low: float, high: float, x: Floats) -> Floats:
-    """As shaders have it."""
+    """The function ``smoothstep`` of shaders."""
     t = np.clip((x - low) / (high - low), 0, 1)
     return t * t * (3 - 2 * t)

@@ -49,7 +49,7 @@ class Run:
         self._asked_of: Counter[str] = Counter()
         self._refused = 0
         self.findings: dict[Finding, str] = {}
-        """What was found, with the command that shows it again."""
+        """The findings, each with the command that shows it again."""
 
     def programs(self) -> None:
         """Try programs until the time is over."""
@@ -152,7 +152,7 @@ def seed_of(name: str) -> int:
 
 
 def shows(tree: Node, name: str, finding: Finding, tools: Tools) -> bool:
-    """Whether a smaller program shows the same as the program of a name."""
+    """True if a smaller program shows the same defect as the program of a name."""
     case = Case(str(tree), seed_of(name), tools, tree, finding.place)
     return any(finding.is_like(other) for other in ask(case, finding.oracle).findings)
 

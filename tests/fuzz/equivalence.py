@@ -31,8 +31,11 @@ REFUSED = {
         rules.UNBOUNDED_LOOP,
     )
 }
-"""Why a rewriting may be refused: with constants, mistakes come to light; with an argument in
-place of a value of a known range, the number of iterations is not known."""
+"""The errors for which a rewriting may be refused.
+
+With constants, mistakes come to light; with an argument in place of a value of a known range, the
+number of iterations is not known.
+"""
 
 
 def differences(

@@ -15,7 +15,10 @@ SPREAD = variable("spread", "float")
 
 TRIANGLES = (("strip", 3), ("strip", 4), ("strip", 5), ("list", 6))
 LINES = (("line", 2), ("line", 3), ("line", 5))
-"""What groups emit, and of how many vertices. All groups of an expansion emit one or the other."""
+"""The strips or lists that groups emit, each with its number of vertices.
+
+All groups of an expansion emit triangles, or all emit lines.
+"""
 
 
 def expansion(writer: Writer, scope: Scope, *, layers: int = 0) -> Iterator[Node]:

@@ -28,18 +28,18 @@ USUAL = frozenset(
      "fract", "length", "normalize", "smoothstep", "sqrt", "sin", "cos", "pow", "lt", "gt", "and",
      "or", "constructor", "swizzle"}
 )  # fmt: skip
-"""What programs mostly consist of."""
+"""The roles that programs mostly consist of."""
 WEIGHTS = {"meaning": 12, "rare meaning": 12}
-"""How often roles are chosen that stand for many forms."""
+"""The weights of roles that stand for many forms; they are chosen more often."""
 STEEP = frozenset(
     {"exp", "exp2", "sinh", "cosh", "pow", "tan", "ldexp", "float_of_bits", "inversesqrt", "div",
      "product", "inverse", "log", "log2", "log10", "mod", "determinant", "unpack_half2x16"}
 )  # fmt: skip
-"""What makes large numbers of small ones."""
+"""The roles that make large numbers of small ones."""
 
 
 def is_constant(node: Node) -> bool:
-    """Whether the compiler can compute the value: nothing from outside of the program is in it."""
+    """True if the compiler can compute the value: no part of it comes from outside the program."""
     outside = ("variable", "local", "read")
     return not node.needs and all(part.role not in outside for _, part in walk(node))
 
@@ -52,7 +52,7 @@ class Writer:
     structures: dict[str, tuple[tuple[str, str], ...]] = field(default_factory=dict)
     """The members of each structure: names and types."""
     wild: bool = False
-    """Whether numbers may become as large or as small as they like."""
+    """True if numbers may become arbitrarily large or small."""
     _names: int = field(default=0, init=False)
 
     def fresh(self, letter: str) -> str:
@@ -144,7 +144,7 @@ class Writer:
         return expression(type_, rule.form, parts, rule.role, rule.needs)
 
     def pinned(self, node: Node) -> Node:
-        """The same, but of its type even if it is a literal, which would adapt to its place."""
+        """The node with its type written, as a literal would adapt its type to its place."""
         if node.type in ("float", "int", "uint"):
             return expression(node.type, f"{node.type}({{}})", [node], "constructor")
         return node

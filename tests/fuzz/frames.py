@@ -32,11 +32,11 @@ _SEVERAL = {"samples": ("4",)}
 _FLOATS = re.compile(r"\b(r|rg|rgba)32f\b")
 """The formats of which samples have no mean."""
 _NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float")))
-"""What a frame computes numbers of."""
+"""The variables of which a frame computes numbers."""
 
 
 def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
-    """Which faces the pass of a program draws, and what it does with depths and stencil values.
+    """The faces that a program's pass draws, and its settings for depths and stencil values.
 
     ``program`` is all that has a part in what the pass draws.
     """
@@ -51,7 +51,7 @@ def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
 
 
 def _may_have_samples(program: Sequence[Node]) -> bool:
-    """Whether what a pass draws may have several samples: no lines, no layers, no large floats."""
+    """True if the picture of a pass may have several samples: no lines, layers or large floats."""
     return not any(
         (node.role == "strips" and node.form.startswith("line "))
         or (node.role == "tessellation" and node.form.startswith("tessellate isoline"))
@@ -104,7 +104,7 @@ def _computed(writer: Writer, drawn: Node) -> Iterator[Node]:
 
 
 def _settings(writer: Writer, drawn: Node) -> Iterator[Node]:
-    """Where the step draws, and what is there before."""
+    """The settings of the rectangle that the step draws to, and of the colours before it draws."""
     if writer.maybe(0.2):
         yield Node("viewport = ivec4(size.x / 4, 0, size.x / 2, size.y)", optional=True)
     if writer.maybe(0.2):
@@ -122,6 +122,6 @@ def _targets(drawn: Node) -> Iterator[str]:
 
 
 def _adds(drawn: Node) -> bool:
-    """Whether a pass can be drawn once for each light: all of its targets are added up."""
+    """True if a pass can be drawn once for each light, because all of its targets are added up."""
     targets = [node for _, node in walk(drawn) if node.role == "target"]
     return all(" blend add" in each.form for each in (drawn, *targets))

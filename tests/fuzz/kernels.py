@@ -22,7 +22,7 @@ def kernel(writer: Writer, outside: Scope) -> Node:
 
 
 def _over_images(writer: Writer, outside: Scope) -> Node:
-    """One that computes a texel for each of a texture's, or for some more or fewer."""
+    """A kernel that computes a texel for each texel of a texture, or for some more or fewer."""
     size = writer.chance.choice(("given.size()", "given.size() + ivec2(3, -2)", "ivec2(19, 13)"))
     leaves = (
         variable("texel", "ivec2"),
@@ -72,7 +72,7 @@ def _over_buffers(writer: Writer, outside: Scope) -> Node:
 
 
 def scatters(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """What a kernel scatters, to elements that may not exist."""
+    """The scattered results of a kernel; some of the elements that it writes to do not exist."""
     kind = writer.chance.choice(("int", "uint"))
     value, place = (writer.expression(type_, scope, FUEL // 3) for type_ in (kind, "int"))
     operator = writer.chance.choice(OPERATORS)

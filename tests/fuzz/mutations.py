@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("examples", "stdlib", "tests")
-"""What lies in them, at any depth, is changed: every kind of declaration stands somewhere there."""
+"""The folders whose programs, at any depth, are changed: they have every kind of declaration."""
 
 TOKEN = re.compile(
     r"\s+|//[^\n]*|[A-Za-z_]\w*|#[0-9a-fA-F]+|[\d.]+\w*|\"[^\"\n]*\"|->|\.\.|[<>=!]=|."

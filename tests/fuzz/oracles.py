@@ -1,4 +1,4 @@
-"""What has to be true of every random program, as questions that are asked about it.
+"""The properties that every random program must have, as questions that are asked about it.
 
 ``__main__.py`` asks them for a given time, and asks one of them again while a program is shrunk.
 ``test_fuzz.py`` asks them about a few programs and about all regressions.
@@ -73,12 +73,12 @@ class Finding:
     place: str
     """The tool, route, pass or rewriting that gives it; shrinking asks only this one again."""
     sort: str
-    """What stays the same while the program is shrunk: the message without names and numbers."""
+    """The message without names and numbers, which stays the same while the program is shrunk."""
     detail: str
-    """What a person wants to read."""
+    """The whole message, for people."""
 
     def is_like(self, other: Finding) -> bool:
-        """Whether both are probably the same defect."""
+        """True if both are probably the same defect."""
         return (self.oracle, self.place, self.sort) == (other.oracle, other.place, other.sort)
 
 
@@ -90,8 +90,7 @@ class Tools(Closing):
         self.toolchain = Toolchain(parallel=1)
         self.runner = Runner(routes, parallel=1, reuse=False)
         self.statuses: Counter[tuple[str, str]] = Counter()
-        """How many rows of each route and status there were, apart from those of programs that are
-        shrunk."""
+        """The number of rows of each route and status; programs that are shrunk do not count."""
 
     def close(self) -> None:
         """End all processes."""
@@ -118,12 +117,12 @@ class Case:
 
     @cached_property
     def shader(self) -> Shader:
-        """What its material means, before all passes. Raises ``CompileError``."""
+        """The shader of its material, before all passes. Raises ``CompileError``."""
         return shaders(self.text, *self.variant)[-1]
 
     @cached_property
     def material(self) -> CompiledMaterial:
-        """Its material, compiled for all profiles. Raises ``CompileError``."""
+        """The shader's material, compiled for all profiles. Raises ``CompileError``."""
         rig, pass_ = self.variant
         found = burnish.compile(
             self.text, PROFILES, material=self.shader.name, rig=rig, pass_=pass_, partial=True
@@ -136,7 +135,7 @@ class Case:
         return SIZES[self.seed % len(SIZES)] if self.tree else SIZE
 
     def asks(self, place: str) -> bool:
-        """Whether a place may give the answer that is looked for."""
+        """True if the question has to be asked at a place."""
         return self.only in ("", place)
 
 
@@ -144,7 +143,7 @@ class Case:
 
 
 def _compiles(case: Case) -> Iterator[Finding]:
-    """It is compiled for every profile, or is refused for an allowed reason."""
+    """The program is compiled for every profile, or is refused for an allowed reason."""
     try:
         assert case.material.reflection
         if api.has_frames(case.text):
@@ -155,7 +154,7 @@ def _compiles(case: Case) -> Iterator[Finding]:
 
 
 def _refusals(error: CompileError) -> Iterator[Finding]:
-    """What the compiler should not have said about a program that is correct by its making."""
+    """The errors that must not be reported, as the program is correct by construction."""
     for each in error.diagnostics:
         if each.rule.code not in ALLOWED:
             yield Finding("compiles", each.rule.code, _sort(each.message), str(error))
@@ -170,7 +169,7 @@ def _facts(case: Case) -> Iterator[Finding]:
 
 
 def _passes(case: Case) -> Iterator[Finding]:
-    """No pass changes the value."""
+    """The changes of the value by passes; none should change it."""
     for traps, hoist in ((False, True), (True, False)):
         world = World(case.seed, traps)
         if not is_defined(case, world):
@@ -211,11 +210,11 @@ def _rewritten(case: Case) -> Iterator[Finding]:
 
 
 SEARCHED = 6
-"""At how many places a rewriting is tried again in a program that was shrunk."""
+"""The number of places at which a rewriting is tried again in a program that was shrunk."""
 
 
 def is_defined(case: Case, world: World) -> bool:
-    """Whether the program has a value: everything is within float32, and hardware is not asked."""
+    """True if the program has a value: its values fit in float32, and none is left to hardware."""
     if "unguarded(" in case.text:
         return False
     largest = 0.0
@@ -286,11 +285,11 @@ ORACLES: Mapping[str, Question] = {
 
 @dataclass
 class Answers:
-    """What was found out about one program."""
+    """The answers to a question about one program."""
 
     findings: list[Finding] = field(default_factory=list)
     refused: bool = False
-    """Whether the program is refused for an allowed reason, so that nothing else could be asked."""
+    """True if the program is refused for an allowed reason, so that no question could be asked."""
 
 
 def ask(case: Case, oracle: str) -> Answers:

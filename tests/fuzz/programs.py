@@ -34,10 +34,10 @@ FORMATS = {
     "vec4": ("rgba8", "rgba8_srgb", "bgra8", "rgb10a2", "rgba16f", "rgba32f"),
 }
 CAPTURED = ("float", "vec2", "vec3", "vec4", "int", "uint", "ivec2", "uvec2")
-"""Some types of what can be captured."""
+"""Some of the types that can be captured."""
 BLENDS = ("none", "none", "add", "multiply")
 BLENDS_BY_ALPHA = ("alpha", "premultiplied")
-"""How targets of four lanes are blended besides."""
+"""Further blendings, which only targets of four lanes have."""
 FACTORS = ("zero", "one", "src", "one_minus_src", "dst", "one_minus_dst")
 FACTORS_BY_ALPHA = (
     "src_alpha", "one_minus_src_alpha", "dst_alpha", "one_minus_dst_alpha", "src_alpha_saturated",
@@ -46,7 +46,7 @@ OPERATIONS = ("add", "add", "subtract", "reverse_subtract")
 CHOICES = ("min", "max")
 MASKS = ("rgb", "a", "rb", "gba", "none")
 FLOATS = "32f"
-"""What the names of formats end with that frames do not blend."""
+"""The ending of the names of formats that frames do not blend."""
 LIBRARY_MIXINS = {
     "VertexColors": "vertices", "SecondUv": "vertices", "Tangents": "tangents",
     "Skinned": "skinning", "Instanced": "instancing", "Morphed": "morphing",
@@ -83,16 +83,19 @@ class _Program:
     file: list[Node] = field(default_factory=list)
     """The declarations in front of materials."""
     scope: Scope = field(default_factory=Scope)
-    """What functions see."""
+    """The scope of functions."""
     hosted: tuple[Node, ...] = ()
     """References to the members of the host's block."""
     has_bench: bool = False
-    """Whether there is a space of the program's own."""
+    """True if the program declares a space of its own."""
     divides_patches: bool = False
-    """Whether a material divides patches: a pass may not expand all primitives then."""
+    """True if a material divides patches: a pass must not expand all primitives then."""
     has_buffers: bool = False
-    """Whether there may be storage buffers, and so nothing that compares neighbouring pixels: Mesa
-    reads zeros where a pixel is there for its neighbours only (``docs/drivers.md``)."""
+    """True if there may be storage buffers.
+
+    Then no fragment compares neighbouring pixels: Mesa reads zeros in pixels that are computed only
+    for their neighbours (``docs/drivers.md``).
+    """
     inherited: list[Node] = field(default_factory=list)
     """References to what the base declares, which the material may override."""
 
@@ -134,7 +137,7 @@ class _Program:
         return listed("{}\n", items, "\n", "file")
 
     def _surroundings(self) -> None:
-        """What functions see besides: a block of the host, and the library's transforms."""
+        """Extends the scope of functions by a block of the host and by the library's transforms."""
         writer = self.writer
         if writer.maybe(0.15):
             block, members = declarations.extern_block(writer)
@@ -148,7 +151,7 @@ class _Program:
             self.has_bench = True
 
     def _fragments(self, can: Set[str]) -> frozenset[str]:
-        """What fragments of this program can do, of what others can."""
+        """The abilities among ``can`` that fragments of this program have."""
         return frozenset(can - {UNIFORM} if self.has_buffers else can)
 
     # --- materials -------------------------------------------------------------------------------
@@ -367,7 +370,7 @@ class _Program:
         return self.writer.chance.choice(BLENDS + BLENDS_BY_ALPHA * (type_ == "vec4"))
 
     def _blending(self, type_: str) -> str:
-        """How a target of a type is blended, and which lanes are written."""
+        """The blending of a target of a type, and the lanes that are written."""
         chance, of_alpha = self.writer.chance, type_ == "vec4"
         settings = {}
         if chance.random() < 0.5:

@@ -46,7 +46,7 @@ def literal_as_parameter(tree: Node, chance: Random) -> Rated | None:
 
 
 def _in_member(tree: Node, path: tuple[int, ...]) -> bool:
-    """Whether a path leads through the members of the concrete material."""
+    """True if a path leads through the members of the concrete material."""
     for index in path:
         if tree.role == "members":
             return True

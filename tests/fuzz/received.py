@@ -29,16 +29,16 @@ from ..suite.memory import most_memory
 from .hostile import folders, outputs, picture_bytes, plans, requests, scene_bytes
 
 SECONDS = 10
-"""How long an answer may take."""
+"""The largest time of an answer, in seconds."""
 MEMORY = 10**9
-"""How many bytes a process may come to, whatever it receives."""
+"""The most memory of a process, in bytes, whatever it receives."""
 
 Trial = Callable[[Random, Path], None]
 """Tries one thing, in an empty folder."""
 
 
 def _pictures() -> Trial:
-    """What reads a picture that is damaged."""
+    """The trial that reads a damaged picture."""
     seeds = picture_bytes.seeds()
 
     def read(random: Random, folder: Path) -> None:
@@ -49,7 +49,7 @@ def _pictures() -> Trial:
 
 
 def _scenes() -> Trial:
-    """What reads a scene with mistakes."""
+    """The trial that reads a scene with mistakes."""
     seeds = scene_bytes.seeds()
 
     def read(random: Random, folder: Path) -> None:
@@ -60,7 +60,7 @@ def _scenes() -> Trial:
 
 
 def _plans() -> Trial:
-    """What reads a plan or a reflection with mistakes."""
+    """The trial that reads a plan or a reflection with mistakes."""
 
     def read(random: Random, folder: Path) -> None:
         trouble = plans.trouble(plans.mistaken(random.randrange(10**9)).write(folder))
@@ -77,15 +77,18 @@ KINDS: Mapping[str, Callable[[], Trial]] = {
     "requests": requests.trial,
     "scenes": _scenes,
 }
-"""What makes the trial of each kind; it may prepare something that all of its trials share."""
+"""The functions that make the trial of each kind.
+
+They may prepare something that all uses of the trial share.
+"""
 
 
 class TooSlowError(Exception):
-    """There was no answer in time."""
+    """Raised if there is no answer in time."""
 
 
 class Trouble(NamedTuple):
-    """What was found by a trial."""
+    """A failed trial: the name of its input, and the error as text."""
 
     name: str
     text: str
@@ -97,7 +100,7 @@ class Received:
     def __init__(self, kinds: Sequence[str] = tuple(KINDS)) -> None:
         self._trials = {kind: KINDS[kind]() for kind in kinds}
         self.done: Counter[str] = Counter()
-        """How many things of each kind were tried."""
+        """The number of trials of each kind so far."""
 
     def found(self, seed: str, seconds: float) -> Iterator[Trouble]:
         """Try things of all kinds in turn for so many seconds, by the numbers of a seed."""
@@ -110,7 +113,7 @@ class Received:
                     yield trouble
 
     def trouble(self, kind: str, number: str) -> Trouble | None:
-        """What is wrong with the answer to one thing, if anything is."""
+        """The fault in the answer to one input, if there is one."""
         name = f"{kind}:{number}"
         self.done[kind] += 1
         with TemporaryDirectory(prefix="burnish-") as folder:

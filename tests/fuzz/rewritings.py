@@ -30,7 +30,7 @@ NEUTRAL: Mapping[tuple[str, ...], tuple[str, ...]] = {
     UINTS: ("({} + 0u)", "({} ^ 0u)", "(~(~{}))", "({} >> 0u)", "({} | 0u)"),
     BOOLS: ("(not (not {}))", "({} and true)", "(false or {})"),
 }
-"""What may be written around a value without changing it."""
+"""The operations that may be written around a value of a type without changing it."""
 
 
 def _chosen(tree: Node, chance: Random, fits: Callable[[Node], bool]) -> tuple[Path, Node] | None:
@@ -184,7 +184,7 @@ def _name_value(tree: Node, chance: Random) -> Node | None:
 
 
 def _is_bound(node: Node) -> bool:
-    """Whether a value depends on a name that a loop or a function binds."""
+    """True if a value depends on a name that a loop or a function binds."""
     return any(need.startswith("local ") for need in node.needs)
 
 
@@ -327,7 +327,7 @@ def _move_to_mixin(tree: Node, chance: Random) -> Node | None:
 
 
 def _reads(node: Node) -> bool:
-    """Whether a texture is read, which a mixin would have to declare."""
+    """True if a texture is read, which a mixin would have to declare."""
     return any(part.role == "read" for _, part in walk(node))
 
 

@@ -38,7 +38,7 @@ def problem(text: str, native_stages: bool = False) -> str | None:
 
 
 def refused(text: str, toolchain: Toolchain) -> str | None:
-    """What compilers say against the shaders of a text; ``None`` if nothing."""
+    """The compilers' errors about the shaders of a text; ``None`` if there are none."""
     verdicts = toolchain.check(list(_jobs(text)))
     reports = [each.report() for each in verdicts if each.status != "accepted"]
     return "\n".join(reports) or None

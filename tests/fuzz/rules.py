@@ -45,7 +45,7 @@ class Rule:
     form: str
     operands: tuple[str, ...]
     role: str
-    """The name of a builtin, or what the form is."""
+    """The name of a builtin, or the kind of the form."""
     needs: frozenset[str] = frozenset()
 
 

@@ -1,4 +1,4 @@
-"""What an expression of a random program may use at its place."""
+"""The scope of an expression in a random program: the names and abilities that it may use."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ GROUPS = "groups"
 CROSSING = "crossing"
 """``@vertex`` may be written."""
 LIGHT = "light"
-"""There is a current light."""
+"""The ability to use the current light."""
 
 SPACES = "spaces"
 """The file declares the space ``bench``, and the material knows the way to it."""

@@ -10,13 +10,13 @@ from .rules import FLOATS
 from .tree import Node, Path, changed, walk
 
 Shows = Callable[[Node], bool]
-"""Whether a program still shows what was found."""
+"""A test that is true for programs that still show the finding."""
 
 SIMPLEST = {
     "float": ("0.0", "1.0", "0.5", "2.0"), "int": ("0", "1", "2"), "uint": ("0u", "1u"),
     "bool": ("false", "true"), "rgb": ("#fff",), "angle": ("30deg",),
 }  # fmt: skip
-"""What stands for an expression of a type, the simplest first."""
+"""The texts that can replace an expression of a type, the simplest first."""
 
 
 def shrunk(tree: Node, shows: Shows, seconds: float) -> Node:

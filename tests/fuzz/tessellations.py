@@ -21,7 +21,7 @@ def tessellation(writer: Writer, scope: Scope) -> Iterator[Node]:
 
 
 def divided_and_expanded(writer: Writer, scope: Scope) -> Iterator[Node]:
-    """The same, and an expansion of what patches are divided into."""
+    """A tessellation with its slot, and an expansion of the parts of its patches."""
     patch = writer.chance.choice([*PATCHES])
     yield Node("spread : float = 0.25", role="slot", name="spread")
     yield _tessellate(writer, scope, patch)

@@ -101,7 +101,7 @@ def test_a_program_that_means_something_else_is_seen(
 
 
 def test_nearly_all_programs_are_correct(tools: Tools) -> None:
-    """And the others are refused for a reason that is allowed."""
+    """The others are refused for an allowed reason."""
     answers = [ask(Case(str(program(f"rate:{n}")), n, tools), "facts") for n in range(100)]
     assert sum(answer.refused for answer in answers) <= 10
     assert not any(answer.findings for answer in answers)

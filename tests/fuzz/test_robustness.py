@@ -16,7 +16,7 @@ from .robustness import problem, refused
 
 TEXTS, AT_ONCE = 800, 50
 CHECKED = range(1, 160, 2)
-"""These have a single change each, with which about one in fifteen still compiles."""
+"""The seeds of texts with a single change each; about one in fifteen still compiles."""
 
 
 @pytest.fixture(scope="module")

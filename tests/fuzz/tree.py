@@ -19,16 +19,16 @@ class Node:
     type: str = ""
     """The type of an expression, as it is written; empty for everything else."""
     role: str = ""
-    """What the node is, for those who rewrite programs: ``add``, ``if``, ``slot`` …"""
+    """The node's role, for functions that rewrite programs: ``add``, ``if``, ``slot`` …"""
     needs: frozenset[str] = frozenset()
-    """What the place of an expression has to offer: an ability of ``scope.py``, or ``local x`` for
-    a name that a loop or a function binds."""
+    """The needs of an expression: an ability of ``scope.py`` that its place must have, or
+    ``local x`` for a name that a loop or a function binds."""
     joint: str | None = None
     """The text between the parts of a list."""
     optional: bool = False
-    """Whether the program may still be correct without this node, which stands in a list."""
+    """True if the node stands in a list and the program may still be correct without it."""
     name: str = ""
-    """What a declaration declares, or what a reference means."""
+    """The name that a declaration declares, or that a reference means."""
 
     def __str__(self) -> str:
         texts = [str(part) for part in self.parts]

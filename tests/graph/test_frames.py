@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.commands.graph.frame import dot, svg, text
-from burnish.commands.graph.frame.build import frame_picture
-from burnish.commands.graph.frame.model import STEPS, FramePicture
+from burnish.commands.graph import dot, svg, text
+from burnish.commands.graph.frame import frame_picture
+from burnish.commands.graph.kinds import ArrowKind, Kind
+from burnish.commands.graph.model import Picture, TimeLine
 from tests.golden import assert_golden
 
 EVERYTHING = Path(__file__).parent / "everything.burnish"
@@ -26,10 +27,16 @@ LETTER = 0.61
 
 
 @cache
-def picture(name: str) -> FramePicture:
+def picture(name: str) -> Picture:
     path = EVERYTHING if name == "everything" else EXAMPLES / f"{name}.burnish"
     (frame,) = burnish.compile(path, ()).frames
     return frame_picture(frame)
+
+
+def time_line(name: str) -> TimeLine:
+    line = picture(name).time_line
+    assert line is not None
+    return line
 
 
 def test_a_frame_as_text() -> None:
@@ -50,7 +57,7 @@ def test_arrows_join_boxes_that_there_are(name: str) -> None:
         assert arrow.target in boxes
         assert arrow.port in ports or (arrow.port == "" and not ports)
     read = {arrow.source for arrow in found.arrows}
-    assert all(box.key in read or box.kind == "output" for box in found.boxes)
+    assert all(box.key in read or box.kind is Kind.OUTPUT for box in found.boxes)
 
 
 def test_steps_that_an_equation_repeats_are_one_box() -> None:
@@ -58,12 +65,12 @@ def test_steps_that_an_equation_repeats_are_one_box() -> None:
     assert repeated == {"soft": "12 turns", "small": "4 mip levels", "seen": "6 faces"}
     (blurred,) = (box for box in picture("glow").boxes if box.repeated)
     assert [port.name for port in blurred.ports] == ["source.color", "color"]
-    assert (blurred.repeated, len(picture("glow").columns)) == ("3 turns", 9)
+    assert (blurred.repeated, len(time_line("glow").columns)) == ("3 turns", 9)
 
 
 def test_what_the_last_frame_left_comes_back_by_an_arrow() -> None:
     found = picture("reaction")
-    (back,) = (arrow for arrow in found.arrows if arrow.kind == "back")
+    (back,) = (arrow for arrow in found.arrows if arrow.kind is ArrowKind.BACK)
     assert (back.source, back.port, back.target) == (
         "step steps", "steps.both", "previous steps.both",
     )  # fmt: skip
@@ -71,16 +78,18 @@ def test_what_the_last_frame_left_comes_back_by_an_arrow() -> None:
 
 
 def test_the_time_line_says_what_happens_to_each_texture() -> None:
-    rows = picture("deferred").rows
-    marks = [[row.marks.get(step, "") for step in range(3)] for row in rows]
+    rows = time_line("deferred").rows
+    marks = [
+        [row.marks[step].name if step in row.marks else "" for step in range(3)] for row in rows
+    ]
     assert marks == [
-        ["cleared", "read", ""],
-        ["cleared", "read", "cleared"],
-        ["dropped", "", ""],
-        ["", "cleared", "read"],
+        ["CLEARED", "READ", ""],
+        ["CLEARED", "READ", "CLEARED"],
+        ["DROPPED", "", ""],
+        ["", "CLEARED", "READ"],
     ]
     assert rows[1].holds == "seen.surface, toned.color"
-    assert picture("deferred").shared == "5 results in 4 textures"
+    assert time_line("deferred").shared == "5 results in 4 textures"
 
 
 def rectangles(group: ET.Element) -> tuple[float, float, float, float]:
@@ -116,7 +125,7 @@ def test_long_rows_of_turns_are_shortened() -> None:
     assert re.findall(r">(soft(?:\.\d+)?)<", drawn).count("soft.10") == 1
     assert ">soft.7<" not in drawn
     assert ">…<" in drawn
-    assert len(picture("everything").columns) == 29
+    assert len(time_line("everything").columns) == 29
 
 
 def test_the_legend_names_what_is_shown() -> None:
@@ -129,4 +138,4 @@ def test_the_legend_names_what_is_shown() -> None:
 def test_a_picture_is_the_same_every_time() -> None:
     assert svg.drawn(picture("glow")) == svg.drawn(picture("glow"))
     kinds = {box.kind for box in picture("everything").boxes}
-    assert kinds >= STEPS
+    assert kinds >= {Kind.DRAW, Kind.RUN, Kind.COPY}

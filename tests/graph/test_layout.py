@@ -25,7 +25,7 @@ def graphs(draw: st.DrawFn) -> Graph:
 
 
 def overlap(one: Item, other: Item) -> bool:
-    """Whether two boxes share any area."""
+    """True if two boxes share any area."""
     return (
         one.x < other.x + other.width
         and other.x < one.x + one.width

@@ -65,7 +65,7 @@ ELEMENTS: Sequence[Type] = [
     Matrix(3),
     Matrix(4),
 ]
-"""What an array can hold, one of each stored form."""
+"""The types that an array can hold, one of each stored form."""
 
 SCALAR_VALUES: Mapping[ScalarKind, st.SearchStrategy[object]] = {
     "float": st.integers(-1000, 1000).map(lambda number: number / 8),

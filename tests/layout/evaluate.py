@@ -77,4 +77,4 @@ PLAIN: Mapping[str, Callable[[Node, list[Value]], Value]] = {
     "select": lambda _node, operands: operands[1] if operands[0] else operands[2],
     "native": lambda node, operands: NATIVE[MEMBER.data(node)](*operands),
 }
-"""What each operation yields from its operands' values."""
+"""The functions that compute each operation from the values of its operands."""

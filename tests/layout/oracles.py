@@ -27,9 +27,9 @@ class Rules:
     align: Callable[[Type], int]
     size: Callable[[Type], int]
     stride: Callable[[Type], int]
-    """From one element of an array to the next, given the element's type."""
+    """The distance from one element of an array to the next, given the element's type."""
     start: Callable[[int, Type], int]
-    """Where a member lies that follows on byte ``end``."""
+    """The offset of a member that follows on byte ``end``, given the member's type."""
 
     def offsets(self, members: Sequence[tuple[str, Type]], base: int = 0) -> Offsets:
         """All members of a block or struct, by path."""

@@ -1,4 +1,4 @@
-"""Where the real compilers put the members of blocks, as the targets write them.
+"""The offsets at which the real compilers place the members of blocks that the targets write.
 
 DXC is asked three times, because its Vulkan layout hides mistakes that D3D's own would show.
 """
@@ -253,7 +253,7 @@ def test_compilers_agree_on_random_blocks(toolchain: Toolchain, random: list[Par
 
 
 def has_one_layout(type_: Type) -> bool:
-    """Whether a host's own block can hold it: elements of arrays lie 16 bytes apart everywhere."""
+    """True if a host's own block can hold a type: its array elements always lie 16 bytes apart."""
     element = type_.element if isinstance(type_, Array) else None
     return not isinstance(element, Scalar) and element not in (VEC2, Vector("bool", 2))
 

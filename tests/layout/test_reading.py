@@ -1,4 +1,4 @@
-"""What is said of documents that have another shape than their kind declares."""
+"""The errors of documents that have another shape than their kind declares."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import pytest
 
-from burnish.compiler.constraints import Count, Lanes, Length, Nested, Pattern, Range
+from burnish.compiler.constraints import Count, Lanes, Length, Nested, Pattern, Range, dashed
 from burnish.compiler.documents.plan import FramePlan
 from burnish.compiler.documents.reading import MOST, ShapeError, read
 from burnish.compiler.documents.reflection import Reflection
@@ -44,6 +44,9 @@ class Whole:
     """A document with a field of each type that fields have."""
 
     VERSION: ClassVar = "format"
+    WORDS: ClassVar = {
+        "spelt": dashed(("less_equal", "less")), "perhaps_spelt": {"clamp": "clamp-to-edge"},
+    }  # fmt: skip
 
     format: Literal[2]
     flag: bool
@@ -64,6 +67,8 @@ class Whole:
     class_: str
     tree: Leaf | Branch | None
     leaf: Leaf | None
+    spelt: Literal["less_equal", "less"]
+    perhaps_spelt: str | None
 
 
 GOOD: Mapping[str, Any] = {
@@ -86,18 +91,20 @@ GOOD: Mapping[str, Any] = {
     "class": "c",
     "tree": {"kind": "twig", "atEnd": [{"kind": "leaf", "name": "x", "note": "y"}]},
     "leaf": None,
+    "spelt": "less-equal",
+    "perhaps_spelt": "clamp-to-edge",
 }
 
 
 def told(**wrong: object) -> list[str]:
-    """What is said of the document with other members."""
+    """The errors of the document with other members."""
     with pytest.raises(ShapeError) as failed:
         read(Whole, {**GOOD, **wrong})
     return str(failed.value).splitlines()
 
 
 def test_a_document_becomes_a_record() -> None:
-    """Lists become tuples, members have their names in Python, and what may be absent is null."""
+    """Lists become tuples, names and words are those of Python, and what may be absent is null."""
     assert read(Whole, GOOD) == Whole(
         format=2,
         flag=True,
@@ -118,8 +125,16 @@ def test_a_document_becomes_a_record() -> None:
         class_="c",
         tree=Branch(kind="twig", at_end=(Leaf(kind="leaf", name="x", note="y"),)),
         leaf=None,
+        spelt="less_equal",
+        perhaps_spelt="clamp",
     )
     assert to_json(read(Whole, GOOD)) == GOOD
+
+
+def test_a_spelt_word_may_be_null() -> None:
+    without = {**GOOD, "perhaps_spelt": None}
+    assert read(Whole, without).perhaps_spelt is None
+    assert to_json(read(Whole, without)) == without
 
 
 WRONG: Mapping[str, tuple[Any, str]] = {
@@ -140,8 +155,10 @@ WRONG: Mapping[str, tuple[Any, str]] = {
     "native": ({"a": ["b"]}, '/native/a/0: "b" is no part of a value'),
     "class": ({}, "/class: an object is not a text"),
     "leaf": (7, "/leaf: 7 is not an object"),
+    "spelt": ("less_equal", '/spelt: "less_equal" is not "less-equal" or "less"'),
+    "perhaps_spelt": (["clamp"], '/perhaps_spelt: a list of 1 is not "clamp-to-edge" or null'),
 }
-"""By member, a value of another type or beyond its bounds, and what is said of it."""
+"""For each member, a value of a wrong type or beyond its bounds, and the error about it."""
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -15,6 +15,7 @@ from burnish.compiler.documents.plan import FramePlan
 from burnish.compiler.documents.reading import ShapeError, read
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.schema import json_schema
+from burnish.compiler.documents.typescript import typescript
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
@@ -48,8 +49,11 @@ DOCUMENTS: Mapping[type, Callable[[str], list[Any]]] = {
 
 @cache
 def standard(kind: type) -> Draft202012Validator:
-    """What a library makes of a schema. It reads patterns as Python's, of which ``$`` also stands
-    before a last line break; in those of the standard it does not."""
+    """A library's validator for the schema of a kind.
+
+    The library reads patterns as Python does, where ``$`` also matches before a last line break; by
+    the standard it does not.
+    """
     text = json.dumps(json_schema(kind))
     return Draft202012Validator(json.loads(text.replace(')$"', ')\\\\Z"')))
 
@@ -60,7 +64,7 @@ def without_points(document: Any) -> Any:
 
 
 def is_read(kind: type, document: Any) -> bool:
-    """Whether a document can be read."""
+    """True if a document can be read."""
     try:
         read(kind, document)
     except ShapeError:
@@ -112,7 +116,7 @@ def alternatives(part: Any) -> Iterator[str]:
 
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_the_schema_is_one_and_describes_every_property(kind: type) -> None:
-    """But for words by which records are told apart, and lists that are always empty."""
+    """Exceptions are words by which records are told apart, and lists that are always empty."""
     schema = json_schema(kind)
     Draft202012Validator.check_schema(schema)
     told_apart = set(alternatives(schema))
@@ -127,8 +131,15 @@ def test_the_schema_is_one_and_describes_every_property(kind: type) -> None:
             assert described or is_telling or row.get("maxItems") == 0, f"{name}.{key}"
 
 
+def test_words_are_those_of_webgpu() -> None:
+    found = json_schema(Reflection)["$defs"]
+    assert found["DepthState"]["properties"]["compare"]["enum"][3] == "less-equal"
+    assert found["SamplerState"]["properties"]["compare"]["enum"][-1] is None
+    assert '  wrap: "repeat" | "clamp-to-edge" | "mirror-repeat";' in typescript(Reflection)
+
+
 def test_bounds_are_keywords() -> None:
-    """Of a block, of lanes, of a mask, and of a place."""
+    """The bounds of a block, of lanes, of a mask, and of a place."""
     found = json_schema(Reflection)["$defs"]
     assert found["BlockRow"]["properties"]["size"] == {
         "description": "Bytes, a multiple of 16.",

@@ -47,7 +47,7 @@ def parameter(graph: Graph, name: str, type_: Type) -> Node:
 
 
 def stored_value(type_: Type, value: Value) -> Value:
-    """What a shader finds where a host has written ``value``."""
+    """The value that a shader reads after a host has written ``value``."""
     bytes_ = bytearray(byte_size(stored_type(type_)))
     write(bytes_, 0, packing(type_), value)
     return read(bytes(bytes_), 0, stored_type(type_))

@@ -1,4 +1,4 @@
-"""What the reflection says of textures, in words that WebGPU layouts are made of."""
+"""The reflection's description of textures, in the words of WebGPU's layouts."""
 
 from __future__ import annotations
 
@@ -37,7 +37,8 @@ def test_a_layout_says_how_a_texture_is_read(
     found = reflection(*given)
     (row,) = found.textures
     layout = row.layout
-    assert (layout.view_dimension, layout.sample_type, layout.sampler) == expected
+    shape, sample, sampler = expected
+    assert to_json(layout) == {"viewDimension": shape, "sampleType": sample, "sampler": sampler}
     assert row.type == given[0]
     samplers = ["t"] if expected[2] else []
     assert [row.texture for row in found.samplers] == samplers
@@ -52,20 +53,124 @@ def test_what_nothing_mixes_may_have_a_format_that_cannot_be_mixed() -> None:
     }  # fmt: skip
 
 
-STATES = {
+STATES: dict[str, dict[str, str | None]] = {
     "texture2d": {"filter": "linear", "mip": "linear", "wrap": "repeat", "compare": None},
-    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp", "compare": None},
-    "depth2d": {"filter": "linear", "mip": "none", "wrap": "clamp", "compare": "less_equal"},
+    "texture_cube": {"filter": "linear", "mip": "linear", "wrap": "clamp-to-edge", "compare": None},
+    "depth2d": {
+        "filter": "linear",
+        "mip": "none",
+        "wrap": "clamp-to-edge",
+        "compare": "less-equal",
+    },
 }
-DEFAULTS = {"texture_cube": "white", "depth_cube": "far", "utexture2d": "zero"}
+DEFAULTS = {
+    "texture_cube": ("white", [1.0, 1.0, 1.0, 1.0]),
+    "depth_cube": ("far", [1.0]),
+    "utexture2d": ("zero", [0, 0, 0, 0]),
+    "texture2d = flat_normal": ("flat_normal", [128 / 255, 128 / 255, 1.0, 1.0]),
+}
 
 
 @pytest.mark.parametrize(("type_", "state"), STATES.items())
-def test_the_state_of_a_sampler_is_complete(type_: str, state: dict[str, str]) -> None:
+def test_the_state_of_a_sampler_is_complete(type_: str, state: dict[str, str | None]) -> None:
     (row,) = reflection(type_, "vec3(0)").samplers
     assert to_json(row.state) == state
 
 
 @pytest.mark.parametrize(("type_", "default"), DEFAULTS.items())
-def test_every_kind_of_texture_has_a_default(type_: str, default: str) -> None:
-    assert reflection(type_, "vec3(0)").textures[0].default == default
+def test_every_kind_of_texture_has_a_default(type_: str, default: tuple[str, list[float]]) -> None:
+    row = to_json(reflection(type_, "vec3(0)").textures[0])
+    assert (row["default"], row["default_texel"]) == default
+
+
+INTENTS = {
+    # Texels that become a colour, in one way or another.
+    "color = t(uv).rgb": "color",
+    "param tint : rgb  color = tint * t(uv).rgb": "color",
+    "color = if uv.x < 0.5 then t(uv).rgb else vec3(0)": "color",
+    "color = vec3(0) + (sum i in 0..4 : t.level(uv, float(i)).rgb)": "color",
+    "color = [t(uv).rgb, vec3(1)][int(uv.x)]": "color",
+    "color = pow(t.load(ivec2(0)).bgr, 2)": "color",
+    "flat : rgba = t(uv)  color = flat.rgb": "color",
+    "looked = @vertex t.level(uv, 0)  color = looked.rgb": "color",
+    # Numbers of other kinds.
+    "color = vec3(t(uv).r)": "data",
+    "color = vec3(t(uv).x, t(uv).y, 1)": "data",
+    "color = mix(vec3(0), vec3(1), t(uv).rgb)": "data",
+    "color = t.gather(uv, 0).rgb": "data",
+    "normal = normalize(t(uv).xyz * 2 - 1)": "data",
+    "bent : vector<world> = t(uv).xyz  color = vec3(bent)": "data",
+    "alpha = t(uv).a": "data",
+    # One that nothing reads.
+    "color = vec3(0)": "data",
+}
+
+
+@pytest.mark.parametrize(("members", "intent"), INTENTS.items())
+def test_what_becomes_a_colour_is_one(members: str, intent: str) -> None:
+    (material,) = burnish.compile(f"material M {{ map t : texture2d  {members} }}", ("wgsl",))
+    (row,) = material.reflection.textures
+    assert row.intent == intent
+
+
+def test_functions_hand_colours_on() -> None:
+    source = """
+        fn twice(t: texture2d, uv: vec2) -> vec4 = t(uv) + t(uv * 2)
+        material M {
+            map paint : texture2d
+            map grain : texture2d
+            color = twice(paint, uv).rgb * twice(grain, uv).r + twice(paint, -uv).rgb
+        }
+    """
+    (material,) = burnish.compile(source, ("wgsl",))
+    found = {row.name: row.intent for row in material.reflection.textures}
+    assert found == {"paint": "color", "grain": "data"}
+
+
+@pytest.mark.parametrize("intent", ["color", "data"])
+def test_a_declaration_has_the_last_word(intent: str) -> None:
+    found = reflection("texture2d", "t(uv).rgb", f"with {{ intent = {intent}, wrap = clamp }}")
+    (row,), (sampler,) = found.textures, found.samplers
+    assert row.intent == intent
+    assert to_json(sampler.state) == {**STATES["texture2d"], "wrap": "clamp-to-edge"}
+
+
+def test_a_kernel_says_what_it_reads() -> None:
+    (kernel,) = burnish.compile(
+        "kernel K { map t : texture2d with { intent = color }  map u : texture2d\n"
+        "result r : image2d<rgba8>[t.size()] = t.load(texel) + u.load(texel) }",
+        ("wgsl",),
+    )
+    assert [row.intent for row in kernel.reflection.textures] == ["color", "data"]
+
+
+def test_a_frames_texture_is_what_its_shaders_make_of_it() -> None:
+    (frame,) = burnish.compile(
+        """
+        import std.frames.{FullScreen}
+        pass Shown : FullScreen {
+            map photo : texture2d
+            map noise : texture2d
+            map said  : texture2d
+            drawn : rgb = photo(uv).rgb
+            target color : rgba8 = vec4(drawn * noise(uv).r, said(uv).a)
+        }
+        frame F {
+            map picture : texture2d
+            map grain   : texture2d
+            map page    : texture2d with { intent = color }
+            shown = Shown(screen) with { photo = picture, noise = grain, said = page }
+            output seen = shown.color
+        }
+        """,
+        ("wgsl",),
+    ).frames
+    found = {row.name: row.intent for row in frame.plan.host_textures}
+    assert found == {"picture": "color", "grain": "data", "page": "color"}
+
+
+def test_only_textures_of_colours_have_an_intent() -> None:
+    with pytest.raises(burnish.CompileError, match="`intent` does not apply to `depth2d`"):
+        reflection("depth2d", "vec3(t(uv, 0.5))", "with { intent = data }")
+    with pytest.raises(burnish.CompileError, match="unknown value for `intent` `colour`"):
+        reflection("texture2d", "t(uv).rgb", "with { intent = colour }")

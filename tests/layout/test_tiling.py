@@ -18,7 +18,7 @@ TARGETS = (
 
 
 def tiled(members: Iterable[BlockMember | StructMember], size: int) -> bool:
-    """Whether each member begins where the one before it ends, and the last one at the end."""
+    """True if each member begins where the one before it ends, and the last one ends at the end."""
     end = 0
     for member in members:
         if member.offset != end:

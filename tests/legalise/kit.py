@@ -1,4 +1,4 @@
-"""What the tests of ``targets/legalise`` share: materials after the passes."""
+"""The shared function of the tests of ``targets/legalise``: materials after the passes."""
 
 from __future__ import annotations
 

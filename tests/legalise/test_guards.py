@@ -64,7 +64,10 @@ def values(program_of: Staged | Legal) -> list[Node]:
 
 
 def promised(profile: Profile) -> dict[str, Domain]:
-    """Where natives may be used; of some, definitions stand in the text instead."""
+    """The domains in which native builtins agree with their meaning.
+
+    Builtins with a definition are left out: the definition stands in the text instead.
+    """
     return {
         name: domain for name, domain in profile.agrees.items() if not BUILTINS[name].definition
     }

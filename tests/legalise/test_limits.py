@@ -1,4 +1,4 @@
-"""What a profile has less of, or not at all, is told for that profile alone."""
+"""The limits and missing features of a profile are reported for that profile alone."""
 
 from __future__ import annotations
 
@@ -81,8 +81,10 @@ HAS = {
     "render_targets": 3,
     "nested_blocks": 2,
 }
-"""What a program has of that for which there are limits. Its vertex inputs have three places,
-although nothing reads what is at the second."""
+"""The number of things in ``LARGE`` for which there are limits.
+
+Its vertex inputs have three places, although nothing reads the one at the second place.
+"""
 
 
 @pytest.mark.parametrize(("limit", "count"), HAS.items(), ids=HAS)

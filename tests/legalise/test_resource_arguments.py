@@ -31,7 +31,7 @@ def printed(source: str | Path) -> Emission:
 
 
 def functions(text: str) -> dict[str, tuple[str, str]]:
-    """By name, the parameters and the body of each function of a text, without line breaks."""
+    """The parameters and the body of each function of a text, by name, without line breaks."""
     flat = re.sub(r"(?<=[(,])\s+|\s+(?=\))", " ", text).replace("( ", "(").replace(" )", ")")
     found = re.findall(r"^fn (\w+)\((.*?)\)(?: -> [^\n]*)? \{\n(.*?)^\}", flat, re.M | re.S)
     return {name: (parameters, body) for name, parameters, body in found}

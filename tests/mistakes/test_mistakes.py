@@ -1,4 +1,4 @@
-"""What users are told about the mistakes that are likeliest, as files to be read.
+"""The messages about the likeliest mistakes of users, as files to be read.
 
 After a deliberate change, run with ``BURNISH_UPDATE_GOLDEN=1`` and read the difference.
 """

@@ -45,7 +45,10 @@ def main() -> None:
 
 
 def _chosen(asked: Namespace) -> list[Mutant]:
-    """As many of each part, in random order, so that a run that is stopped early is fair, too."""
+    """The chosen mutants: as many of each part.
+
+    Their order is random, so that a run that is stopped early is fair, too.
+    """
     chance = random.Random(asked.seed)
     rows = []
     for area in asked.area or AREAS:

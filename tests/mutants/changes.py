@@ -23,7 +23,7 @@ class Change:
     end: int
     replacement: str
     kind: str
-    """What is changed: ``comparison``, ``constant`` and so on."""
+    """The kind of thing that is changed: ``comparison``, ``constant`` and so on."""
 
     def applied(self, source: bytes) -> bytes:
         """The module with the edit."""
@@ -192,7 +192,7 @@ def _parts(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def _says_nothing(node: ast.AST) -> bool:
-    """Whether a statement is a docstring, an import, or only for the checker of types."""
+    """True if a statement is a docstring, an import, or only for the checker of types."""
     match node:
         case ast.Expr(value=ast.Constant()) | ast.Import() | ast.ImportFrom():
             return True

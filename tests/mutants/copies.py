@@ -24,17 +24,19 @@ JUDGES = (MATERIALS, FRAMES)
 """The folders whose materials and frames judge."""
 
 MOST = 16
-"""How many materials judge a mutant, unless somebody asks for more. Few mutants that sixteen of
-the materials that run its line do not show are shown by others."""
+"""The number of materials that judge a mutant, unless the caller asks for more.
+
+If the first sixteen materials that run a mutant's line do not show it, others rarely do.
+"""
 LIMIT = 300.0
-"""Within how many seconds an answer comes, as the judge has less patience."""
+"""The limit of an answer, in seconds; the judge gives up earlier."""
 LONG = 3600.0
-"""The same for a question about all materials."""
+"""The limit of an answer about all materials, in seconds."""
 
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """What became of a mutant."""
+    """The result of judging a mutant."""
 
     verdict: str
     """``caught``; ``unreached`` if no material runs the line; ``same`` if no text and nothing that
@@ -43,17 +45,17 @@ class Judgement:
     by: str = ""
     """The material and the route that show it, or the exception."""
     different: list[str] = field(default_factory=list)
-    """Of a survivor, the materials and routes that differ."""
+    """The materials and routes of a survivor that differ."""
 
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What is known of the unchanged package."""
+    """The facts about the unchanged package."""
 
     behaviour: Mapping[str, str]
     """Digests of what each material comes to on each route."""
     reached: Mapping[str, Sequence[str]]
-    """For each line, ``path:line``, the materials that run it; the import runs it for ``""``."""
+    """The materials that run each line, ``path:line``; for ``""`` the import runs it."""
     materials: Sequence[str]
     """All of them, in their order."""
 
@@ -71,13 +73,16 @@ class Copy:
     """A copy of the package in a folder of its own, and the process that judges mutants of it."""
 
     def __init__(self, folder: Path, judge: Program, package: Path) -> None:
-        """Of ``folder``, which has the package; see ``copy``."""
+        """Take the copy in ``folder``, which has the package; see ``copy``."""
         self._folder, self._judge, self._package = folder, judge, package
 
     def known(self, kept: Path | None = None, *, drawn: bool = False) -> Known:
-        """What all materials come to without a mutant, and which lines they run; with ``drawn``
-        also what compilers make of their texts, and what is run to draw them. It is taken from
-        the file ``kept``, or else written there, so that a next run need not look again."""
+        """The behaviour of all materials without a mutant, and the lines that they run.
+
+        With ``drawn``, also the codes that compilers make of their texts, and the lines that run to
+        draw them. The answer is taken from the file ``kept``, or else written there, so that the
+        next run need not compute it again.
+        """
         into = kept or self._folder / "known.json"
         if not into.exists():
             self._answer({"kind": "known", "into": str(into), "everything": drawn}, LONG)
@@ -118,9 +123,11 @@ class Copy:
 
 
 def _that_show(mutant: Mutant, known: Known, most: int) -> Sequence[str]:
-    """Of the materials that run a mutant's lines, at most so many, which together run as much of
-    its file as possible. All materials count, if the import runs the lines, or if nobody can say
-    who does."""
+    """At most ``most`` of the materials that run a mutant's lines.
+
+    Together they run as much of its file as possible. All materials count if the import runs the
+    lines, or if nobody can say who does.
+    """
     found = set()
     for line in mutant.lines:
         found |= set(known.reached.get(f"{mutant.path}:{line}", ()))

@@ -1,4 +1,4 @@
-"""Which files are mutated, by the part of the compiler or of the runtime that they belong to."""
+"""The files that are mutated, by the part of the compiler or of the runtime that they belong to."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ AREAS: Mapping[str, tuple[str, ...]] = {
                   "targets/runner/frames/by_reference.py", "targets/runner/frames/drawn.py"),
     "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
-"""Which files of the package each part has."""
+"""The files of the package that each part has."""
 
 DRAWING = frozenset({"drivers", "reference", "bounds"})
 """The parts that draw. Their mutants change pictures, but no texts and nothing that is told."""

@@ -36,7 +36,7 @@ from burnish.targets.toolchain import Toolchain
 
 ROUTES_DRAWN = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga")
 LAST_PLACES = 4
-"""By how many units in the last place of a float32 a constant is changed."""
+"""The change of a constant, in units in the last place of a float32."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,7 +161,7 @@ def _changes_of(material: CompiledMaterial, route: str) -> Iterator[_Changed]:
 
 
 def _chosen(found: Sequence[_Changed], count: int, chance: random.Random) -> list[_Changed]:
-    """So many changes, as many as possible of each kind."""
+    """A choice of ``count`` changes, with as many as possible of each kind."""
     kinds: dict[str, list[_Changed]] = defaultdict(list)
     for each in chance.sample(found, len(found)):
         kinds[each.change.kind].append(each)
@@ -182,7 +182,7 @@ def _verdict(row: Row, unchanged: Row) -> str:
 
 
 def _needed(row: Row) -> float:
-    """How much of its bound the worst pixel needs."""
+    """The largest share of its bound that a pixel needs."""
     return max((result.comparison.excess for result in row.results), default=0.0)
 
 

@@ -25,7 +25,7 @@ from .kit import World, evaluator_of, history
 TOLERANCE = 1e-9
 NOISE = 1e-13
 AMPLIFIED = 1e3
-"""By how many times the spread of the results a value may differ."""
+"""The largest difference of a value, as a multiple of the spread of the results."""
 
 EXACT = frozenset(
     {"neg", "abs", "min", "max", "clamp", "saturate", "sign", "floor", "ceil", "trunc", "round",
@@ -34,7 +34,7 @@ EXACT = frozenset(
 """Operations that do not round."""
 
 NOISES = tuple(NOISE * factor for factor in (1, -2, 3))
-"""Of each repeat: a jump may be on either side of a value."""
+"""The noise of each repeat: a jump may be on either side of a value."""
 
 
 def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
@@ -79,7 +79,7 @@ def tolerances(shaken: list[Node], expected: list[float], world: World) -> list[
 
 
 def disagreements(given: Shader, worlds: list[World], options: Options | None = None) -> list[str]:
-    """Where a pass changes a shader's value; empty if no pass does."""
+    """The changes of a shader's values by passes, as texts; empty if no pass changes a value."""
     past = history(given, options)
     original = past.roots["semantics"]
     shaken = noisy(given.graph, original)

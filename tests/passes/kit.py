@@ -73,7 +73,7 @@ def elaborated(
 
 
 def shaders(source: str | Path, rig: str | None = None, pass_: str | None = None) -> list[Shader]:
-    """The same in the form that the other passes take."""
+    """The shaders of a text or a file, in the form that the other passes take."""
     return [lower_stages(found) for found in elaborated(source, rig, pass_)]
 
 
@@ -124,7 +124,7 @@ def _pack(data: bytearray, offset: int, packing: Packing, value: Any) -> None:
 
 
 ELEMENTS = 8
-"""How many elements a storage buffer has."""
+"""The number of elements in a storage buffer."""
 
 
 @dataclass(frozen=True)
@@ -133,10 +133,10 @@ class World:
 
     seed: int
     traps: bool = False
-    """Whether special operands (zeros, subnormal numbers …) are likely."""
+    """True if special operands (zeros, subnormal numbers …) are likely."""
     derived: Sequence[Derived] = ()
     noise: float = 0.0
-    """By how much parameters called ``noise.*`` may differ from 1."""
+    """The largest difference of parameters called ``noise.*`` from 1."""
     fixed: Mapping[str, Lanes] = field(default_factory=dict)
     """The values of parameters that are not random."""
 
@@ -284,22 +284,22 @@ class Alike(WorkGroups):
         return getattr(scalars, name)
 
     def all_joined(self, join: Binary, x: Any) -> Any:
-        """What these come to."""
+        """The joined value of all 64 invocations, which doubling reaches in six steps."""
         for _ in range(6):
             x = join(x, x)
         return x
 
     def joined_through(self, join: Binary, x: Any) -> Any:
-        """All are before the last one."""
+        """The value of the last invocation, with that of all before it."""
         return self.all_joined(join, x)
 
     def at_the_one_before(self, x: Any, _first: Any) -> Any:
-        """So nearly the same is before it."""
+        """The value of the invocation before, which is the same."""
         return x
 
 
 def evaluator_of(roots: Sequence[Node], world: World) -> Evaluator:
-    """What evaluates some values in a world."""
+    """The evaluator of some values in a world."""
     if any(map(joins_group, reachable(tuple(roots)))):
         return Evaluator(world, Alike())
     return Evaluator(world)

@@ -1,4 +1,4 @@
-"""What several passes over one material compute for its positions, to be compared.
+"""The positions that several passes over one material compute, to be compared.
 
 ``test_apart.py`` asks about all examples, and ``tests/fuzz`` about random programs.
 """
@@ -40,7 +40,7 @@ class Known:
         self._numbers: dict[Operations, int] = {}
 
     def differ(self, one: CompiledMaterial, other: CompiledMaterial, profile: str) -> bool:
-        """Whether two passes compute a position otherwise."""
+        """True if two passes compute a position by different operations."""
         if profile in one.lacking or profile in other.lacking:
             return False
         if {each.staged.program.corner_buffer is None for each in (one, other)} == {True, False}:
@@ -48,7 +48,7 @@ class Known:
         return self.position(one, profile) != self.position(other, profile)
 
     def position(self, material: CompiledMaterial, profile: str) -> list[int]:
-        """What a text computes for a position."""
+        """The numbers of the computations by which a text computes a position."""
         shader = material.emitted(profile)
         derived = {value.parameter: value.expression for value in material.staged.derived}
         return [self._number(r.value, derived) for r in shader.results_of(CLIP_POSITION)]

@@ -83,7 +83,7 @@ class RandomValues:
         return self.graph.node("call", type_, tuple(map(self._any, types, heads)), head)
 
     def _types(self, type_: Type, builtin: str) -> tuple[Type, ...]:
-        """Those of the operands with which a builtin has a result of this type."""
+        """Types of operands with which a builtin has a result of this type."""
         found = [types for types, result in typed(builtin) if result == type_]
         if not found:
             raise UnsuitableError

@@ -54,11 +54,11 @@ class Sites(RandomValues):
         left, _right = self._chance.choice(rule.equations)
         self._left: Operation = self._chance.choice(list(orders(left)))
         self._loose = self._chance.random() < 0.2
-        """Whether only the heads of operands are as the rule asks, which must not be enough."""
+        """True if only the heads of operands are as the rule asks, which must not be enough."""
         self._outer = Formal("outer")
         """The variable of a loop around all."""
         self._named: dict[str, Node] = {}
-        """What variables stand for."""
+        """The values of the rule's variables, by their names."""
 
     def operation(self) -> Node:
         """An operation; raises ``UnsuitableError`` where random choices did not fit."""
@@ -66,7 +66,7 @@ class Sites(RandomValues):
         return self._builtin(head) if head in BUILTINS else _MAKERS[head](self)
 
     def uses_outer(self, node: Node) -> bool:
-        """Whether a value depends on the turn of a loop around it."""
+        """True if a value depends on the iteration of a loop around it."""
         return self._outer in node.variables
 
     def summed_up(self, node: Node) -> Node:
@@ -273,6 +273,6 @@ _MAKERS: Mapping[str, Callable[[Sites], Node]] = {
 
 
 def _nothing(type_: Type) -> Number | tuple[Number, ...]:
-    """What a sum of values of this type begins with."""
+    """The initial value of a sum of values of this type."""
     zero: Number = {"float": 0.0, "bool": False}.get(str(scalar_kind(type_)), 0)
     return (zero,) * width(type_) if isinstance(type_, Vector) else zero

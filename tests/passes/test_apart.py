@@ -10,7 +10,7 @@ from ..examples.kit import EXAMPLES, FOLDER, VARIANTS
 from .positions import differing
 
 PROFILES = ("glsl:es300", "wgsl:webgpu")
-"""They differ in the guards that they need, and in what they lack."""
+"""Two profiles that differ in the guards that they need, and in the features that they lack."""
 UNLIT = ("Early", "Surfaces")
 """Passes without lights, which take long to compile."""
 

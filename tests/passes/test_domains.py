@@ -1,4 +1,4 @@
-"""What each value varies over."""
+"""The domains over which each value varies."""
 
 from __future__ import annotations
 

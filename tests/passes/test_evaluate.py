@@ -160,7 +160,7 @@ class Many:
 
 
 class One(Many):
-    """One world, with the textures of many."""
+    """Evaluates one world, with the textures of many."""
 
     def __call__(self, node: Node) -> Lanes | None:
         return super().__call__(node) if node.op == "resource" else self._worlds[0](node)

@@ -1,4 +1,4 @@
-"""No pass changes what an example, or a light or term of the library, means."""
+"""No pass changes the value of an example, or of a light or term of the library."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_examples_keep_their_value(path: Path, hoist: bool) -> None:
 
 
 RIGS = {"rigs": "Noon"}
-"""For the examples that have several."""
+"""The rigs of the examples that have several."""
 
 LIGHTS = ("Directional", "Point", "Spot", "FocusedSpot")
 COUNTS = ("", "[1]", "[2]", "[3]", "[<= 3]")

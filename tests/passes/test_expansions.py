@@ -96,7 +96,7 @@ def expanded(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
 
 
 def defined(name: str, types: tuple[Type, ...]) -> tuple[Node, list[Node]]:
-    """What stands for a builtin where a language lacks it, of parameters."""
+    """The value that replaces a builtin where a language lacks it, and its parameters."""
     graph, ranges = Graph(), Ranges(())
     leaves = [
         graph.node("parameter", type_, (), Parameter(f"x{i}", type_, "material"))

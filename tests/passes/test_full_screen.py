@@ -16,7 +16,7 @@ from .kit import shader
 
 PLACES = "kernel K { result i : image2d<rgba32f>[ivec2(7, 5)] = vec4(vec2(texel), 0, 1) }"
 DRAWN = "kernel K { result i : image2d<rg16f>[ivec2(7, 5)] = vec2(texel) }"
-"""Which all profiles draw, as none is sure to write this format."""
+"""A kernel that all profiles draw by a full-screen pass: none is sure to write its format."""
 
 
 def test_a_triangle_covers_all_texels_and_each_knows_its_place() -> None:

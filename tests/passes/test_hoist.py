@@ -1,4 +1,4 @@
-"""What depends on parameters only leaves the shader, for the group that it belongs to."""
+"""A value that depends on parameters only leaves the shader, for the group that it belongs to."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is known of the states of loops: found turn by turn, and given up where that has no end."""
+"""The ranges of the states of loops: found turn by turn, and given up if that would not end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .kit import calls, history, ops, shader
 
 
 def facts(text: str) -> dict[str, Fact]:
-    """What is known in every turn of the variables in a material's text, by their names."""
+    """The facts about the loop variables in a material's text in every turn, by their names."""
     given = shader(f"material M {{ {text} }}")
     roots = given.roots
     opened = open_binders(given.graph, roots, given.notes)

@@ -114,7 +114,7 @@ class Primitive:
     instance: int
     vertices: tuple[int, ...]
     values: Mapping[tuple[str, int], Lanes]
-    """Of the mesh's inputs: by name, and the number of a vertex or, per instance, of that."""
+    """The values of the mesh's inputs, by name and by the number of the vertex or instance."""
 
 
 def values_of(

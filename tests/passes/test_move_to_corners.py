@@ -1,5 +1,7 @@
-"""What depends on one corner of a primitive alone is computed by the stage before, as it is what
-``fur`` and others do with normals."""
+"""A value that depends on one corner of a primitive alone is computed by the stage before.
+
+``fur`` and others do this with normals.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,7 @@ material M : Surface {{
 
 
 def texts(text: str, stage: str) -> tuple[str, str]:
-    """What the vertex stage and another one say."""
+    """The texts of the vertex stage and of another one."""
     (material,) = burnish.compile(text, "glsl:vulkan", native_stages=True)
     return material.text("glsl:vulkan", "vertex"), material.text("glsl:vulkan", stage)
 

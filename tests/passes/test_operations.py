@@ -33,10 +33,10 @@ UNKNOWN_RANGE = frozenset({"resource", "attribute", "bound", "matrix", "struct"}
 """Nothing is known of their values, or a range of them would say nothing."""
 
 BARE = frozenset({"constant", "resource", "input", "bound", "formal", "vector", "splat", "matrix"})
-"""They mean nothing by themselves: that is ascribed, by a node ``as``."""
+"""The operations without a meaning of their own: a node ``as`` ascribes one."""
 
 WITHOUT_STATEMENT = frozenset(OPS - LOOPS)
-"""What is printed as an expression; a loop is a statement."""
+"""The operations that are printed as expressions; a loop is a statement."""
 
 
 def standing_in(form: str) -> frozenset[str]:

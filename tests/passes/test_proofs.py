@@ -30,7 +30,10 @@ KINDS: tuple[Kind, ...] = ("float", "int", "uint")
 
 
 def snapshot(path: Path, *without: str) -> tuple[str, ...]:
-    """What a material becomes in GLSL, everything in the shader, without some rules; and guards."""
+    """The GLSL texts and the guards of a material that is compiled without some rules.
+
+    Everything stays in the shader: nothing is hoisted.
+    """
     target = registry.load("glsl")
     (shader,) = shaders(path)
     staged = stage(shader, Options(hoist=False, without=frozenset(without)))
@@ -41,12 +44,12 @@ def snapshot(path: Path, *without: str) -> tuple[str, ...]:
 
 @cache
 def usual(path: Path) -> tuple[str, ...]:
-    """The same with all rules."""
+    """The texts and guards with all rules."""
     return snapshot(path)
 
 
 def unknown(*facts: Fact) -> tuple[Fact, ...]:
-    """What types alone tell of some operands."""
+    """The facts that the types of some operands alone imply."""
     return tuple(UNKNOWN.as_kind(fact.kind) for fact in facts)
 
 

@@ -78,7 +78,7 @@ def applications(rule: Rule) -> Iterator[tuple[Node, Node]]:
 
 
 def disagreement(rule: Rule, wanted: int = WANTED) -> str | None:
-    """Where the values before and after a rule differ, if they do; and how often it was tried."""
+    """A difference between the values before and after a rule, or a lack of applications."""
     tried = 0
     for before, after in applications(rule):
         try:
@@ -101,14 +101,14 @@ def disagreement(rule: Rule, wanted: int = WANTED) -> str | None:
 
 
 def magnitude(node: Node) -> float:
-    """That of the largest lane of a constant."""
+    """The magnitude of the largest lane of a constant."""
     if node.op != "constant":
         return 0.0
     return float(max(map(abs, _flat(constant_lanes(node.type, node.data)))))
 
 
 def same(old: Lanes, new: Lanes) -> bool:
-    """Whether values agree as far as double precision goes, within what float32 holds."""
+    """True if values agree within double precision, and within the range of float32."""
     return all(map(_lane_same, _flat(old), _flat(new))) and len(_flat(old)) == len(_flat(new))
 
 

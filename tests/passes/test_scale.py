@@ -110,7 +110,7 @@ def structures(length: int) -> str:
 
 
 def doublings(depth: int) -> str:
-    """What would be exponentially long if sharing were lost."""
+    """A material that would be exponentially long if sharing were lost."""
     links = "\n".join(f"s{i} = twice(s{i - 1}) + twice(s{i - 1})" for i in range(1, depth))
     function = "fn twice(x: float) -> float = f(f(x) + f(x))\nfn f(x: float) -> float = sin(x + x)"
     return f"{function}\nmaterial M {{\ns0 = uv.y\n{links}\ncolor = vec3(s{depth - 1})\n}}"

@@ -11,7 +11,8 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from burnish.commands.graph.build import picture
+from burnish.commands.graph.kinds import ArrowKind, Kind
+from burnish.commands.graph.material import material_picture
 from burnish.commands.graph.text import written
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.reflection import Reflection
@@ -97,7 +98,7 @@ def three_stages() -> Shader:
 
 
 def captured() -> Shader:
-    """Where the vertices go, and how fast, into a buffer."""
+    """A shader that writes the moved vertices and their distances into a buffer."""
     toy = Toy()
     place = toy.attribute("place", VEC3)
     moved = toy.named("moved", toy.call("add", VEC3, place, toy.call("cos", VEC3, place)))
@@ -215,7 +216,7 @@ def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) ->
 
 
 def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
-    found = picture(*between, everything=False)
+    found = material_picture(*between, everything=False)
     assert [cluster.title for cluster in found.clusters if cluster.is_stage] == [
         "host, once for each change of a parameter",
         "vertex stage",
@@ -224,7 +225,11 @@ def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
     ]
     names = {box.key: box.name for box in found.boxes}
     stages = {key: key.split(".")[0] for key in names}
-    crossed = [(stages[a], names[a], stages[b]) for a, b in found.crossings if stages[a] != "host"]
+    crossed = [
+        (stages[arrow.source], names[arrow.source], stages[arrow.target])
+        for arrow in found.arrows
+        if arrow.kind is ArrowKind.CROSSING and stages[arrow.source] != "host"
+    ]
     assert sorted(crossed) == [
         ("geometry", "coordinate", "fragment"),
         ("vertex", "uv", "geometry"),
@@ -299,8 +304,8 @@ def test_there_may_be_no_fragments() -> None:
     found = reflect(shader, staged.program, {}, derived)
     assert read(Reflection, json.loads(json.dumps(to_json(found)))) == found
     assert (found.targets, found.varyings) == ((), ())
-    (cluster,) = picture(shader, staged, everything=False).clusters
-    assert {box.name for box in cluster.boxes if box.kind == "result"} == {"moved", "distance"}
+    (cluster,) = material_picture(shader, staged, everything=False).clusters
+    assert {box.name for box in cluster.boxes if box.kind is Kind.RESULT} == {"moved", "distance"}
 
 
 def test_what_is_captured_is_handed_on() -> None:

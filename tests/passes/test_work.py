@@ -22,7 +22,7 @@ from .test_scale import SHAPES, chain, long_sum, nested
 
 
 def work(program: str) -> int:
-    """How many lines of Python the passes run for a program."""
+    """The number of lines of Python that the passes run for a program."""
     given = shader(program)
     lines = 0
 

@@ -14,7 +14,7 @@ class UnsuitableError(Exception):
 
 
 def part(whole: Type) -> tuple[Type, int]:
-    """What indexing gives, and how many of these there are."""
+    """The type of a part that indexing gives, and the number of parts."""
     match whole:
         case Array(element=element, count=count):
             return element, count
@@ -58,7 +58,7 @@ def _operand_types(name: str) -> Iterator[tuple[Type, ...]]:
 
 
 def _free_types(words: Sequence[str]) -> Iterator[dict[str, Type]]:
-    """What the letters of a signature may stand for that do not follow from others."""
+    """The combinations of types for the letters of a signature that others do not determine."""
     letters = [w for w in dict.fromkeys(words) if w in signatures.FAMILIES or w == "M"]
     choices: list[dict[str, Type]] = [{}]
     for letter in letters:

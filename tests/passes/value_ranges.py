@@ -31,7 +31,7 @@ def to_float32(value: Any) -> Any:
 
 
 def holds(fact: Fact, lanes: list[float]) -> bool:
-    """Whether all that a fact says is true of some float64 lanes, or of float32 ones.
+    """True if all that a fact says is true of some float64 lanes, or of float32 ones.
 
     Rounding never changes the order of two values, so float32 lanes keep to the rounded bounds.
     """

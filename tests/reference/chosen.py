@@ -16,7 +16,7 @@ Array = Any
 
 
 class Arithmetic(Protocol):
-    """What a lane asks of its device."""
+    """The operations that a lane asks of its device."""
 
     def lane(self, value: Any) -> Chosen:
         """A lane as it is, or one of a constant."""
@@ -27,11 +27,11 @@ class Arithmetic(Protocol):
         ...
 
     def multiply(self, x: Any, y: Any) -> Chosen:
-        """Their product."""
+        """The product of two lanes."""
         ...
 
     def divide(self, x: Any, y: Any, /) -> Chosen:
-        """Their quotient."""
+        """The quotient of two lanes."""
         ...
 
 
@@ -65,7 +65,7 @@ class Chosen:
         return bool(self.value)
 
     def any(self) -> bool:
-        """Whether a condition holds anywhere."""
+        """True if a condition holds anywhere."""
         return bool(self.value.any())
 
     def __add__(self, other: Any) -> Chosen:

@@ -25,24 +25,24 @@ from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
 from .chosen import Array, Chosen
 
 MOST_PARTS = 8
-"""How many terms or factors are put into another order; longer ones keep theirs."""
+"""The most terms or factors that are reordered; longer sums and products keep their order."""
 
 
 @dataclass(frozen=True)
 class Habits:
-    """How often a device makes each choice, as probabilities."""
+    """The probabilities with which a device makes each choice."""
 
     up: float = 0.5
-    """It rounds to the upper neighbour instead of the lower one."""
+    """The device rounds to the upper neighbour instead of the lower one."""
     nearest: float = 0.5
-    """It rounds to the nearest number, instead of either neighbour."""
+    """The device rounds to the nearest number, instead of either neighbour."""
     fuses: float = 0.5
     reorders: float = 0.5
     flushes: float = 0.5
     folds: float = 0.5
-    """It computes with a constant before rounding it, as a compiler that folds may."""
+    """The device computes with a constant before rounding it, as a compiler that folds may."""
     error: tuple[float, float] = (-1.0, 1.0)
-    """Between which parts of the allowed error functions are off."""
+    """The range of a function's error, as parts of the allowed error."""
 
 
 HABITS = (
@@ -255,7 +255,7 @@ class Device(OwnFunctions):
         return x - self.floor(x)
 
     def mix(self, x: Any, y: Any, a: Any, /) -> Any:
-        """By the formula of WGSL and Vulkan, or by Direct3D's."""
+        """The mixture, by the formula of WGSL and Vulkan or by that of Direct3D."""
         return x + (y - x) * a if self._does(self._habits.reorders) else x * (1.0 - a) + y * a
 
     def inversesqrt(self, x: Any, /) -> Chosen:
@@ -308,7 +308,7 @@ class Device(OwnFunctions):
 
 
 def _stays_normal(factors: tuple[Array, ...]) -> Array:
-    """Whether every product of some of the factors is a normal number."""
+    """True where every product of some of the factors is a normal number."""
     magnitudes = [np.abs(factor) for factor in factors]
     least = math.prod(np.minimum(magnitude, 1.0) for magnitude in magnitudes)
     most = math.prod(np.maximum(magnitude, 1.0) for magnitude in magnitudes)

@@ -115,7 +115,7 @@ class RandomGraph:
         return self.graph.node("call", result, tuple(map(self._value, types)), name)
 
     def _arithmetic(self) -> Node:
-        """What makes long sums and products."""
+        """An operation of which long sums and products are made."""
         name = self._chance.choice(("add", "sub", "mul", "mul", "mix", "dot", "fma"))
         types, result = self._chance.choice([
             (types, result) for types, result in instances(name)
@@ -253,7 +253,7 @@ class Values:
 def leaves(
     values: Values, made: Callable[[Any, float, str], Any]
 ) -> Callable[[Node], Lanes | None]:
-    """What the evaluator asks for the values of leaves.
+    """The function that the evaluator asks for the values of leaves.
 
     ``made`` makes a lane of an array, of the relative error that it may have, and of the name of
     its place. Some parameters are like interpolated values, which no device has exactly.

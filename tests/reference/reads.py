@@ -42,7 +42,7 @@ class Read:
         ]
 
     def hull(self, name: str, *operands: Any) -> tuple[float, float]:
-        """Between which numbers the first lane of a read may be."""
+        """The two numbers between which the first lane of a read may be."""
         lane = self.reader.read(name, tuple(map(_lanes, operands)))[0]
         return float(np.ravel(lane.low)[0]), float(np.ravel(lane.high)[0])
 

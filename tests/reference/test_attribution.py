@@ -194,7 +194,7 @@ def test_an_operation_is_as_inexact_as_in_the_pixel_and_not_beside_it() -> None:
 
 
 def test_a_pixel_that_may_be_discarded() -> None:
-    """To tip is no small error: it does not count among the contributions."""
+    """A comparison that may tip is no small error: it is not one of the contributions."""
     found = explained("value = vec4(s, 0, 1)", discard="discard when material.value.x < 0.43749999")
     (tipping,) = found.tippings
     assert tipping.expression.text == "material.value.x < 0.43749999"
@@ -202,7 +202,7 @@ def test_a_pixel_that_may_be_discarded() -> None:
 
 
 def test_values_beyond_float32() -> None:
-    """What is infinite has no slope; the rest is explained."""
+    """An infinite value has no slope; the rest is explained."""
     found = explained("value = vec4(exp(s.x * 5000), s.x * 1.7, 0, 1)")
     assert math.isfinite(found.error)
 

@@ -1,4 +1,4 @@
-"""By how much a bias moves the depths of triangles: by hand, and by what specifications leave open.
+"""The movement of triangles' depths by a bias: by hand, and with the freedom of specifications.
 
 The triangles lie before an orthographic camera: the plane of each is known in pixels.
 """
@@ -29,7 +29,7 @@ def faces(depths: tuple[float, float, float], state: DepthState) -> Faces:
 
 
 def moved(depths: tuple[float, float, float], **bias: float) -> tuple[float, float]:
-    """How far the face is moved, and by how much devices may differ in that."""
+    """The distance by which the face is moved, and the error of that which devices may make."""
     usual = faces(depths, DepthState())
     found = faces(depths, DepthState(**bias))  # type: ignore[arg-type]
     by = (found.z - usual.z)[0]

@@ -13,7 +13,7 @@ from burnish.compiler.reference.bounds.errors import Errors
 BOUNDS = Bounds(Errors(("vulkan",)))
 ONE = np.float32(1)
 COUNT = 400
-"""How many blends are tried at once."""
+"""The number of blends that are tried at once."""
 
 
 def _interval(random: np.random.Generator, least: float, most: float) -> Bounded:
@@ -32,7 +32,7 @@ def _somewhere(lane: Bounded, random: np.random.Generator) -> Any:
 
 @pytest.mark.parametrize("most", [1.0, 3.0])
 def test_both_formulas_are_within_the_bounds(most: float) -> None:
-    """Also for weights outside of 0..1."""
+    """This holds also for weights outside of 0..1."""
     random = np.random.default_rng(int(most))
     x, y = _interval(random, -100, 100), _interval(random, -1, 1)
     a = _interval(random, 1 - most, most)
@@ -46,7 +46,7 @@ def test_both_formulas_are_within_the_bounds(most: float) -> None:
 
 @pytest.mark.parametrize("end", [0, 1])
 def test_the_uses_of_a_weight_may_be_rounded_differently(end: int) -> None:
-    """Where the weight is a product, ``y * a`` may be computed in another order than ``1 - a``."""
+    """If the weight is a product, ``y * a`` may be computed in another order than ``1 - a``."""
     random = np.random.default_rng(end)
     factors = random.uniform(1.0, 1.01, (FACTORS, 50 * COUNT)).astype(np.float32)
     spread = np.array([0.99, 1.0])[:, None] * factors[0]

@@ -1,4 +1,4 @@
-"""What a source asks the reference for is counted before anything is allocated or computed."""
+"""The needs of a source are counted before the reference allocates or computes anything."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def test_the_option_lets_it_pass(tmp_path: Path) -> None:
 
 
 def test_textures_that_the_reference_reads_are_counted(tmp_path: Path) -> None:
-    """It has numbers where a picture has bytes, and a picture has a few where it has one colour."""
+    """The reference keeps numbers for a picture's bytes, and four lanes for its only channel."""
     file, picture = tmp_path / "m.burnish", tmp_path / "a.png"
     Image.new("L", (2048, 2048)).save(picture)
     file.write_text("material M {{ {maps} color = {reads} }}".format(
@@ -163,8 +163,11 @@ def test_memory_does_not_grow_with_the_turns_of_a_loop(
     ],
 )
 def test_a_loop_counts_as_often_as_its_body_is_computed(value: str, count: int) -> None:
-    """But for what does not hang on its variable. There are a few nodes around it. Matrices count
-    as often as they have numbers, or more often."""
+    """Values that do not depend on the loop's variable count once.
+
+    There are a few nodes around the loop. Matrices count as often as they have numbers, or more
+    often.
+    """
     text = "kernel K {{\n param n : int in 0..9 = 1\n result a : float[8] = {}\n}}"
     shader = _shader(text.format(value))
     found = operations([result.value for result in shader.results])

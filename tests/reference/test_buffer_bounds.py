@@ -1,4 +1,4 @@
-"""Between which numbers an element lies that is read of a buffer which a kernel has written."""
+"""The bounds of an element that is read from a buffer which a kernel has written."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ Rows = Sequence[Sequence[float]]
 
 
 def reader(element: Type, value: Rows, off: Rows) -> BufferReader:
-    """Of elements with these words, each off by so much on both sides; floats as their bytes."""
+    """The reader of a buffer with these words, each with a bound ``off`` on both sides.
+
+    The contents are the bytes of floats.
+    """
     words, wide = np.array(value, float), np.array(off, float)
     ends = np.stack([words, words - wide, words + wide]).reshape(3, -1)
     leaf = Buffer("b", RuntimeArray(element), "draw")

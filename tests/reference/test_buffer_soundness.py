@@ -88,7 +88,7 @@ class _Reader:
 def _written(
     kernel: CompiledMaterial, device: Device, buffers: Mapping[str, Contents]
 ) -> list[Lane]:
-    """What a device writes."""
+    """The values that a device writes."""
 
     def leaves(node: Node) -> Lanes | None:
         if node.op == "input":
@@ -139,7 +139,7 @@ def _check(lane: Lane, known: Contents) -> None:
 
 
 def _known(kernels: Sequence[CompiledMaterial], *, keeps_bounds: bool) -> dict[str, Contents]:
-    """What the reference says of all elements."""
+    """The reference's contents of all buffers, with their bounds."""
     known: dict[str, Contents] = {}
     for kernel in kernels:
         instance = Instance(kernel.reflection)

@@ -1,4 +1,4 @@
-"""Which fragment is seen, where a device's depths may differ by more for some than for others."""
+"""The visible fragment, if the depths of some fragments may differ more than those of others."""
 
 from __future__ import annotations
 
@@ -120,8 +120,10 @@ def test_equal_depths_of_copies_are_compared(compare: Compare) -> None:
     ],
 )
 def test_what_settles_an_undecided_pixel(test: DepthState, shaky: bool) -> None:
-    """It has to be drawn in any case, and its depth has to be kept: then it does not matter any
-    more whether another fragment was drawn there."""
+    """A fragment settles it if it is drawn in any case and its depth is kept.
+
+    Then it does not matter any more whether another fragment was drawn there.
+    """
     given = passing(COLOURED, discard="discard when material.c.a < 0.5")
     written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
     canvas = Canvas(1, [BLUE], written, rounds=False)
@@ -136,7 +138,7 @@ def test_what_settles_an_undecided_pixel(test: DepthState, shaky: bool) -> None:
 
 
 def test_a_fragment_behind_what_may_have_stayed_settles_nothing() -> None:
-    """Where a device has not drawn what is unsure, what was there before may be nearer."""
+    """If a device has not drawn the undecided fragment, an earlier one may be nearer."""
     given = passing(COLOURED)
     written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
     canvas = Canvas(1, [BLUE], written, rounds=False)

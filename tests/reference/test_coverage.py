@@ -1,4 +1,4 @@
-"""Which pixels triangles cover: the top-left rule, snapping, clipping, culling."""
+"""The pixels that triangles cover: the top-left rule, snapping, clipping, culling."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ def clip_positions(window: Any, rules: RasterRules, z: float = 0.5) -> Floats:
 
 
 def drawn(window: Any, triangles: Any, rules: RasterRules) -> tuple[Fragments, Bools]:
-    """What triangles between places in the window cover."""
+    """The fragments of triangles between places in the window, and the undecided pixels."""
     return covered(clip_positions(window, rules), triangles, rules)
 
 
 def covered(
     positions: Floats, triangles: Any, rules: RasterRules, cull: Cull = "none"
 ) -> tuple[Fragments, Bools]:
-    """What triangles between clip positions cover, and which pixels are undecided."""
+    """The fragments of triangles between clip positions, and the undecided pixels."""
     with np.errstate(all="ignore"):
         faces = faces_of(positions, np.asarray(triangles), rules, state=RenderState(cull=cull))
         found = coverage_of(faces, rules)
@@ -42,7 +42,7 @@ def covered(
 
 
 def counts(window: Any, triangles: Any, rules: RasterRules) -> Any:
-    """How often each pixel is covered, as rows."""
+    """The number of times that each pixel is covered, as rows."""
     fragments, _ = drawn(window, triangles, rules)
     found = np.bincount(fragments.sample, minlength=rules.width * rules.height)
     return found.reshape(rules.height, rules.width).tolist()
@@ -120,7 +120,7 @@ POINT = st.tuples(COORDINATE, COORDINATE)
 @settings(max_examples=200)
 @given(st.lists(POINT, min_size=3, max_size=9), POINT, POINT, st.sampled_from([None, 4, 8]))
 def test_inner_edges_are_not_seen(rim: Any, one: Any, other: Any, bits: int | None) -> None:
-    """How often a closed line winds around a pixel does not depend on where its fan is centred."""
+    """A closed line's winding number around a pixel does not depend on the centre of its fan."""
     rules = RasterRules(8, 8, subpixel_bits=bits)
     fan = [(i, (i + 1) % len(rim), len(rim)) for i in range(len(rim))]
 

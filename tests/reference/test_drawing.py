@@ -79,7 +79,7 @@ def test_interpolation_is_correct_in_perspective() -> None:
 
 
 def test_what_is_zero_at_all_corners_is_exactly_zero() -> None:
-    """So that the floor of a plane's coordinate, or its sign, does not hang on what is flushed."""
+    """So the floor or sign of a plane's coordinate does not depend on flushed numbers."""
     given = passing("attribute s : vec2\nvalue = vec4(s, 0, 1)")
     mesh = triangles(*FULL, s=[(0, 0.5), (0, 0.25), (0, 0.125)])
     found = picture(given, mesh, at(4, varying_bits=20), errors=few_ulps)
@@ -152,7 +152,7 @@ def test_a_value_that_is_the_same_at_all_vertices_is_interpolated() -> None:
 
 
 def test_far_behind_the_nearest_corner_a_mean_may_leave_the_corners() -> None:
-    """So range analysis knows nothing of what is interpolated, whatever it is at the vertices."""
+    """So range analysis knows nothing about interpolated values, whatever the corners have."""
     given = passing("attribute s : float\nvalue = vec4(@vertex (0.5 + saturate(s)))")
     for nearest, inside in ((0.5, True), (1e-5, False)):
         corners = [(-3, 0.75, 0, 1), (3, 0.75, 0, 1), (0, -3 * nearest, 0, nearest)]
@@ -319,7 +319,7 @@ EDGE_THROUGH_MIDDLES = [(-1, -1, 0.6, 1), (1, -1, 0.6, 1), (-1, 1, 0.6, 1)]
 def test_an_edge_that_is_hidden_leaves_nothing_undecided(
     depth: float, undecided: int, in_front: bool
 ) -> None:
-    """In whichever order the two triangles are drawn."""
+    """This holds in either order of the two triangles."""
     whole = [(x, y, depth, w) for x, y, _, w in FULL]
     corners = [whole, EDGE_THROUGH_MIDDLES][:: -1 if in_front else 1]
     mesh = triangles([place for corner in corners for place in corner], c=[RED] * 3 + [GREEN] * 3)
@@ -380,7 +380,7 @@ BY_FACTORS: dict[str, tuple[float, float, float, float]] = {
     "{ source = src, destination = dst }": (0.89, 0.2225, 1.0, 0.3125),
     "{ source = constant, destination = one_minus_constant }": (0.65, 0.3625, 1.0, 0.4375),
 }  # fmt: skip
-"""What is left of a colour over another, by hand from the tables of OpenGL 4.6, 17.3.6."""
+"""The results of blending a colour over another, by hand from the tables of OpenGL 4.6, 17.3.6."""
 
 
 @pytest.mark.parametrize("blend", BY_FACTORS)
@@ -431,8 +431,8 @@ def test_lanes_that_a_format_lacks() -> None:
 
 
 def jumps(members: str) -> list[int]:
-    """Where a value may be on either side of a jump, in a row of pixels over which `s` grows from
-    -4 to 4."""
+    """The pixels whose value may be on either side of a jump, in a row over which `s` grows from -4
+    to 4."""
     given = passing("attribute s : float\n" + members)
     mesh = triangles(FULL, s=[-4, 12, -4])
     found = picture(given, mesh, RasterRules(9, 1, varying_bits=20), errors=few_ulps)

@@ -58,7 +58,7 @@ def test_a_device_may_have_drawn_any_texel_within_its_bounds(
 
 
 def test_a_load_of_any_texel_is_within_the_bounds_of_all() -> None:
-    """Of so many texels, the reference does not look at each."""
+    """The reference does not look at each of so many texels."""
     size = 64
     value = np.arange(size * size, dtype=np.float64).reshape(size, size, 1).repeat(4, axis=2)
     drawn = reader(Texels((value,), False, (value - 0.25,), (value + 0.25,)), DEVICE)

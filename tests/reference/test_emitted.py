@@ -34,7 +34,7 @@ FILES = (*EXAMPLES, *sorted(subjects.FOLDER.glob("*.burnish")))
 RULES = RasterRules(36, 28)
 """Small pictures, of a device that rounds nothing."""
 CLOSE = 1e-9
-"""By how much values may differ, relative to their size if that is larger than 1."""
+"""The largest difference of values, relative to their size if that is larger than 1."""
 
 
 def programs(material: CompiledMaterial) -> Mapping[str, Shader]:

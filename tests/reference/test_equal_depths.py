@@ -49,7 +49,7 @@ BACK, FRONT = (
 )
 BOTH = triangles(BACK, FRONT)
 TURNED = triangles(BACK[::-1], FRONT)
-"""Of the first face the back is seen."""
+"""The two faces, of which the first one shows its back."""
 HALVES = (np.full((1, 1, 4), 0.5),)
 EXACT = Texels(HALVES)
 """A texture of the host's."""
@@ -71,10 +71,10 @@ def undecided(
     again: Contents | None = None,
     **values: Any,
 ) -> bool:
-    """Whether rounding decides on anything behind two draws of the same faces.
+    """True if rounding may change any pixel after two draws of the same faces.
 
     Both read the same ``lift``, and ``heights`` unless the second one finds others ``again``. All
-    else that is told is different in the second one.
+    other arguments are different in the second one.
     """
     first, last = (
         shader(PROGRAM.format(placed=placed, state=state, shown=show), "P")

@@ -1,4 +1,4 @@
-"""How far functions may be off, as numbers: what was measured of a driver, and what is promised."""
+"""The errors of functions, as numbers: those measured of a driver, and those promised."""
 
 from __future__ import annotations
 

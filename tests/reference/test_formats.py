@@ -1,4 +1,4 @@
-"""How formats of render targets round: between which of their numbers a device's are."""
+"""Rounding in formats of render targets: the two numbers between which a device's number is."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def colour(number: float) -> Floats:
 
 
 def ends(name: str, low: float, high: float | None = None) -> tuple[float, float]:
-    """Those of the first lane."""
+    """The two ends of the first lane."""
     found = rounded(name, colour(low), colour(low if high is None else high))
     return float(found[0][0]), float(found[1][0])
 

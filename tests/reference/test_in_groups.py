@@ -1,4 +1,4 @@
-"""What work groups come to, against loops that say invocation by invocation what devices do."""
+"""The joined values of work groups, against loops that follow devices invocation by invocation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the reference computes of kernels by itself: of which elements nothing is defined."""
+"""The undefined elements of kernels, as the reference computes them by itself."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from burnish.targets.runner.reference_kernels import elements_by_reference
 BOTH = pytest.mark.parametrize("errors", [None, Errors(("vulkan",))], ids=["plain", "bounds"])
 RULES = RasterRules(1, 1, unguarded_is_nan=True)
 ROOT = "unguarded(sqrt(float(index - 2)))"
-"""Nothing is defined of it in the first two of eight invocations."""
+"""An expression that is undefined in the first two of eight invocations."""
 
 
 def undecided(text: str, errors: Errors | None) -> list[list[int]]:
-    """Of each result of a kernel, the elements of which nothing is defined."""
+    """The undefined elements of each result of a kernel."""
     kernel = burnish.compile(f"kernel K {{ {text} }}", ("wgsl",))["K"]
     instance = Instance(kernel.reflection)
     lanes = computed(

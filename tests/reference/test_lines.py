@@ -1,4 +1,4 @@
-"""Which pixels lines cover by each of the rules that APIs allow, and what is interpolated there.
+"""The pixels that lines cover by each of the rules that APIs allow, and the values there.
 
 ``tests/conformance/test_lines.py`` shows which driver has which rule.
 """
@@ -35,7 +35,7 @@ def by(rule: Lines, **others: Any) -> RasterRules:
 
 
 def pixels(begin: Any, end: Any, rules: RasterRules) -> tuple[Bools, Bools]:
-    """Which pixels a line covers, as rows; and which are undecided."""
+    """The pixels that a line covers, as rows; and the undecided ones."""
     fragments, unsure = covered(clip_positions([begin, end], rules), LINE, rules)
     found = np.zeros(rules.width * rules.height, dtype=np.bool_)
     found[fragments.sample] = True

@@ -1,4 +1,4 @@
-"""How bounds grow where a loop feeds its state back: like the errors, and not exponentially.
+"""The bounds of loops that feed their state back grow like the errors, and not exponentially.
 
 A state whose error is computed from its own error of the turn before is where intervals explode
 although devices do not. Each loop here has 32 turns; its bounds must contain what random devices
@@ -27,7 +27,7 @@ from .kit import shader
 from .test_soundness import _bounds_of, _stored
 
 COUNT = 32
-"""How many values each parameter has."""
+"""The number of values of each parameter."""
 ERROR = 2.0**-20
 """The relative error of parameters, as of interpolated values."""
 
@@ -39,7 +39,7 @@ class Loop:
     parameters: str
     text: str
     most: float
-    """How many times the largest error seen the bound is at most, in the median."""
+    """The largest ratio, in the median, of the bound to the largest error that is seen."""
 
 
 TOWARDS = "origin : vec3, ray : vec3"

@@ -51,9 +51,9 @@ def names(drawn: Expected) -> set[str]:
 
 
 LEVEL = [(0.5, 0.5), (2.5, 0.5), (0.5, 2.5)]
-"""The upper edge goes through the middles of pixels."""
+"""A face whose upper edge goes through the middles of pixels."""
 SHORT = [(0.75, 0.5), (1.25, 0.5), (0.5, 2.5)]
-"""It goes through the same row, but between two of them."""
+"""A face whose upper edge is in the same row, but between the middles of two pixels."""
 SLOPING = [(0.0, 0.0), (3.0, 1.0), (1.0, 4.0)]
 
 

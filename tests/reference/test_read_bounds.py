@@ -1,4 +1,4 @@
-"""What a device may read lies within a read's bounds, and the bounds are not much wider than that.
+"""The bounds of a read contain all that a device may read, and are not much wider than that.
 
 Devices are made up: they read exactly, but at random places within the bounds of a coordinate, with
 random weights and levels that their bits allow.
@@ -59,14 +59,14 @@ def around(values: Array, off: float, random: np.random.Generator) -> Bounded:
 
 
 def somewhere(lane: Bounded, random: np.random.Generator) -> Array:
-    """What a device may have: often one of the ends."""
+    """A value that a device may have: often one of the ends."""
     share = np.clip(random.uniform(-0.5, 1.5, np.shape(lane.value)), 0, 1)
     found: Array = lane.low + share * (lane.high - lane.low)
     return found
 
 
 class Seen:
-    """What devices have read of one read, beside its bounds."""
+    """The results of one read on devices, beside its bounds."""
 
     def __init__(self, lanes: tuple[Bounded, ...]) -> None:
         shape = lanes[0].shape
@@ -87,7 +87,7 @@ class Seen:
 
     @property
     def excess(self) -> float:
-        """How many times as wide as what was seen the bounds are, in the median."""
+        """The width of the bounds divided by the width of the results, in the median."""
         seen = self._greatest - self._least
         return float(np.median((self.high - self.low)[seen > 0] / seen[seen > 0]))
 

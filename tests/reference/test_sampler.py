@@ -55,7 +55,7 @@ def read(
 
 
 def row(texture: Texels, state: str, u: tuple[float, float], **rules: Any) -> list[float]:
-    """What the picture's first row reads along u."""
+    """The values that the picture's first row reads along u."""
     found: list[float] = read(texture, state, u, **rules).targets[0][0, :, 0].tolist()
     return found
 
@@ -234,7 +234,7 @@ def test_a_decision_that_filtering_may_tip_is_either() -> None:
 
 
 def test_a_choice_in_doubt_is_so_for_all_who_take_differences_with_it() -> None:
-    """Of four pixels the first hangs on a comparison, and by it so do the levels of its quad."""
+    """The first of four pixels depends on a comparison, and so do the levels of its quad."""
 
     def doubtful(read: str) -> list[list[int]]:
         given = shader(f"""

@@ -65,7 +65,7 @@ def left_of(edge: float, **more: Any) -> Any:
 
 
 def red(found: Expected) -> float:
-    """That of the only pixel."""
+    """The red of the only pixel."""
     return float(found.targets[0][0, 0, 0])
 
 
@@ -85,7 +85,7 @@ def test_two_triangles_with_an_edge_in_common_cover_each_sample_once() -> None:
 
 
 SLIVER = face((0.0, 0.2), (0.3, 0.375), (0.0, 0.55))
-"""It covers the place (1, 3) only."""
+"""A face that covers the place (1, 3) only."""
 
 
 @pytest.mark.parametrize("bottom_up", [False, True])
@@ -275,7 +275,7 @@ def test_what_nothing_covers_is_known_exactly() -> None:
 
 
 def test_a_mean_is_rounded_to_either_neighbour_of_the_format() -> None:
-    """One step and nothing: a quarter of a step becomes 0 or 1."""
+    """The mean of one step and three zeros is a quarter of a step, which becomes 0 or 1."""
     given = smooth(format_="rgba8")
     found = picture(given, triangles(left_of(0.25)), ONE, errors=few_ulps, c=(1 / 255,) * 4)
     assert found.targets[0][0, 0, 0] == pytest.approx(1 / 1020)
@@ -320,8 +320,7 @@ def test_only_an_edge_through_a_sample_is_undecided() -> None:
 
 
 def test_shaders_may_read_the_depth_of_any_sample() -> None:
-    """It changes by 1/16 from one pixel to the next, and no sample is farther than half of one from
-    the centre."""
+    """The depth changes by 1/128 per pixel; samples are within half a pixel of the centre."""
     given = smooth("value = vec4(frag_coord.z, frag_coord.w, 0, 1)")
     sloped = left_of(FAR, z=[0.5 + (x - 0.5) / 128 for x in (FAR, -FAR, FAR)])
     found = picture(given, triangles(sloped), ONE, errors=few_ulps)

@@ -1,4 +1,4 @@
-"""What comes of scattered values, and between which numbers a device's elements may lie."""
+"""The results of scattering, and the bounds of a device's elements."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ class Painting:
 
     @property
     def picture(self) -> Expected:
-        """What has been drawn so far."""
+        """The picture after the draws so far."""
         return expected_on(self.canvas, RULES)
 
     @property
@@ -65,12 +65,12 @@ class Painting:
         return [float(red) for red in self.canvas.targets[0][0, :, 0]]
 
     def hull(self, pixel: int) -> tuple[float, float]:
-        """Between which shades of red that of a pixel is."""
+        """The two reds between which the red of a pixel is."""
         low, high = self.hulls.targets[0][:, pixel, 0]
         return float(low), float(high)
 
     def depths(self, pixel: int) -> tuple[float, float]:
-        """Between which depths that of a pixel is."""
+        """The two depths between which the depth of a pixel is."""
         low, high = self.hulls.depth[:, pixel]
         return float(low), float(high)
 
@@ -117,7 +117,7 @@ def test_draws_at_one_depth_are_undecided_and_either_of_them() -> None:
 
 @pytest.mark.parametrize("aside", [-1e-6, 1e-6], ids=["not drawn", "drawn"])
 def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn(aside: float) -> None:
-    """Whichever of them the reference has drawn."""
+    """Both are in the hull, whichever of them the reference has drawn."""
     painting = Painting()
     painting.draw(FAR)
     painting.draw(NEAR, THROUGH_CENTRES + aside)
@@ -143,7 +143,7 @@ def test_an_undecided_pixel_is_what_was_there_or_what_may_be_drawn(aside: float)
 def test_what_may_be_blended_or_not_is_in_the_hull(
     blend: str, last: Layer | None, left: float, right: tuple[float, float], aside: float
 ) -> None:
-    """Whichever of them the reference has drawn, and whatever is blended with it afterwards."""
+    """This holds whichever of them the reference has drawn, and for any later blending."""
     painting = Painting(blend, has_depth=False)
     painting.draw(FAR)
     painting.draw(NEAR, THROUGH_CENTRES + aside)

@@ -45,7 +45,7 @@ class Seen:
     device: Any
 
     def outside(self) -> Any:
-        """Where the device's value is not within the bounds, or the exact value is not."""
+        """True where the device's value, or the exact one, is not within the bounds."""
         low, high = np.asarray(self.bounds.low), np.asarray(self.bounds.high)
         if low.dtype.kind == "b":
             return (low & ~self.device) | (self.device & ~high)
@@ -120,7 +120,7 @@ def test_no_builtin_leaves_its_bounds(name: str) -> None:
 
 
 def _widths(roots: Sequence[Node], values: Values, platform: Platform, seed: int) -> Iterator[Any]:
-    """How many times the largest error seen each bound is, where both are finite."""
+    """The ratio of each bound to the largest error that is seen, where both are finite."""
     worst: dict[int, tuple[Bounded, Any]] = {}
     for seen in evaluated(roots, values, Errors((platform,)), seed):
         if seen.bounds.kind == "f":

@@ -96,7 +96,7 @@ def _is_at_edge(kind: str, a: Any, b: Any) -> bool:
 
 @pytest.mark.parametrize("spacing", SPACINGS)
 def test_an_edge_looks_alike_from_both_of_its_patches(spacing: Spacing) -> None:
-    """Its places depend on its own level only, and are the same from either end: no cracks."""
+    """The places on an edge depend on the edge's level only, from either end: no cracks."""
     chance = random.Random(8)
     for _ in range(40):
         own = chance.uniform(1, 64)

@@ -111,7 +111,7 @@ def _small(count: int) -> Geometry:
 
 
 def test_tiles_look_only_at_the_faces_that_touch_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    """There may be as many tiles as faces. What is looked at grows only with their logarithm."""
+    """There may be as many tiles as faces; the faces looked at grow only with their logarithm."""
     monkeypatch.setattr(tiles, "MOST", 64)
     rules = RasterRules(64, 64, 8)
     looked: list[int] = []

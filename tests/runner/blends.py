@@ -18,7 +18,7 @@ def named(word: str) -> Blend | None:
 
 
 def both(source: Factor, destination: Factor, operation: Operation = "add") -> Blend:
-    """One equation for all lanes."""
+    """A blend with one equation for all lanes."""
     equation = BlendEquation(source, destination, operation)
     return Blend(equation, equation)
 
@@ -58,7 +58,7 @@ def blended(
     destination: Sequence[float],
     constant: Sequence[float] = (0.0,) * 4,
 ) -> list[float]:
-    """What a state makes of two colours without a range."""
+    """The blend of two colours by a state, with an unlimited range."""
     if blend is None:
         return list(source)
     found = []

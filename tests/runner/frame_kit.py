@@ -82,7 +82,7 @@ class Driver:
         self._asker = asker
 
     def draw(self, job: FrameJob) -> list[Floats]:
-        """What is read back: layers, rows, columns and lanes. Raises ``DriverError``."""
+        """The texels read back, by layer, row, column and lane. Raises ``DriverError``."""
         answer: Answer = self._asker.answer({"frame": to_json(job)}, TIME_LIMIT)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:

@@ -74,7 +74,7 @@ def read(driver: str, slot: TextureSlot, image: Image, glsl: str, wgsl: str) -> 
 def read_all(
     driver: str, slots: Sequence[TextureSlot], images: Sequence[Image], glsl: str, wgsl: str
 ) -> Floats:
-    """The same with several textures: ``image0`` with ``reader0``, ``image1`` and so on."""
+    """The picture of an expression over several textures: ``image0`` with ``reader0`` and so on."""
     return _shown(driver, slots, images, list(map(str, range(len(slots)))), glsl, wgsl)
 
 

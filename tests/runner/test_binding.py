@@ -8,10 +8,11 @@ import pytest
 
 import burnish
 from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.ir.formats import VERTEX_FORMATS, VertexFormat
 from burnish.compiler.semantics.shading.formats import FORMATS as TARGET_FORMATS
-from burnish.targets.runner.binding import EXACT, FORMATS, VERTEX_FORMATS, pipeline
+from burnish.targets.runner.binding import EXACT, FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
-from burnish.targets.runner.drivers.pipeline import Code, VertexFormat, VertexInput
+from burnish.targets.runner.drivers.pipeline import Code, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.routes import ROUTES

@@ -24,7 +24,7 @@ from .textual_kit import COMMANDS, RED, Asker, full, pipeline, shoot
 
 
 def processes() -> dict[int, tuple[int, str]]:
-    """Of every process its parent and its command line."""
+    """The parent and the command line of every process."""
     found = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:
@@ -187,7 +187,7 @@ def test_wgsl_warnings_are_errors() -> None:
 
 
 def test_texture_reads_in_varying_control_flow() -> None:
-    """What Chromium refuses and naga takes."""
+    """Chromium refuses such reads, although naga accepts them."""
     wgsl = shaders.TEXTURED_WGSL.replace(
         "return textureSample", "if (color.x > 0.5) { return color; }\n return textureSample"
     )

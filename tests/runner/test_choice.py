@@ -1,4 +1,4 @@
-"""Which of a machine's devices a name or a number means."""
+"""The device of a machine that a name or a number chooses."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ def test_a_text_may_hold_both_stages(toolchain: Toolchain) -> None:
 
 
 def divisions(route: Route, toolchain: Toolchain) -> int:
-    """How often the emitted fragment shader divides, once it is optimised."""
+    """The number of divisions in the emitted fragment shader after it is optimised."""
     module = optimise(compile_one(route, files(), toolchain).stages["fragment"].spirv)
     return sum(each.opcode == DIVISION for each in instructions(module))
 

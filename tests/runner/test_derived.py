@@ -35,7 +35,7 @@ from ..passes.kit import World, derived_value, shaders
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.burnish"))
 RIGS = {"rigs": "Noon"}
-"""For the examples that have several."""
+"""The rigs of the examples that have several."""
 
 
 # --- examples ------------------------------------------------------------------------------------
@@ -172,7 +172,7 @@ VALUES: dict[str, Any] = {
         ((7.0, 8.0, 9.0), ((10.0,), (11.0,), (12.0,)), (False,)),
     ),
 }
-"""In the evaluator's form."""
+"""The values of the parameters, in the evaluator's form."""
 
 
 class Kit:

@@ -12,7 +12,7 @@ from burnish.targets.runner.files import FileError, opened, read_file
 
 
 def refused(path: Path) -> str:
-    """What is said about a file, which errors call `it`."""
+    """The error about a file that errors call `it`."""
     with pytest.raises(FileError) as caught:
         read_file(path, "it")
     return str(caught.value)
@@ -51,7 +51,7 @@ def test_what_is_not_there(tmp_path: Path) -> None:
 
 
 def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:
-    """It is a hole, which takes no space, but a terabyte of memory if it is read."""
+    """The file is sparse: it takes no space on the disk, but a terabyte of memory if it is read."""
     path = tmp_path / "hole"
     with path.open("wb") as file:
         file.truncate(10**12)

@@ -1,4 +1,4 @@
-"""What the drivers do with frame jobs: every texel of these small ones is known beforehand."""
+"""Drivers draw frame jobs: every texel of these small ones is known beforehand."""
 
 from __future__ import annotations
 
@@ -233,7 +233,7 @@ def test_two_textures_take_turns(driver: Driver) -> None:
 
 
 def test_a_copy_is_of_its_own(driver: Driver) -> None:
-    """What is drawn later to the one that was copied does not change the copy."""
+    """Later draws to the texture that was copied do not change the copy."""
     first, second = driver.draw(
         job(
             [texture(), texture()],

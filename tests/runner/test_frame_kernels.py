@@ -1,4 +1,4 @@
-"""What kernels write in frame jobs stays on the device, where later steps read it."""
+"""The results of kernels in frame jobs stay on the device, where later steps read them."""
 
 from __future__ import annotations
 

@@ -235,7 +235,7 @@ def test_layers_are_counted_together(tmp_path: Path) -> None:
 
 
 def test_damage_is_not_logged(tmp_path: Path) -> None:
-    """What Pillow logs would be printed, as nobody else handles it."""
+    """Pillow's log records would be printed, as no other handler takes them."""
     path = tmp_path / "a.tiff"
     path.write_bytes(strips(4).replace(struct.pack("<HHII", 277, 3, 1, 1),
                                        struct.pack("<HHII", 277, 3, 1, 9)))  # fmt: skip

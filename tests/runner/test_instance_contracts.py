@@ -1,4 +1,4 @@
-"""What an instance refuses: values that break a contract of the reflection."""
+"""An instance refuses values that break a contract of the reflection."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an instance still needs before it can be drawn, by name."""
+"""The names of the values that an instance still needs before it can be drawn."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, p
 
 @pytest.mark.parametrize("api", ["opengl", "webgl2"])
 def test_host_uniforms_are_the_height(api: str) -> None:
-    """By which a shader turns ``gl_FragCoord`` the right way up."""
+    """A shader needs the height to turn ``gl_FragCoord`` the right way up."""
     glsl = shaders.PAINT_GLSL.replace(
         "target = color", "target = vec4(gl_FragCoord.x, height - gl_FragCoord.y, height, 1.0)"
     ).replace("|", "|uniform float height;\n")
@@ -54,7 +54,7 @@ void main() { target = tint + texture(image, vec2(0.5)) + vec4(gl_FragCoord.zzzz
 
 
 def _placed(block: int, texture: int, **options: Any) -> Floats:
-    """What a text draws that binds a block and a texture itself, if they are at these bindings."""
+    """The picture of a text that binds a block and a texture itself, if given these bindings."""
     vertex, fragment = PLACED.split("|")
     chosen = replace(
         pipeline("opengl"),
@@ -75,7 +75,7 @@ def test_a_text_may_bind_blocks_and_textures_itself() -> None:
 
 
 def test_clip_space_is_that_of_the_pipeline_and_not_of_the_one_before() -> None:
-    """What lies half-way between 0 and 1 is three quarters of the way between -1 and 1."""
+    """The middle between 0 and 1 is at three quarters of the way from -1 to 1."""
     own = _placed(5, 3)
     told = _placed(5, 3, clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE"), first_row="top")
     assert (own - told == 0.25).all()
@@ -83,7 +83,7 @@ def test_clip_space_is_that_of_the_pipeline_and_not_of_the_one_before() -> None:
 
 
 def test_bytes_are_filtered_as_floats() -> None:
-    """Which llvmpipe does only when asked: its short cut is 0.004 off."""
+    """llvmpipe does this only when it is asked: its short cut is off by 0.004."""
     texels = np.array([[[0, 0, 0, 0], [255, 1, 128, 3]]], np.uint8).repeat(2, 0)
     shown = read("opengl", replace(NEAREST, filter="linear"), image(texels), (0, 1))
     weights = np.clip((np.arange(SIZE) + 0.5) / SIZE * 2 - 0.5, 0, 1)[:, None]

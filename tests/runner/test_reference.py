@@ -1,4 +1,4 @@
-"""What the reference has drawn is found again for the same question only."""
+"""The reference's pictures are found again for the same question only."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ material M { }
 def test_a_picture_is_kept_for_all_rules_by_which_it_is_the_same(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_level: bool
 ) -> None:
-    """Without an edge through the middles of pixels, nobody asks who owns these."""
+    """If no edge goes through the middles of pixels, it does not matter who owns such pixels."""
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     (program, state), store = asked(), Store("pictures")
     if is_level:

@@ -1,4 +1,4 @@
-"""Where a scene puts lights, how meshes are ordered for blending, and what instances have."""
+"""The places of a scene's lights, the order of meshes for blending, and the values of instances."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ rig Hall { sun : Directional  lamps : Point[<= 5]  pair : Point[2] }
 
 @pytest.mark.parametrize(("wanted", "count"), [(0, 0), (3, 3), (64, 5)])
 def test_every_light_has_a_place(wanted: int, count: int) -> None:
-    """Also those beyond the number that shines, so that this can be raised afterwards."""
+    """Lights beyond the number that shines have one, too, so that the number can be raised."""
     (material,) = burnish.compile(LAMPS).materials
     instance = material.instance()
     Scene(light_count=wanted).apply(instance, 1.0)
@@ -207,7 +207,7 @@ def test_an_input_that_is_called_like_a_channel_leaves_the_channel_alone(name: s
 
 
 def test_what_the_camera_sees() -> None:
-    """What it looks at is in the middle. Depths are 0 at ``near`` and 1 at ``far``."""
+    """The camera looks at the middle. Depths are 0 at ``near`` and 1 at ``far``."""
     middle = (0.5, 0.25, 0.0)
     camera = looking(look_at=middle)
     x, y, _depth, w = camera.world_to_clip(1.5) @ [*middle, 1]
@@ -227,8 +227,11 @@ LIGHTS = [
     ((0.6, 1.163, 2.7), (0.24, 0.4, 0.28)),
     ((1.139, 1.95, -1.975), (0.4, 0.38, 0.34)),
 ]
-"""Where each is, and its colour. The first is at the upper left, and each stands a golden angle
-further than the one before; of three, the others together are as bright as the first."""
+"""The place and the colour of each light.
+
+The first is at the upper left, and each stands a golden angle further than the one before. Of
+three, the other two together are as bright as the first.
+"""
 
 
 def test_where_lights_are_and_how_they_shine() -> None:

@@ -62,7 +62,7 @@ def test_small_pictures_leave_their_captions_room() -> None:
 
 
 def test_no_ink_outside() -> None:
-    """However long the words are."""
+    """This holds for titles of any length."""
     size = (40, 30)
     titles = ("A_material_with_a_truly_long_name_that_goes_on_and_on", "W" * 99)
     for columns in (1, 2):

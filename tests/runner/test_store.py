@@ -19,7 +19,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def incompressible(size: int) -> bytes:
-    """So many random bytes: a file that holds them is a little larger."""
+    """Random bytes, ``size`` of them; a file that holds them is a little larger."""
     return random.Random(size).randbytes(size)
 
 
@@ -68,7 +68,7 @@ def test_what_is_damaged_is_not_there(damage: object) -> None:
 
 
 def test_what_repeats_itself_takes_little_room() -> None:
-    """As in pictures, most of which is background."""
+    """This is the case for pictures, most of which is background."""
     store, data = Store("s"), bytes(100_000)
     store.write(digest("a"), data)
     (path,) = files(store)
@@ -111,7 +111,7 @@ def test_a_store_that_cannot_be_written_stops_nobody(cache: Path) -> None:
 
 @pytest.mark.parametrize("part", ["private", "private/s", "private/s/ab"])
 def test_nothing_is_deleted_through_a_link(part: str, cache: Path, tmp_path: Path) -> None:
-    """As if the cache folder had come from somebody else, with links in it."""
+    """The cache folder may have come from somebody else, with links in it."""
     victim, rest = tmp_path / "victim", "private/s/ab".removeprefix(part).strip("/")
     (victim / rest).mkdir(parents=True)
     for path in (victim, *victim.rglob("*")):

@@ -1,4 +1,4 @@
-"""What OpenGL, WebGPU and WebGL 2 draw alike: conventions and fixed functions."""
+"""Pictures that OpenGL, WebGPU and WebGL 2 draw alike: conventions and fixed functions."""
 
 from __future__ import annotations
 
@@ -89,9 +89,9 @@ def test_nearer_wins_in_any_order(api: str) -> None:
 
 
 AT_HALF = ("less", "less_equal", "not_equal", "always")
-"""What lets a depth of 0.5 through where 1 is."""
+"""The comparisons that a depth of 0.5 passes where 1 is stored."""
 AT_ONE = ("equal", "less_equal", "greater_equal", "always")
-"""What lets a depth of 1 through there."""
+"""The comparisons that a depth of 1 passes there."""
 
 
 @pytest.mark.parametrize("compare", get_args(Compare))
@@ -144,7 +144,7 @@ CONSTANT = (0.5, 0.25, 0.75, 1.0)
 
 
 def with_words(mode: str) -> Floats:
-    """What the states come to that have names of their own."""
+    """The colours that the blend states with names of their own result in."""
     alpha = SOURCE[3]
     color = SOURCE[:3] * alpha + TARGET[:3] * (1 - alpha)
     results: dict[str, Floats] = {

@@ -117,7 +117,7 @@ def test_texture_that_the_job_lacks(api: str) -> None:
 
 
 def test_unused_is_no_error(api: str) -> None:
-    """What is declared and not used may be bound all the same."""
+    """A resource that is declared but not used may be bound."""
     glsl = "|layout(std140) uniform Idle { vec4 nothing; };\nuniform sampler2D image;\n"
     wgsl = """|@group(0) @binding(0) var<uniform> Idle: vec4f;
 @group(0) @binding(1) var image: texture_2d<f32>;

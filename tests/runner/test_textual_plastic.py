@@ -28,7 +28,7 @@ Covered = npt.NDArray[np.bool_]
 SIZE = 96
 ROUTE_OF = {"opengl": "llvmpipe:gl330", "webgpu": "chromium:webgpu", "webgl2": "chromium:webgl2"}
 WAVE = np.cos(2 * np.pi * np.arange(64) / 64, dtype=np.float32)
-"""So smooth that it does not matter with how many bits a driver filters."""
+"""A wave so smooth that the number of bits of a driver's filter does not matter."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""How OpenGL, WebGPU and WebGL 2 read textures."""
+"""Reads of textures by OpenGL, WebGPU and WebGL 2."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_mip_levels(api: str, mip: Mip, expected: float) -> None:
 
 
 def test_last_level_is_the_last(api: str) -> None:
-    """Of a texture with fewer levels than it could have."""
+    """The texture has fewer levels than it could have."""
     shown = read(api, replace(NEAREST, mip="linear", wrap="repeat"), image(*levels(6)[:3]), (0, 64))
     assert (shown == 2).all()
 

@@ -1,4 +1,4 @@
-"""How every driver reads arrays, volumes, cubes, integers and depths: known by hand."""
+"""Reads of arrays, volumes, cubes, integers and depths by every driver: known by hand."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ OUTCOMES: dict[Compare, list[int]] = {
     "greater_equal": [0, 1, 1],
     "always": [1, 1, 1],
 }
-"""For a reference of 0.25, 0.5 and 0.75 where the depth is 0.5."""
+"""The results of each comparison for references of 0.25, 0.5 and 0.75 with a depth of 0.5."""
 
 
 @pytest.mark.parametrize("compare", OUTCOMES)
@@ -208,7 +208,7 @@ def test_depths_have_levels(driver: str) -> None:
 
 @pytest.mark.parametrize("sampling", ["filtering", None])
 def test_texels_of_all_levels_can_be_loaded(driver: str, sampling: Sampling | None) -> None:
-    """Also where the sampler stays on the first level, or where there is none."""
+    """This holds also if the sampler stays on the first level, or if there is no sampler."""
     levels = [np.full((4 >> n, 4 >> n, 4), float(n)) for n in range(3)]
     image = picture_of("2d", "rgba32float", *levels)
     sampled = ("texture(image, at * 16.0)", "textureSample(image, reader, at * 16.0)")

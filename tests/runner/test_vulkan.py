@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from burnish.compiler.ir.blending import Factor, Operation
+from burnish.compiler.ir.formats import VertexFormat
 from burnish.compiler.ir.render_state import Compare, DepthState
 from burnish.targets.runner.drivers.draw_job import Job
-from burnish.targets.runner.drivers.pipeline import VertexFormat, VertexInput
+from burnish.targets.runner.drivers.pipeline import VertexInput
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
@@ -34,7 +35,7 @@ from .vulkan_kit import (
 
 RED, GREEN = [1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]
 TOP_LEFT = quad(-1, 0, 0, 1, 0.5)
-"""Of clip space, whose y goes up."""
+"""The top left quarter of clip space, whose y goes up."""
 CLOCKWISE = [[x, y, z] for x, y, z in reversed(TOP_LEFT)]
 
 FLIPPED = """#version 450
@@ -109,7 +110,7 @@ def test_gl_front_facing_agrees(vulkan: Asker) -> None:
 
 
 def test_a_flipped_text_draws_the_same(vulkan: Asker) -> None:
-    """Its clip y points down, as Vulkan's own does."""
+    """The flipped text's clip y points down, as Vulkan's own does."""
     plain = flat_pipeline(cull="back")
     flipped = flat_pipeline(vertex=FLIPPED, cull="back", flip_y=True)
     expected = vulkan.one(plain, draw_of(TOP_LEFT))
@@ -140,9 +141,9 @@ def test_depth_is_cleared_to_one(vulkan: Asker, depth: float, there: bool) -> No
 
 
 AT_HALF = ("less", "less_equal", "not_equal", "always")
-"""What lets a depth of 0.5 through where 1 is."""
+"""The comparisons that a depth of 0.5 passes where 1 is stored."""
 AT_ONE = ("equal", "less_equal", "greater_equal", "always")
-"""What lets a depth of 1 through there."""
+"""The comparisons that a depth of 1 passes there."""
 
 
 @pytest.mark.parametrize("compare", get_args(Compare))

@@ -1,4 +1,4 @@
-"""What a Vulkan worker says of jobs that cannot be drawn, and that it survives them."""
+"""A Vulkan worker reports jobs that cannot be drawn, and survives them."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ layout(set = 0, binding = 0) uniform Paint { mat3 turn; vec4 paint[2]; float las
 layout(location = 0) out vec4 target;
 void main() { target = paint[0] * turn[2].z + last; }
 """
-"""Its block ends at 48 + 32 + 4 bytes."""
+"""A fragment shader whose block ends at 48 + 32 + 4 bytes."""
 
 SPIN = """#version 450
 layout(location = 0) out vec4 target;
@@ -57,7 +57,7 @@ void main() {
 
 
 def refusal(vulkan: Asker, pipeline: Pipeline, **draw: Any) -> str:
-    """Why a job was not drawn; the worker has to draw the next one all the same."""
+    """The error of a job that is not drawn; the worker has to draw the next one all the same."""
     with pytest.raises(DriverError) as error:
         vulkan.one(pipeline, replace(draw_of(WHOLE), **draw))
     assert np.all(vulkan.one(flat_pipeline(), draw_of(WHOLE)) == 1.0)
@@ -216,7 +216,7 @@ def test_a_varying_that_nobody_reads_is_no_mistake(vulkan: Asker) -> None:
 
 
 def test_the_layer_does_not_tire_of_saying_it(vulkan: Asker) -> None:
-    """It can be set to report a message but a few times; then later jobs would pass."""
+    """The layer can be set to report a message only a few times; then later jobs would pass."""
     pipeline = MISTAKES["nothing bound"]()
     said = {refusal(vulkan, pipeline).partition("]")[0] for _ in range(15)}
     assert len(said) == 1
@@ -251,7 +251,7 @@ def test_nothing_is_drawn_without_the_validation_layer(vulkan: Asker, tmp_path: 
 
 
 def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
-    """As a worker, it would find a module of that name in no folder but that of its packages."""
+    """A worker would find a module of that name only in the folder of its packages."""
     (tmp_path / "vulkan.py").write_text("raise OSError('Cannot find Vulkan')")
     module = vulkan.command.index("burnish.targets.runner.drivers.vulkan")
     command = [sys.executable, "-m", *vulkan.command[module:]]

@@ -44,7 +44,7 @@ def ways(driver: str) -> Sequence[Route]:
 
 @cache
 def codes(file: str, route: str) -> Codes:
-    """What a route's compiler makes of an example."""
+    """The codes that a route's compiler makes of an example."""
     return compile_one(ROUTES[route], material(file).files, tools())
 
 

@@ -34,7 +34,7 @@ def read(
 
 NEAREST = TextureSlot(IMAGE, READER, filter="nearest", mip="none")
 RAMP = Image("rgba32float", 4, 4, (floats(*(float(n) for n in range(64))),))
-"""Its first lanes are 0, 4, 8, 12 in the first row, and 16 more in each further one."""
+"""An image whose first lanes are 0, 4, 8, 12 in the first row, and 16 more in each further row."""
 ONE_TO_ONE = (0.25, 0.25, 0.0, 0.0)
 
 
@@ -108,7 +108,7 @@ def test_levels_that_are_not_given_are_not_read(vulkan: Asker) -> None:
 
 
 def test_srgb_texels_are_decoded(vulkan: Asker) -> None:
-    """To within half a step of the encoding; alpha is linear."""
+    """Colours are decoded to within half a step of the encoding; alpha is linear."""
     texel = bytes([0, 10, 128, 128])
     picture = read(vulkan, NEAREST, Image("rgba8unorm-srgb", 1, 1, (texel,)), ONE_TO_ONE)
     low, middle, alpha = picture[0, 0, 1:].tolist()
@@ -124,7 +124,7 @@ def linear(code: float) -> float:
 
 
 def test_a_texture_that_is_not_square(vulkan: Asker) -> None:
-    """Its last levels are one texel wide: 4 × 2, 2 × 1, 1 × 1."""
+    """The last levels of a wide texture are one texel wide: 4 × 2, 2 × 1, 1 × 1."""
     levels = tuple(floats(*[float(n)] * (4 * size)) for n, size in enumerate((8, 2, 1)))
     image = Image("rgba32float", 4, 2, levels)
     picture = read(vulkan, TextureSlot(IMAGE, READER), image, (1.0, 2.0, 0.0, 0.0))

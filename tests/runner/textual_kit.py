@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from burnish.compiler.ir.formats import VertexFormat
 from burnish.targets.runner.drivers.device import Device, DriverError
 from burnish.targets.runner.drivers.draw_job import Draw, Job, Picture
-from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexFormat, VertexInput
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
@@ -108,7 +109,7 @@ def indices(*numbers: int) -> bytes:
 
 
 def place(identifier: str, group: int | None = None, binding: int | None = None) -> Place:
-    """Where something is bound: by name, unless numbers are given."""
+    """The place of a binding: a name, with numbers if they are given."""
     return Place(identifier, group, binding)
 
 

@@ -17,7 +17,7 @@ from ..suite.memory import measured
 from .kit import Json, triangle
 
 MOST = 10**9
-"""What the limit for memory promises, in bytes."""
+"""The memory that the limit promises, in bytes."""
 
 READING = """\
 from pathlib import Path
@@ -32,7 +32,7 @@ except (BudgetError, SceneError) as error:
 
 
 def told(whole: Json | str, folder: Path) -> str:
-    """What is said of a file without its name, by a process that takes no more than it may."""
+    """The message about a file, without its name, from a process that keeps to the limit."""
     path = folder / "m.gltf"
     path.write_text(whole if isinstance(whole, str) else json.dumps(whole, separators=(",", ":")))
     said, peak = measured(READING, str(path))
@@ -100,12 +100,12 @@ RECORDS = {
     "extensions": ('"extensionsUsed":[', '"a"', "]"),
     "extras": ('"nodes":[{"extras":[', "[[]]", "]}]"),
 }
-"""What stands before, in and behind a list of the shortest elements of each kind."""
+"""For each kind, the text before a list, its shortest element, and the text behind the list."""
 
 
 @pytest.mark.parametrize("kind", RECORDS)
 def test_records_are_counted_before_they_are_made(kind: str, tmp_path: Path) -> None:
-    """As many as are allowed are made, within the limit of memory; one more than that is not."""
+    """The allowed number of records is made within the limit of memory; more are refused."""
     before, element, behind = RECORDS[kind]
     values = sum(map(element.count, ",[{")) + 1
     count = (LIMITS["values"].most - 10) // values

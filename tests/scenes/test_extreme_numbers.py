@@ -47,7 +47,7 @@ PLACES: Sequence[tuple[Any, ...]] = (
     ("extensions", "KHR_lights_punctual", "lights", 0, "range"),
     ("extensions", "KHR_lights_punctual", "lights", 0, "spot", "innerConeAngle"),
 )  # fmt: skip
-"""Where a number stands, or several that all become the same."""
+"""The paths of numbers, or of lists of numbers that all become the same."""
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +100,7 @@ def test_extreme_numbers(place: Sequence[Any], frame: FrameSubject, tmp_path: Pa
 
 
 def test_the_scene_is_seen(frame: FrameSubject, tmp_path: Path) -> None:
-    """So that what is drawn above has pixels."""
+    """This proves that the pictures above show the scene."""
     path = tmp_path / "m.gltf"
     path.write_text(json.dumps(seen()))
     drawing = ReferenceFrames(FrameHost(frame, staged(read_gltf(path), ["Scanned"], []), (8, 8)))

@@ -1,4 +1,4 @@
-"""What is read of glTF files, against values worked out by hand."""
+"""The scenes that are read from glTF files, against values worked out by hand."""
 
 from __future__ import annotations
 

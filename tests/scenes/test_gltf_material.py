@@ -45,8 +45,10 @@ def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
 
 
 def reflected(base: float, metallic: float, roughness: float, angle: float) -> float:
-    """What the model sends straight to the viewer of a white light at an angle: appendix B of the
-    specification, with its factors under their names there."""
+    """The light that the model reflects straight back to the viewer, of a white light at an angle.
+
+    This is appendix B of the specification, with its factors under their names there.
+    """
     alpha = roughness**2
     f0 = 0.04 * (1 - metallic) + base * metallic
     h_dot_v = n_dot_h = math.cos(angle / 2)
@@ -138,7 +140,7 @@ def test_light_fades_with_the_square_of_the_distance() -> None:
     [(0, 1), (20, 1), (40, 0.5), (60, 0)],
 )
 def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
-    """In the middle between both cosines, half is left of it, squared."""
+    """In the middle between both cosines, the square of one half is left."""
     inner, outer = math.radians(20), math.radians(60)
     axis = math.radians(degrees)
     if share == 0.5:

@@ -23,14 +23,14 @@ from .kit import Builder, Json, glb, png, triangle
 
 
 def refused(path: Path) -> str:
-    """What is said about a file, without its own name."""
+    """The error about a file, without the file's name."""
     with pytest.raises((SceneError, BudgetError)) as caught:
         read_gltf(path)
     return str(caught.value).replace(str(path), "m")
 
 
 def changed(change: Callable[[Json], Any], folder: Path) -> str:
-    """What is said about the triangle's file after a change of its JSON."""
+    """The error about the triangle's file after a change of its JSON."""
     made = triangle()
     change(made.whole)
     return refused(made.save(folder))

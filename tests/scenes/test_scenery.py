@@ -1,4 +1,4 @@
-"""What frames draw without a file: a model of each material, and a floor below them."""
+"""The scenes of frames without a file: a model of each material, and a floor below them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from burnish.targets.runner.meshes import MESHES
 
 
 def vertices(model: Model) -> NDArray[np.float64]:
-    """Where the vertices of a model are in the world, with a fourth lane of 1."""
+    """The vertices of a model in world space, with a fourth lane of 1."""
     position = model.mesh.channels["position"]
     whole = np.concatenate([position, np.ones((len(position), 1))], 1)
     moved: NDArray[np.float64] = whole @ np.array(model.placement).T

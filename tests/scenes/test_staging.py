@@ -1,4 +1,4 @@
-"""What ``burnish render --scene`` draws of a glTF file, and with which materials and lights."""
+"""The pictures of a glTF file by ``burnish render --scene``, with its materials and lights."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ frame Shown {{
 
 
 def test_bones_move_what_they_hold(tmp_path: Path) -> None:
-    """To where the joint is, wherever the node of the mesh may be."""
+    """The bones move the points to the joint, wherever the node of the mesh is."""
     scene = squares(base(1, 1, 1))
     primitive = scene.whole["meshes"][0]["primitives"][0]
     primitive["attributes"] |= {
@@ -214,7 +214,7 @@ rig Hall { sun : Directional  first : PunctualPoint  others : PunctualPoint[<= 3
 
 
 def lamp(kind: str, number: float) -> Lamp:
-    """One of many."""
+    """A lamp with a number, by which its place differs from others."""
     place = (number, 0.0, 0.0)
     return Lamp(f"{kind} {number}", kind, place, place, (0.0, -1.0, 0.0), 0.25, 0.5)  # type: ignore[arg-type]
 

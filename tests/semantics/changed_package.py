@@ -40,6 +40,6 @@ def changed_package(folder: Path, changes: Iterable[Change]) -> Path:
 
 
 def run(package: Path, script: str, *arguments: str) -> str:
-    """What a script prints that imports the changed package."""
+    """The output of a script that imports the changed package."""
     command = [sys.executable, "-c", script, *arguments]
     return processes.run(command, cwd=package, check=True).stdout

@@ -147,7 +147,7 @@ def told(source: str | Path) -> dict[str, str] | str:
 
 @pytest.fixture
 def alone(monkeypatch: pytest.MonkeyPatch) -> Callable[[str | Path], dict[str, str] | str]:
-    """As ``told``, with every call checked by itself."""
+    """The function ``told``, but with every call checked by itself."""
 
     def compiled(source: str | Path) -> dict[str, str] | str:
         with monkeypatch.context() as patched:

@@ -1,4 +1,4 @@
-"""What a reader is told about wrong programs: every `broken/x.burnish` has its `broken/x.txt`.
+"""The errors of wrong programs: every `broken/x.burnish` has its `broken/x.txt`.
 
 A file that is named after a rule shows what the rule is for and nothing else. Remarks such as
 ``// B0203`` mark the lines about which something is said, which is said once.
@@ -39,7 +39,7 @@ ALSO = {"light_lacks_slot": {"B0201"}, "level_differs": {"B0201"}}
 """Codes that a rule's file shows for comparison."""
 
 UNMARKED = ("no_material", "too_many")
-"""What is said about these is said of no line."""
+"""The sources whose errors belong to no line."""
 
 _PASS = re.compile(r"^pass (\w+)", re.MULTILINE)
 _MARK = re.compile(r"// (B\d{4})$")

@@ -1,4 +1,4 @@
-"""What an expansion in a pass means: what it would in the material, and the pass's slots too."""
+"""Expansions in passes: they mean the same as in the material, and set the pass's slots too."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_that_of_the_pass_counts() -> None:
 
 
 def test_slots_of_the_pass() -> None:
-    """Its own ones, its vertex inputs, and what it overrides: each as it is at the new vertices."""
+    """The pass's own slots, vertex inputs and overrides have their values at the new vertices."""
     source = MATERIAL.format("") + PASS.format("""
         param far : float = 0.1
         attribute weight : float
@@ -193,7 +193,7 @@ error[B0201]: unknown name `primitive_index`
 
 
 def told(source: str) -> str:
-    """What is said of a source."""
+    """The diagnostics of a source as text."""
     return render_all(burnish.check(source, pass_="P"))
 
 
@@ -214,7 +214,7 @@ error[B0527]: `P` expands its primitives twice
 
 
 def test_an_abstract_pass_and_a_mixin_are_checked() -> None:
-    """No pass has them, so that stand-ins are there for what they leave open."""
+    """No concrete pass has them, so placeholders stand for the slots that they leave open."""
     source = (
         MATERIAL.format("")
         + """

@@ -1,4 +1,4 @@
-"""What expressions mean, by value: literals, operators, choices, sums, functions, aggregates."""
+"""The values of expressions: literals, operators, choices, sums, functions, aggregates."""
 
 from __future__ import annotations
 

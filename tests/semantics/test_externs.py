@@ -39,7 +39,7 @@ def test_a_slot_hides_a_member_of_its_name() -> None:
 
 
 def test_a_members_parameter_is_called_after_its_block() -> None:
-    """So a material may have a parameter of the same name."""
+    """A material may have a parameter of the same name as the member."""
     text = f"{BLOCK} material M {{ param far : float = 1  color = vec3(far + scale) }} scale = 2"
     names = [info.parameter.name for info in shader(text).parameters]
     assert {"far", "PerFrame.far"} <= {*names}

@@ -32,7 +32,7 @@ def complaint(source: str) -> str:
 
 
 def test_a_file_declares_only_so_many_programs(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Those that are abstract are for others to build on, and passes are drawn by frames."""
+    """Abstract materials do not count, as others build on them, nor passes: frames draw them."""
     monkeypatch.setattr(frontend, "MOST_PROGRAMS", 3)
     assert burnish.check(MANY) == ()
     assert complaint(f"{MANY}material D {{ }}\n") == (
@@ -41,7 +41,7 @@ def test_a_file_declares_only_so_many_programs(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_a_file_declares_only_so_many_records(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With those that are abstract, and with mixins: each is put together with its bases."""
+    """Abstract records and mixins count as well: each is put together with its bases."""
     monkeypatch.setattr(frontend, "MOST_RECORDS", 5)
     assert burnish.check(MANY) == ()
     assert complaint(f"{MANY}mixin D {{ a = 1 }}\n") == (

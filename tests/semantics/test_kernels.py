@@ -18,7 +18,7 @@ BOX = "struct Box { a : vec3  b : bvec2  c : float[5]  d : vec2[3] }\n"
 
 
 def written(text: str) -> list[tuple[str, str, str]]:
-    """What each part of a kernel's results is called, where it lies, and of which type it is."""
+    """The path, stride and offset, and type of each part of a kernel's results."""
     made = shader(text)
     found = []
     for result in made.results_of(STORE):

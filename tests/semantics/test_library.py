@@ -1,4 +1,4 @@
-"""What is read of the standard library once, for all compiles."""
+"""The standard library's results that are read once, for all compiles."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ def test_facets_are_as_likely_as_the_surface_has_them(width: float) -> None:
 
 
 def mirrored(cosine: float, roughness: float) -> tuple[float, float]:
-    """What the table says, as an integral over the directions that light comes from."""
+    """The values of the table, as an integral over the directions of the incoming light."""
     width = roughness**2
     to_eye = np.array([np.sqrt(1 - cosine**2), 0.0, cosine])
     up, turn = np.meshgrid(middles(1500, np.pi / 2), middles(1500, 2 * np.pi), indexing="ij")

@@ -1,4 +1,4 @@
-"""What the library's lights and terms compute, against NumPy (``library_kit`` says why)."""
+"""The library's lights and terms, against NumPy (``library_kit`` says why)."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_ambient_light() -> None:
 
 ACROSS = unit(np.cross(NORMAL_IN_WORLD, np.cross(TO_EYE, NORMAL_IN_WORLD)))
 GRAZING = POSITION_IN_WORLD - ACROSS - 0.1 * NORMAL_IN_WORLD
-"""Behind the surface, but its mirrored direction goes to the eye."""
+"""A place behind the surface whose mirrored direction goes to the eye."""
 
 
 @pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8), GRAZING])

@@ -1,4 +1,4 @@
-"""What the library's surfaces, mixins and transforms compute, against NumPy.
+"""The library's surfaces, mixins and transforms, against NumPy.
 
 ``library_kit`` says why.
 """
@@ -270,7 +270,7 @@ def test_orthographic() -> None:
 
 
 SUN = np.array([0.36, -0.8, 0.48])
-"""Where the light travels."""
+"""The direction in which the light travels."""
 
 
 @pytest.mark.parametrize("number", [0, 1, 2])

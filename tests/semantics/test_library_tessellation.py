@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 def drawn(mixin: str, value: str, points: Floats, where: Sequence[float] | Floats) -> Floats:
-    """What a slot is at a place of a patch, whose control points are given with their normals."""
+    """The value of a slot at a place of a patch; its control points are given with normals."""
     (shader,) = elaborated(
         f"import std.tessellation.{{{mixin}}}\n"
         f"material M : Surface + {mixin} {{ color = vec3({value}.x, {value}.y, {value}.z) }}"

@@ -123,7 +123,7 @@ def test_one_failure_is_told_once() -> None:
 
 
 def size(text: str) -> int:
-    """How many nodes a material's shader has."""
+    """The number of nodes in a material's shader."""
     return len(shader(text).graph)
 
 

@@ -1,4 +1,4 @@
-"""What values mean: kinds, spaces, conversions; and that each rule of the algebra has its bite."""
+"""The meanings of values: kinds, spaces, conversions; each typing rule refuses a program."""
 
 from __future__ import annotations
 
@@ -224,7 +224,7 @@ WRONG = {
     "turned": "a = faceforward(position, normal, normal)",
     "reversed": "a : transform<object, world> = inverse(object_to_world)",
 }
-"""For each rule of the algebra something that no other rule would find."""
+"""For each typing rule, an error that no other rule would find."""
 
 
 @pytest.mark.parametrize("name", meaning_rules.RULES)
@@ -252,7 +252,7 @@ def test_what_was_declared_keeps_its_meaning_whatever_its_lanes_are(difference: 
 
 
 def _fits_colours(found: Meaning | None, wanted: Meaning | None) -> bool:
-    """As ``fits``, but anything is a colour; the library itself relies on the rest."""
+    """The rule ``fits``, except that any value is a colour; the library needs the rest of it."""
     return wanted == RGB or meaning_rules.fits(found, wanted)
 
 

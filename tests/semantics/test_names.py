@@ -1,4 +1,4 @@
-"""Which declaration a name means: hygiene of libraries, constants, imports."""
+"""The declarations that names mean: hygiene of libraries, constants, imports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which overload a call means: the one whose arguments change least, whatever the order is."""
+"""The overload that a call means: its arguments change least, in any order of declarations."""
 
 from __future__ import annotations
 

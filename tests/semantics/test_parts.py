@@ -1,4 +1,4 @@
-"""What a function or term names behind ``where``."""
+"""The parts of a function or term that are named behind ``where``."""
 
 from __future__ import annotations
 

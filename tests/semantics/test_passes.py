@@ -1,4 +1,4 @@
-"""What passes mean, by value: targets, overridden slots, discarding and blending."""
+"""The values that passes write: targets, overridden slots, discarding and blending."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def drawn(pass_: str, material: str = MATERIAL) -> Shader:
 
 
 def outputs(pass_: str, given: Given | None = None, material: str = MATERIAL) -> list[Lanes]:
-    """What a pass writes to its targets."""
+    """The values that a pass writes to its targets."""
     whole = drawn(pass_, material)
     return [at(whole, result.value, given) for result in whole.results_of(TARGET)]
 
@@ -73,7 +73,7 @@ BLENDINGS: dict[str, tuple[Blend, str]] = {
         "rgba",
     ),
 }  # fmt: skip
-"""What targets say in a pass that adds up, and what comes of it."""
+"""The blend settings of a target in a pass that adds up, with the resulting state and mask."""
 
 
 @pytest.mark.parametrize("written", BLENDINGS)

@@ -1,4 +1,4 @@
-"""What materials mean, by value: sharing, inheritance and late binding, parameters, textures."""
+"""The values of materials: sharing, inheritance and late binding, parameters, textures."""
 
 from __future__ import annotations
 

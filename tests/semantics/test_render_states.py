@@ -1,4 +1,4 @@
-"""What passes ask of the pipeline: how settings are read and inherited, and what is wrong."""
+"""The render states of passes: how settings are read and inherited, and errors about them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MATERIAL = "mark = 3\nmaterial M { color = #b5651d }\n"
 
 
 def state(members: str, more: str = "") -> RenderState:
-    """What a pass with these members asks for."""
+    """The render state of a pass with these members."""
     text = f"{MATERIAL}{more}pass P : {'Base' if more else 'Forward'} {{ {members} }}"
     return shader(text, pass_="P").render_state
 

@@ -1,4 +1,4 @@
-"""What lights, rigs and terms mean, by value."""
+"""The values of lights, rigs and terms."""
 
 from __future__ import annotations
 

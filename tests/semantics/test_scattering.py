@@ -1,4 +1,4 @@
-"""What kernels scatter: which results that makes, and which elements need a check."""
+"""The scattered results of kernels, and the elements that need a check."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ PROGRAMS = {
 
 
 def program(name: str, levels: int) -> str:
-    """One of ``PROGRAMS`` with so many functions."""
+    """A program of ``PROGRAMS`` with ``levels`` functions."""
     (first, later), color = PROGRAMS[name]
     functions = calls(levels, first, later)
     return f"{functions}\nmaterial M {{ color = {color.format(last=f'g{levels - 1}')} }}"

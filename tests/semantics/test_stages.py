@@ -1,4 +1,4 @@
-"""Where values are computed: what is interpolated is the value at the vertices."""
+"""The stages that compute values: an interpolated value is computed at the vertices."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from burnish.compiler.semantics.shading.elaborate import elaborate
 
 LIBRARY = Path(burnish.__file__).parent / "stdlib"
 STANDS_FOR_BUILTINS = "meaning.burnish"
-"""Its functions are called like the builtins that they stand for: it is no file like others."""
+"""The file whose functions have the names of the builtins that they define; it is an exception."""
 
 
 def codes(text: str) -> list[str]:

@@ -54,7 +54,7 @@ def structures(count: int) -> str:
 
 
 def work(program: str) -> int:
-    """How many lines of Python it takes to check a program."""
+    """The number of lines of Python that run to check a program."""
     lines_run = 0
 
     def trace(_frame: FrameType, event: str, _argument: object) -> Any:

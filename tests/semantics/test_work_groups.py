@@ -1,4 +1,4 @@
-"""What kernels say of their work groups: results with one element for each, and joined values."""
+"""The results of kernels for their work groups: one element for each group, and joined values."""
 
 from __future__ import annotations
 

@@ -12,14 +12,14 @@ from .kit import ROOT, files
 PACKAGE = "burnish"
 
 Graph = Mapping[str, frozenset[str]]
-"""By module, the modules of the tree that it imports. Names are full: ``burnish.compiler.cache``;
+"""The modules of the tree that each module imports. Names are full: ``burnish.compiler.cache``;
 a package stands for its ``__init__``."""
 
 
 def imported(path: Path, modules: frozenset[str]) -> Iterator[str]:
-    """What a file imports, as full names, whatever package it is from.
+    """The full names of the modules that a file imports, of any package.
 
-    Where ``from a import b`` takes the module ``a.b`` out of a package, that module is imported.
+    If ``from a import b`` takes the module ``a.b`` out of a package, that module is imported.
     Python also runs the ``__init__`` of each package on the way; those are edges of their own.
     """
     package = (PACKAGE, *path.relative_to(ROOT).parent.parts)
@@ -35,7 +35,7 @@ def imported(path: Path, modules: frozenset[str]) -> Iterator[str]:
 
 
 def name(path: Path) -> str:
-    """What the module in a file is called."""
+    """The full name of the module in a file."""
     parts = path.relative_to(ROOT).with_suffix("").parts
     return ".".join((PACKAGE, *(parts[:-1] if parts[-1] == "__init__" else parts)))
 

@@ -30,7 +30,7 @@ STYLES = {
 
 
 def imports_of_floors() -> Graph:
-    """What each floor imports of the others."""
+    """The floors that each floor imports."""
     found = between(modules(), [f"{PACKAGE}.{floor}" for floor in FLOORS])
     return {
         floor: frozenset(
@@ -41,7 +41,7 @@ def imports_of_floors() -> Graph:
 
 
 def imports_within(package: str) -> Graph:
-    """What each module of a package imports of the others."""
+    """The modules of a package that each of its modules imports."""
     prefix = f"{PACKAGE}.{package}."
     inside = {name: others for name, others in modules().items() if name.startswith(prefix)}
     return {
@@ -78,7 +78,7 @@ def drawn(graph: Graph, title: str, *, implied: bool = False) -> str:
 
 
 def _kind(graph: Graph, circle: Mapping[str, int], module: str, other: str) -> str:
-    """How the import of ``other`` by ``module`` is drawn."""
+    """The kind of arrow by which the import of ``other`` by ``module`` is drawn."""
     if module in circle and circle[module] == circle.get(other):
         return "circle"
     ways = {

@@ -57,7 +57,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen diagnostics syntax ir library work types names inheritance state hints "
+        "frozen stdlib diagnostics syntax ir library work types names inheritance state hints "
         "declarations checking lowering"
     ),
     "compiler.semantics.frames": (
@@ -72,7 +72,7 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": (
-        "frozen stdlib diagnostics constraints ir packing documents promises planning"
+        "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
@@ -112,11 +112,11 @@ FLOORS: dict[str, str] = {
     "cli": "stack garbage commands",
     "__main__": "cli",
 }
-"""What each folder or module may import of the others here, by their last names; lowest first.
+"""The modules that each folder or module may import, by their last names; lowest first.
 
-What is not listed is out of reach; a folder stands for what is in it. The folder of a language
-stands here for as long as it is there: none of them imports another, and nothing imports one, as
-the registry finds them.
+All other modules are out of reach; a folder stands for all modules inside it. The folder of a
+language is listed as long as it exists: no language imports another, and no other module imports
+a language, as the registry finds them.
 """
 
 OUT_OF_REACH = {

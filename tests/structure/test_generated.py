@@ -1,4 +1,4 @@
-"""What was computed when the package was built is used, unless what it was made of has changed."""
+"""Results computed when the package was built are used, unless their sources have changed."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Copy:
         os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
     def run(self, *arguments: str) -> str:
-        """What a fresh process says that imports this copy."""
+        """The output of a fresh process that imports this copy."""
         environment = os.environ | {"PYTHONPATH": str(self.root.parent)}
         return run([sys.executable, "-P", *arguments], env=environment, check=True).stdout
 

@@ -1,4 +1,4 @@
-"""What a process imports: a compile and a command load only what they need."""
+"""The imports of a process: a compile and a command load only the modules that they need."""
 
 from __future__ import annotations
 
@@ -33,6 +33,7 @@ try:
     main()
 except SystemExit as ended:
     assert not ended.code
+assert "burnish.commands.explain" not in sys.modules, "only explain reads its programs"
 drawing = ("toolchain", "runner", "conformance")
 for name in ("numpy", "PIL", *(f"burnish.targets.{part}" for part in drawing)):
     assert name not in sys.modules, name

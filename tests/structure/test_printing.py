@@ -14,7 +14,7 @@ PRINTING = ("console.py", "terminal.py")
 
 
 def printed(text: str) -> Iterator[str]:
-    """What a module calls that prints by itself, each with its line."""
+    """The calls in a module that print by themselves, each with its line."""
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Call):
             name = ast.unparse(node.func)

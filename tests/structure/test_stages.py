@@ -38,7 +38,7 @@ NAMES = {name for row in STAGES.values() for name in (row.name, row.domain, row.
 
 
 def sources() -> Iterator[Path]:
-    """What a new stage must not have to be written into."""
+    """The files that a new stage must not need to change."""
     languages = [ROOT / "targets" / name for name in registry.names()]
     for folder in ("compiler", "targets", "commands", "stdlib"):
         for path in files(ROOT / folder):

@@ -29,7 +29,7 @@ LIMITED = {
 }  # fmt: skip
 """Functions that wait, unless they are told for how long."""
 OF_SUBPROCESS = {"call", "check_call", "check_output", "communicate", "run"}
-"""Those of ``LIMITED`` that have other arguments besides."""
+"""The functions of ``LIMITED`` that also take other arguments."""
 ENDLESS = {
     "Pool", "Popen", "ProcessPoolExecutor", "ThreadPoolExecutor", "getoutput", "getstatusoutput",
     "pause", "popen", "sigwait", "system", "urlopen", "waitpid",
@@ -38,13 +38,13 @@ ENDLESS = {
 LOCKING = {"flock", "lockf"}
 """Functions that wait, unless they are told ``LOCK_NB``."""
 STARTING = {"Thread", "Timer", "Process"}
-"""What they start keeps the process of the tests from ending, unless it is a daemon."""
+"""Classes whose threads or processes keep the tests' process alive, unless they are daemons."""
 READING = {"read", "readline", "readlines"}
 PIPES = {"stdout", "stderr"}
 
 
 def unlimited(text: str) -> Iterator[str]:
-    """What a module calls that may wait for ever, each with its line."""
+    """The calls and loops in a module that may wait for ever, each with its line."""
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Call) and _may_hang(node):
             yield f"{node.lineno}: {ast.unparse(node.func)}(...)"
@@ -70,7 +70,7 @@ def _may_hang(call: ast.Call) -> bool:
 
 
 def _is_own(function: ast.expr) -> bool:
-    """Whether it is a method of an object of a test, such as ``self.system()``."""
+    """True if the function is a method of a test's own object, such as ``self.system()``."""
     return isinstance(function, ast.Attribute) and _owner(function) in {"self", "cls"}
 
 

@@ -1,4 +1,4 @@
-"""What is built from this tree works away from it."""
+"""Packages that are built from this tree work without it."""
 
 from __future__ import annotations
 
@@ -128,7 +128,10 @@ finally:
 
 
 def command(installed: Path, *arguments: str) -> tuple[int, str]:
-    """What a command says that is run where nothing can be written, by a user without a home."""
+    """The exit status and output of a command.
+
+    Its user has no home and may write nowhere.
+    """
     python = str(installed / "env" / "bin" / "python")
     line = [sys.executable, "-c", MORTAL, python, "-c", STRANGER, *arguments]
     ended = run(line, cwd=installed, env={"PATH": os.environ["PATH"]})

@@ -1,4 +1,4 @@
-"""What a run of the tests took, told at its end, and why a test may be skipped.
+"""The time and memory that a run of the tests took, told at its end, and reasons to skip a test.
 
 ``conftest.py`` makes this a plugin of pytest. With pytest-xdist it is one in each worker too, and
 the workers send the main process what they needed.
@@ -14,7 +14,7 @@ import pytest
 from .memory import most_memory
 
 MEMORY_AIM = 1000
-"""How many megabytes a worker needs at most, if nothing grows that should not."""
+"""The most megabytes that a worker needs, if nothing grows that should not."""
 
 REASONS = {
     "a folder that even root cannot write to": "only Linux has /proc",
@@ -60,7 +60,7 @@ class Account:
             terminalreporter.write_line(line)
 
     def lines(self, skipped: int) -> Iterator[str]:
-        """What is told, after so many tests were skipped."""
+        """The lines of the account, after so many tests were skipped."""
         worker = max(self._workers)
         yield f"memory: at most {worker} MB in a process of the tests"
         if worker > MEMORY_AIM:

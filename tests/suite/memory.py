@@ -1,4 +1,4 @@
-"""How much memory a process has had, and a piece of Python takes in a process of its own."""
+"""The most memory of a process so far, and of a piece of Python in a process of its own."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def most_memory() -> int:
 
 
 def measured(code: str, *arguments: str) -> tuple[str, int]:
-    """What a piece of Python prints, with these arguments in ``sys.argv``, and the most bytes of
+    """The output of a piece of Python with these arguments in ``sys.argv``, and the most bytes of
     memory that its process had at a time."""
     command = [sys.executable, "-c", _AROUND.format(code=code), *arguments]
     done = run(command, check=True)

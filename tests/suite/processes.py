@@ -85,15 +85,15 @@ class Program:
         (os.killpg if everybody else os.kill)(self.pid, number)
 
     def runs(self) -> bool:
-        """Whether it has not ended yet."""
+        """True if the program has not ended yet."""
         return self._process.poll() is None
 
     def exit_code(self, limit: float = LIMIT) -> int:
-        """Its exit code, when it has ended."""
+        """The exit code of the program, after it has ended."""
         return self._process.wait(timeout=limit)
 
     def ended(self, data: bytes = b"", limit: float = LIMIT) -> subprocess.CompletedProcess[str]:
-        """What it has written until its end, after it was given ``data`` to read."""
+        """The whole output of the program, after it was given ``data`` to read and has ended."""
         with_input = data if self._process.stdin is not None else None
         written = self._process.communicate(with_input, timeout=limit)
         output, errors = ((part or b"").decode("utf-8", "surrogateescape") for part in written)
@@ -184,7 +184,7 @@ class Background(Generic[T]):
         self._thread.start()
 
     def returned(self, limit: float = LIMIT) -> T:
-        """What the call has returned; raises what it has raised."""
+        """The result of the call; raises the call's exception."""
         self._thread.join(timeout=limit)
         assert not self._thread.is_alive(), f"{self._call} did not return within {limit:g} s"
         for error in self._errors:

@@ -1,4 +1,4 @@
-"""Which tests ``make quick`` leaves out: a plugin of pytest that adds the option ``--quick``.
+"""The tests that ``make quick`` leaves out: a plugin of pytest that adds the option ``--quick``.
 
 Quick tests compile in the process of the tests. Left out are folders and modules that mostly start
 programs (drivers, downstream compilers, the command line) and those that compile huge or random
@@ -99,5 +99,5 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def is_left_out(path: Path) -> bool:
-    """Whether a folder or a module is left out."""
+    """True if a folder or a module is left out."""
     return path.is_relative_to(TESTS) and path.relative_to(TESTS).as_posix() in LEFT_OUT

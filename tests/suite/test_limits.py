@@ -39,7 +39,7 @@ def test_that_hangs_not():
 
 
 def outcome(folder: Path, text: str, *options: str) -> tuple[int, str]:
-    """What pytest makes of a module: its exit code, and what it writes."""
+    """The exit code and the output of pytest for a module."""
     (folder / "test_it.py").write_text(text)
     command = [sys.executable, "-m", "pytest", "-c", str(CONFIGURATION), "--rootdir", str(folder)]
     plugin = ("-p", "burnish.tests.suite.account", "-p", "no:cacheprovider")

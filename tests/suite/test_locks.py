@@ -13,7 +13,7 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
 LOCKS = {"render": ROOT / ".ci" / "render.txt", "dev": ROOT / ".ci" / "dev.txt"}
-"""Which extra each lock installs."""
+"""The lock of each extra."""
 
 
 def _locked(lock: Path) -> list[tuple[Requirement, list[str]]]:
@@ -27,7 +27,7 @@ def _locked(lock: Path) -> list[tuple[Requirement, list[str]]]:
 
 
 def _wanted(extra: str) -> Iterator[Requirement]:
-    """What a package with this extra needs, and the extras that it has in it."""
+    """The requirements of a package with this extra, and of the extras that it contains."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     waiting, seen = [extra], {extra}
     yield from map(Requirement, project["dependencies"])

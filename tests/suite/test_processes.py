@@ -1,4 +1,4 @@
-"""What tests start is ended, and what they wait for has a limit."""
+"""The processes that tests start are ended, and waiting for them has a limit."""
 
 from __future__ import annotations
 

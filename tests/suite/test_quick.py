@@ -1,4 +1,4 @@
-"""What ``make quick`` leaves out is there, and nothing else is left out."""
+"""The folders and modules that ``make quick`` leaves out exist, and no others are left out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What each declaration and member becomes."""
+"""The syntax trees of each declaration and member."""
 
 from __future__ import annotations
 

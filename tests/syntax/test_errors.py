@@ -1,4 +1,4 @@
-"""What a reader is told about broken texts: each ``broken/x.burnish`` beside its ``broken/x.txt``.
+"""The errors of broken texts: each ``broken/x.burnish`` is beside its ``broken/x.txt``.
 
 After a deliberate change, run with ``BURNISH_UPDATE_GOLDEN=1`` and read the difference.
 """

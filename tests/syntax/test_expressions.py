@@ -1,4 +1,4 @@
-"""How expressions group, and what literals mean."""
+"""The grouping of expressions, and the values of literals."""
 
 from __future__ import annotations
 

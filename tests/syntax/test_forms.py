@@ -46,6 +46,6 @@ def test_forms_of_members_can_be_read(word: str) -> None:
     ],
 )
 def test_a_name_may_end_the_head_of_a_loop_of_a_file(equation: str) -> None:
-    """It is not taken for the beginning of the next constant, unless that has a line of its own."""
+    """The name does not begin the next constant, unless it has a line of its own."""
     around = "m = 4\nn = 3\ngo = true\nto = 2\nlast = to\nother : int = 3\n"
     assert burnish.check(f"{around}{equation}\nmaterial M {{}}") == ()

@@ -12,7 +12,7 @@ from burnish.compiler.syntax.load import load_source
 
 
 def complaint(path: Path) -> str:
-    """What is said about a file that cannot be read."""
+    """The error about a file that cannot be read."""
     report = Report()
     assert load_source(path, report, "x.burnish") is None
     (found,) = report.diagnostics

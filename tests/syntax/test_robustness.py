@@ -38,7 +38,7 @@ FOREIGN = [
     "extends", "discard", "material", "@", "fragment", "group", "struct", "param", "term",
     "{1,", "float[](", "float[2](", "#version", "\n",
 ]  # fmt: skip
-"""What functions, choices, loops and arrays of other languages are made of."""
+"""The words of functions, choices, loops and arrays in other languages."""
 
 
 @given(

@@ -19,7 +19,7 @@ from burnish.compiler.syntax.tokens import RESERVED
 WORDS = sorted(word for word in load_tables().literals if word.isidentifier())
 FREE = [word for word in WORDS if word not in RESERVED]
 OF_RECORDS = ("material", "inherited")
-"""They mean something else in records, and so name nothing that expressions read (`B0214`)."""
+"""Words with another meaning in records: no names that expressions read there (`B0214`)."""
 
 FILES: dict[str, str] = {
     "a material": "material W {}",

@@ -1,4 +1,4 @@
-"""For each capability, a program that needs it: what the tests of the table's cells compile.
+"""A program for each capability that needs it; the tests of the table's cells compile it.
 
 Give a new row of ``CAPABILITIES`` its probe here. A probe needs nothing else that a profile may
 lack, so that what is refused is refused for this reason.
@@ -21,11 +21,11 @@ class Probe:
 
     text: str
     options: Mapping[str, Any] = field(default_factory=dict)
-    """For ``compile``, always."""
+    """The options of each ``compile``."""
     native: Mapping[str, Any] = field(default_factory=dict)
-    """For ``compile``, so that it does not lower what the profile has by itself."""
+    """Further options, with which ``compile`` does not lower what the profile has natively."""
     is_native: Callable[[CompiledMaterial], bool] = lambda _: True
-    """Whether a material uses the profile's own means."""
+    """True if a material uses the profile's own means."""
 
     def compile(self, profile: str, *, native: bool = False) -> CompiledMaterial:
         """The program, compiled for a profile; raises ``CompileError`` where it is refused."""
@@ -35,28 +35,28 @@ class Probe:
 
 
 def has_geometry_stage(material: CompiledMaterial) -> bool:
-    """Whether primitives are emitted by a stage of their own."""
+    """True if a stage of its own emits the primitives."""
     return GEOMETRY in {stage.row for stage in material.staged.program.stages}
 
 
 def has_tessellation_stages(material: CompiledMaterial) -> bool:
-    """Whether patches are divided by stages of their own."""
+    """True if stages of their own divide patches."""
     return CONTROL in {stage.row for stage in material.staged.program.stages}
 
 
 def has_no_kernel(material: CompiledMaterial) -> bool:
-    """Whether the pipeline that draws does the work."""
+    """True if the drawing pipeline does the work, and no kernel."""
     return COMPUTE not in {stage.row for stage in material.staged.program.stages}
 
 
 def calls_no_definition(material: CompiledMaterial) -> bool:
-    """Whether the text has no function in place of a builtin."""
+    """True if the text has no function in place of a builtin."""
     ((legal, _),) = material._emissions
     return not legal.definitions
 
 
 def writes_images(material: CompiledMaterial) -> bool:
-    """Whether a kernel has images of its own, and not render targets."""
+    """True if a kernel writes images, and not render targets."""
     ((legal, _),) = material._emissions
     return bool(legal.program.images)
 

@@ -151,7 +151,7 @@ def _of_texture(word: str, texture: Texture) -> Type:
 
 
 def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
-    """Whether the hardware's operation is used for some values of these types."""
+    """True if the hardware's operation is used for some values of these types."""
     kinds = [scalar_kind(type_) or "float" for type_ in operands]
     zeros, ones = (0.0,) * 4, (1.0,) * 4
     rising, pattern = (0.25, 0.5, 0.75, 1.0), (float(0x3F800000),) * 4
@@ -164,12 +164,12 @@ def is_native(row: Builtin, operands: tuple[Type, ...]) -> bool:
 
 
 def can_have(selected: Selected, program: Program) -> bool:
-    """Whether a profile has all that a program needs; the other programs are refused."""
+    """True if a profile has all that a program needs; the other programs are refused."""
     return not list(lacks(program, selected.profile))
 
 
 def has(profile: Profile, row: Builtin, operands: tuple[Type, ...]) -> bool:
-    """Whether a profile has a builtin for operands of these types, if it has the builtin."""
+    """True if a profile that has a builtin also has it for operands of these types."""
     textures = [type_ for type_ in operands if isinstance(type_, Texture)]
     if row.name in profile.cannot or not profile.textures.issuperset(textures):
         return False

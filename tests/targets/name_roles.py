@@ -32,9 +32,9 @@ class Role:
     refused: frozenset[str] = frozenset()
     """Words that Burnish itself does not take here, or that mean something else."""
     at_once: int = 600
-    """How many words one program takes; some tools need very long for very long texts."""
+    """The number of words that one program takes; some tools need very long for very long texts."""
     in_hlsl: int = 600
-    """How many DXC takes at once; 0: none of them."""
+    """The number of words that DXC takes at once; 0: none of them."""
 
 
 def _lines(line: str, words: Words, between: str = "\n") -> str:
@@ -107,7 +107,7 @@ def _varyings(words: Words) -> str:
 
 DIRECTION = "normalize(vec3(0, 0, 1))"
 LIT = f"to_light = {DIRECTION} falloff = uv.x * (place_ + {{i}})"
-"""What a light of the programs below does with its parameter."""
+"""The definitions by which a light of the programs below uses its parameter."""
 
 
 def _lights(words: Words) -> str:

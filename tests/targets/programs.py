@@ -134,7 +134,7 @@ def written(name: str, value: Node, location: int = 0, doc: str = "") -> Output:
 
 
 def between(*varyings: Varying) -> tuple[Interface, ...]:
-    """What crosses from the vertices to the fragments."""
+    """The interfaces between the stages: the varyings from the vertices to the fragments."""
     return (Interface(VERTEX.domain, FRAGMENT.domain, varyings),)
 
 
@@ -193,7 +193,7 @@ def placing(
 
 
 def shading(make: Maker, power: Parameter) -> Function:
-    """What one light contributes."""
+    """The function that computes the contribution of one light."""
     to_light = Formal("to_light")
     light = make.formal(to_light, VEC3)
     passed = tuple(Formal(name) for name in ("normal", "to_eye", "tint"))

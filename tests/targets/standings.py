@@ -1,4 +1,4 @@
-"""Which profiles and routes have a capability, for tests that expect it of these alone."""
+"""The profiles and routes that have a capability, for tests that expect it of these alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is dear and needed on one side of a choice only is computed behind an `if`."""
+"""Costly values that only one side of a choice needs are computed behind an `if`."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def toolchain() -> Iterator[Toolchain]:
 
 
 def refused(material: burnish.CompiledMaterial, toolchain: Toolchain) -> str:
-    """What compilers say about the fragment stages that they do not take."""
+    """The compilers' errors about the fragment stages that they refuse."""
     jobs = [
         Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
         for file in material.files

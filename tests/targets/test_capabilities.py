@@ -50,7 +50,7 @@ def compiled(row: Capability, name: str) -> CompiledMaterial:
 
 
 def refused(probe: Probe, profile: str, *, native: bool = False) -> tuple[Diagnostic, ...]:
-    """What is said of a probe that cannot be compiled for a profile."""
+    """The errors about a probe that cannot be compiled for a profile."""
     with pytest.raises(burnish.CompileError) as caught:
         probe.compile(profile, native=native)
     return tuple(caught.value.diagnostics)
@@ -94,7 +94,7 @@ def test_what_is_absent_is_refused_with_a_way_out(row: Capability, name: str) ->
 
 @pytest.fixture(scope="module")
 def refusals() -> dict[tuple[str, str], list[str]]:
-    """By probe and profile, what compilers say against the texts."""
+    """The compilers' errors about the texts, by probe and profile."""
     jobs = [
         (row.name, name, job)
         for row, name in CELLS

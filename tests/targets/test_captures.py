@@ -76,7 +76,7 @@ def test_texts_of_kernels(profile: str) -> None:
 
 @pytest.mark.parametrize("captured", ["place : vec2 = uv", "number : uint = vertex_index"])
 def test_kernels_hand_on_what_stands_nowhere(captured: str) -> None:
-    """What is read of the mesh or counted is written in no equation that could be pointed at."""
+    """Values that are read from the mesh, or counted, have no equation to refer to."""
     text = f"material Plain {{ color = vec3(1) }} pass Step {{ capture {captured} }}"
     (material,) = burnish.compile(text, "wgsl", pass_="Step").materials
     (file,) = material.files
@@ -127,7 +127,7 @@ def test_numbers_of_vertices_are_not_captured_in_es() -> None:
 
 
 def test_compilers_accept_them() -> None:
-    """Also a single capture, which is returned as it is in HLSL."""
+    """This holds also for a single capture, which is returned as it is in HLSL."""
     single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"
     with Toolchain() as toolchain:
         for text in (SPARKS, PLAIN, single):
@@ -140,7 +140,7 @@ def test_the_reflection_says_where_values_lie() -> None:
     reflection = compiled(SPARKS, "hlsl:sm6").reflection
     capture = reflection.capture
     assert capture is not None
-    assert (capture.primitive, capture.vertices, capture.stride) == ("point", 2, 20)
+    assert (capture.topology, capture.vertices, capture.stride) == ("point", 2, 20)
     assert [tuple(row.values()) for row in to_json(capture.members)] == [
         ("position", "vec3", "vec3", 0, "In world space"),
         ("age", "float", "float", 12, ""),
@@ -190,7 +190,7 @@ def test_of_a_patch_come_as_many_vertices_as_its_levels_allow(*, native_stages: 
     reflection = material.reflection
     capture, tessellation = reflection.capture, reflection.draw.tessellation
     assert capture is not None and tessellation is not None
-    assert capture.primitive == "triangle"
+    assert capture.topology == "triangle"
     assert capture.vertices == 3 * 13
     assert tessellation.divided_by == ("evaluation" if native_stages else "instances")
     assert capture.there == (None if native_stages else 12)

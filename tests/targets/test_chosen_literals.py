@@ -52,7 +52,7 @@ def test_shifted_literals() -> None:
 
 
 def verdicts(found: CompileResult) -> list[Verdict]:
-    """What the real front ends say of the fragment shaders."""
+    """The verdicts of the real front ends about the fragment shaders."""
     jobs = [
         Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
         for file in found.materials[0].files

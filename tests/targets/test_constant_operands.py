@@ -50,9 +50,9 @@ SPECIAL: Mapping[ScalarKind, tuple[Number, ...]] = {
     "bool": (False, True),
 }
 MOST = 8
-"""So many random combinations of special values are tried for each row and choice of operands."""
+"""The number of random combinations of special values for each row and choice of operands."""
 TOGETHER = 150
-"""So many values are added up in one shader."""
+"""The number of values that are added up in one shader."""
 ROWS = [
     row
     for row in BUILTINS.values()
@@ -90,7 +90,7 @@ class Values:
                     yield self._as_float(self._graph.node("call", result, operands, self._row.name))
 
     def _shapes(self) -> list[tuple[tuple[Type, ...], Type]]:
-        """For each number of operands and kind of lanes, one instance of scalars, one of vectors"""
+        """An instance of scalars and one of vectors for each number and kind of operands."""
         found = {}
         for types, result in instances(self._row):
             key = tuple((scalar_kind(t), type(t)) for t in types)
@@ -158,7 +158,7 @@ def shaders(row: Builtin) -> Iterator[Shader]:
 
 
 def jobs(row: Builtin) -> Iterator[Job]:
-    """What every profile's checkers are to accept."""
+    """The texts that every profile's checkers must accept."""
     for made in shaders(row):
         staged = stage(made, Options())
         for selected in PROFILES:

@@ -25,9 +25,9 @@ FOLDER = Path(__file__).with_name("words")
 OTHERS = "glsl,glsl:gl330,glsl:gl450,glsl:es300,glsl:es310,msl,wgsl"
 """All targets but HLSL."""
 SAME_FRONT_END = "dxc-spirv"
-"""It reads the same text as ``dxc-dxil``, with the same front end, and takes very long."""
+"""A slow checker that reads the same text as ``dxc-dxil``, with the same front end."""
 MOST = 12
-"""How many messages on one text a failing test shows."""
+"""The most messages on one text that a failing test shows."""
 
 
 def words_of(name: str) -> list[str]:
@@ -93,7 +93,7 @@ def test_every_word_is_accepted(name: str, toolchain: Toolchain) -> None:
 def complaints(
     role: Role, words: Sequence[str], targets: str, toolchain: Toolchain
 ) -> Iterator[str]:
-    """What the checkers do not take, with the lines of the texts, which have the words."""
+    """The checkers' refusals, with the lines of the texts, which have the words."""
     for verdict in toolchain.check(list(jobs(role, words, targets))):
         if verdict.status != "accepted":
             yield f"{verdict.job.checker}, {verdict.job.stage}, {verdict.status}: {told(verdict)}"

@@ -1,4 +1,4 @@
-"""What the description of a language leaves out is told when it is loaded, a sentence for each."""
+"""Gaps in the description of a language are reported when it is loaded, a sentence for each."""
 
 from __future__ import annotations
 

@@ -116,13 +116,13 @@ def test_compilers_accept_them(profile: str, text: str, flip_y: bool) -> None:
 
 @pytest.mark.parametrize("profile", PROFILES)
 def test_groups_may_use_the_same_names(profile: str) -> None:
-    """They stand one after the other in one function, and compilers have nothing to remark."""
+    """The groups follow one another in one function, and compilers remark nothing."""
     (material,) = burnish.compile(ALIKE, profile, native_stages=True).materials
     assert refused(material) == []
 
 
 def refused(material: CompiledMaterial) -> list[str]:
-    """What compilers say of the texts that they refuse, or about which they remark something."""
+    """The logs of compilers about the texts that they refuse or remark on."""
     with Toolchain() as toolchain:
         verdicts = toolchain.check([*jobs_of(material)])
     return [one.log for one in verdicts if one.status != "accepted" or one.messages]
@@ -163,7 +163,7 @@ def test_the_reflection_says_that_the_stage_is_there() -> None:
 
 
 def told(text: str, profile: str, *, native_stages: bool) -> list[str]:
-    """What is said of a material that cannot be compiled for a profile."""
+    """The errors about a material that cannot be compiled for a profile."""
     with pytest.raises(burnish.CompileError) as caught:
         burnish.compile(text, profile, native_stages=native_stages)
     return [render(found) for found in caught.value.diagnostics]

@@ -42,7 +42,7 @@ WORDS = {
     "wgsl": r"^    @builtin\(position\) @invariant clip_position: vec4f,$",
     "msl": r"^    float4 clip_position \[\[position, invariant\]\];$",
 }
-"""How each language says it, in a line of its own."""
+"""The line by which each language declares an invariant position."""
 SAID = re.compile(r"\b(invariant|precise)\b")
 
 
@@ -66,7 +66,7 @@ def test_a_text_of_all_stages_says_it_once() -> None:
 
 
 def native(text: str, profile: str) -> dict[str, list[str]]:
-    """What the texts of the stages that a profile has say of a material, by stage."""
+    """The lines about invariance in the texts of a profile's native stages, by stage."""
     made = burnish.compile(text + PASS % "true", (profile,), pass_="P", native_stages=True)
     return {file.stage: saying(file.text) for file in made.materials[0].files}
 

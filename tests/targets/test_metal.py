@@ -67,7 +67,7 @@ WRONG = [
     ("fragment float4 shade", "float4 shade", "there is no frag entry point named 'shade'"),
     ("return float4(", "uint whole = uint(1) * -1; return float4(", "signedness"),
 ]
-"""What is changed in a good text, and what is said of it then."""
+"""A part of a good text, a wrong text in its place, and a part of the error about it."""
 
 
 @pytest.fixture(scope="module")

@@ -82,7 +82,7 @@ def uses(row: Builtin) -> Iterator[tuple[Texture | None, str]]:
 
 
 def shapes(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
-    """One instance for each number of operands: arrays of textures have one more."""
+    """An instance for each number of operands: arrays of textures have one more."""
     found = {len(operands): (operands, result) for operands, result in instances(row)}
     yield from found.values()
 

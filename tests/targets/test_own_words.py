@@ -29,10 +29,10 @@ EXAMPLES = sorted(
     if path.parent.name != "shared"
 )
 OWN = "_own"
-"""What every name ends in that a program declares."""
+"""The ending of every name that a program declares."""
 _SEMANTIC = re.compile(r" : (?:[A-Z]\w*|register\(.*?\))")
 _SUPPLIED = {supplied.name for row in STAGES.values() for supplied in row.inputs}
-"""What the pipeline supplies is called so where it is declared, and everything else otherwise."""
+"""The names that the pipeline's inputs have where they are declared; elsewhere they have others."""
 
 
 @pytest.fixture

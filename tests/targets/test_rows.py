@@ -21,7 +21,10 @@ from burnish.targets.legalise.definitions import has_meaning
 from .kit import BY_NAME, PROFILES, Selected, emitted, has, instances, is_native, program_of_rows
 
 NATIVES = [row for row in BUILTINS.values() if row.domain is not nowhere and row.of_group is None]
-"""What languages have words for. What joins work groups is a function of the text."""
+"""The builtins for which languages have words.
+
+A builtin that joins a work group is a function of the text.
+"""
 
 
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
@@ -56,7 +59,7 @@ KINDS: tuple[Kind, ...] = ("float", "int", "uint")
 
 
 def known(count: int) -> Iterator[tuple[Fact, ...]]:
-    """What may be known of operands of one kind: that they are a number, or between two."""
+    """The possible facts about operands of one kind: each is a number or between two."""
     for kind in KINDS:
         ends = [n for n in NUMBERS if kind != "uint" or n >= 0]
         facts = [Fact(low, high, kind=kind) for low in ends for high in ends if low <= high]

@@ -1,4 +1,4 @@
-"""What each profile makes of reads of textures, and what is said where it cannot."""
+"""The reads of textures in each profile, and the errors of profiles that cannot do them."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ BROKEN = {
     for block in Path(__file__).with_name("broken_lines.txt").read_text("utf-8").split("\n\n")
     for name, *lines in [block.strip().split("\n")]
 }
-"""How each line is broken that is too long."""
+"""The lines that result from breaking each line that is too long."""
 
 
 def joined(lines: list[str]) -> str:

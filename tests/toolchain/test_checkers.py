@@ -99,7 +99,7 @@ class Sample:
     entry: str
     bad_line: int
     bad_column: int | None = None
-    """Where a tool names the column of the unknown word."""
+    """The column of the unknown word, if a tool names it."""
 
     def bad_text(self) -> str:
         return self.text.replace("* tint", "* taint").replace("u.tint", "taint")

@@ -1,4 +1,4 @@
-"""How programs are started: what they see, what they may take, and that they end with Burnish."""
+"""Child programs: their environment, their limits, and that they end with Burnish."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_a_python_worker_imports_nothing_of_the_current_folder(
 def test_a_python_worker_finds_what_the_user_names_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What nothing else has is found there, but it comes before nothing."""
+    """A module from there is found if no other folder has it; no other module is replaced."""
     (tmp_path / "json.py").write_text(TRAP)
     (tmp_path / "further.py").write_text("print('{\"found\": true}', flush=True)\n")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
@@ -219,7 +219,7 @@ def test_files_and_core_dumps_are_limited(tmp_path: Path) -> None:
 
 
 def test_a_program_that_leaves_another_one_behind(tmp_path: Path) -> None:
-    """It holds the pipe open from which the answer is read, and is ended as well."""
+    """The program left behind holds the answer's pipe open, and is ended as well."""
     script = program(tmp_path, "leaving", "sleep 600 & echo $!")
     outcome = process.run([str(script)], time_limit=1)
     assert outcome.ending == "ended"

@@ -1,4 +1,4 @@
-"""What the compilers themselves say of a block's layout, against answers worked out by hand."""
+"""The compilers' own descriptions of a block's layout, against answers worked out by hand."""
 
 from __future__ import annotations
 

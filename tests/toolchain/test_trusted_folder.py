@@ -54,7 +54,7 @@ def test_a_link(naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 def test_a_link_of_another_user(
     naga: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Who could turn it to another folder of programs, even if that one belongs to root."""
+    """The other user could point the link to another folder of programs, even to one of root."""
     link = tmp_path / "link"
     link.symlink_to(naga)
     found = Path.lstat
@@ -82,7 +82,7 @@ def test_without_a_home_nothing_is_found_in_the_current_folder(
 
 @pytest.mark.parametrize(("tool", "package"), install.NPM_PACKAGES.items())
 def test_packages_of_npm_have_digests(tool: str, package: str) -> None:
-    """And the one that is wanted has the version that the table of tools pins."""
+    """The wanted package has the version that the table of tools pins."""
     packages = json.loads(install.npm_lock(tool).read_text("utf-8"))["packages"]
     source = tool_named(tool).source
     assert isinstance(source, OwnInstaller)

@@ -26,7 +26,7 @@ material Flat {
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What the server has answered."""
+    """An answer of the server."""
 
     status: int
     headers: Mapping[str, str]
@@ -44,7 +44,7 @@ class Viewer:
     program: Program
     address: str
     said: Path
-    """What it writes to standard error."""
+    """The file of its standard error."""
 
     def ask(
         self, path: str, method: str = "GET", body: bytes | None = None, **headers: str

@@ -1,4 +1,4 @@
-"""What tests do with the page of ``burnish view``, and what they see of its picture.
+"""The actions of tests in the page of ``burnish view``, and the colours of its picture.
 
 ``conftest.py`` has the browser, the server and the page.
 """
@@ -18,7 +18,7 @@ SIZE = ViewportSize(width=900, height=500)
 BEHIND = (0x1B, 0x1D, 0x21)
 """The colour behind a material."""
 NEAR = 3
-"""How far a lane of a pixel may be off, of 255."""
+"""The largest error of a lane of a pixel, of 255."""
 
 Color = tuple[int, int, int]
 
@@ -56,5 +56,5 @@ def shows(page: Page, color: Color, right: float = 0.5, down: float = 0.5) -> No
 
 
 def srgb(linear: float) -> int:
-    """Of 255, for a number in linear light."""
+    """The sRGB byte of a number in linear light."""
     return round(255 * (1.055 * math.pow(linear, 1 / 2.4) - 0.055))

@@ -1,4 +1,4 @@
-"""What a person can set in the page of ``burnish view``, and what is left out."""
+"""The values that a person can set in the page of ``burnish view``, and those that are left out."""
 
 from __future__ import annotations
 

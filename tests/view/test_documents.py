@@ -1,4 +1,4 @@
-"""What the pages of ``burnish view`` get: by choices, scenes and values of the command line."""
+"""The documents of ``burnish view``'s pages: by choices, scenes and values of the command line."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def document(file: Path, query: dict[str, str] | None = None, **options: Any) -> dict[str, Any]:
-    """What a page gets that asks for something of a file."""
+    """The document of a page that asks for something of a file."""
     request = Request(
         file=file,
         mesh="cube",

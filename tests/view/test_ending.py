@@ -1,4 +1,4 @@
-"""How ``burnish view`` ends: at once, whatever it is doing; and that it does nothing for nobody."""
+"""``burnish view`` ends at once, whatever it is doing, and works only if it is asked."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ cli.main()
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("quick", [0, 1], ids=["the first", "a later one"])
 def test_while_a_document_is_made(quick: int, number: signal.Signals, tmp_path: Path) -> None:
-    """It would be made for ever."""
+    """The document is one that would never be finished."""
     file, said = tmp_path / "m.burnish", tmp_path / "said"
     file.write_text(FLAT)
     command = [sys.executable, "-c", ENDLESS, str(quick), "view", file.name, "--no-browser"]
@@ -72,7 +72,7 @@ def test_nothing_to_do_takes_nothing(tmp_path: Path) -> None:
 
 
 def _resting(program: Program) -> Callable[[], bool]:
-    """Whether a program has worked for less than a twentieth of the time since this was asked."""
+    """A function: true if a program has worked less than 5 clock ticks since its last call."""
     before = [0]
 
     def is_resting() -> bool:

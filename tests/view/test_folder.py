@@ -53,7 +53,7 @@ def viewer(folder: Path) -> Iterator[Viewer]:
 
 
 def test_the_list(viewer: Viewer) -> None:
-    """In the README's words; without what draws nothing, and without what lies elsewhere."""
+    """The list has the README's words; files that draw nothing, or lie elsewhere, are left out."""
     assert viewer.ask("/files").json() == [
         {
             "title": "Warm",
@@ -125,7 +125,7 @@ def test_the_list_lies_over_narrow_pages(browser: Browser, viewer: Viewer) -> No
 
 
 def test_a_file_that_becomes_a_link(tmp_path: Path) -> None:
-    """It was found as a file, and is not shown as what it leads to."""
+    """The path was found as a file; the file that the link leads to is not shown."""
     (tmp_path / "in").mkdir()
     (tmp_path / "secret.burnish").write_text(SECRET)
     file = tmp_path / "in" / "plain.burnish"
@@ -208,7 +208,7 @@ def test_a_folder_that_is_deleted(tmp_path: Path) -> None:
 
 
 def test_lists_of_many_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What there is no time to read is listed all the same, and read for the next list."""
+    """Files that there is no time to read are listed all the same, and read for the next list."""
     for number in range(5):
         (tmp_path / f"{number}.burnish").write_text(PLAIN.format("Plain", "#ffffff"))
     monkeypatch.setattr("burnish.commands.view.folder._PATIENCE", -1.0)

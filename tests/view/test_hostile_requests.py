@@ -1,4 +1,4 @@
-"""What others send to the server of ``burnish view``: it refuses all of it, and goes on."""
+"""Hostile requests to the server of ``burnish view``: it refuses all of them, and goes on."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Viewer]:
 
 
 def sent(viewer: Viewer, *pieces: bytes) -> bytes:
-    """What the server answers to these bytes, until it closes the connection."""
+    """The server's answer to these bytes, until it closes the connection."""
     with connection(viewer) as stream:
         for piece in pieces:
             stream.sendall(piece)
@@ -129,7 +129,7 @@ UP = (
 
 @pytest.mark.parametrize("name", UP)
 def test_names_that_lead_elsewhere(viewer: Viewer, name: str) -> None:
-    """As the address of something to get, and as the name of a file to show."""
+    """The names are tried as the address of a resource, and as the name of a file to show."""
     plain = viewer.ask("/document?file=flat.burnish").json()
     for text in (quote(name, safe=""), quote(name), quote(name, safe="/\\%:.$")):
         for path in (f"/{text}", f"/web_view/{text}", f"/web_host/{text}"):
@@ -161,7 +161,7 @@ BROKEN = (
 
 @pytest.mark.parametrize("number", range(len(BROKEN)))
 def test_what_is_no_request(viewer: Viewer, number: int) -> None:
-    """Also lines and headers that are too long."""
+    """Lines and headers that are too long are among them."""
     with connection(viewer) as stream:
         stream.sendall(BROKEN[number])
         stream.shutdown(socket.SHUT_WR)
@@ -185,7 +185,7 @@ def test_bodies_that_are_wrongly_framed(viewer: Viewer) -> None:
 
 
 def test_bodies_that_are_too_large(viewer: Viewer) -> None:
-    """One that says so is refused before it is read; one of chunks as soon as it is."""
+    """A body with a declared size is refused unread; one of chunks, as soon as it is too large."""
     line = f"POST {PICTURE} HTTP/1.1"
     with connection(viewer) as stream:
         stream.sendall(head(viewer, line, f"Content-Length: {MOST_BYTES + 1}"))
@@ -212,7 +212,7 @@ def test_bodies_that_end_too_early(viewer: Viewer) -> None:
 
 
 def test_texts_that_nobody_means(viewer: Viewer) -> None:
-    """What a page asks for is a name or nothing: neither numbers nor structures nor markup."""
+    """Every value in a page's query is a name or ignored: no number, structure or markup."""
     plain = viewer.ask("/document").json()
     deep = quote("[" * 5000 + "]" * 5000)
     for text in ("1e999", "-1", "NaN", "null", "{}", deep, quote("<script>"), "%ff%fe", "%00"):
@@ -228,7 +228,7 @@ def test_texts_that_nobody_means(viewer: Viewer) -> None:
 
 
 def test_answers_stay_within_the_page(viewer: Viewer) -> None:
-    """Also those to others, and to what there is not."""
+    """This holds also for answers to other pages, and about things that do not exist."""
     paths = ("/", "/document", "/files", "/none", "/web_view/main.js")
     answers = {path: viewer.ask(path) for path in paths}
     answers["refused"] = viewer.ask("/", Host="evil.example")

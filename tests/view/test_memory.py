@@ -1,4 +1,4 @@
-"""What ``burnish view`` keeps: no more than a limit, whatever pages send and files become."""
+"""The memory of ``burnish view`` keeps to a limit, whatever pages send and files become."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def memory(viewer: Viewer, what: str) -> int:
 
 
 def test_refused_pictures_leave_nothing(tmp_path: Path) -> None:
-    """Not even while they are looked at: they are refused for what their first bytes say."""
+    """A check takes no memory, as the first bytes of a picture suffice to refuse it."""
     file = tmp_path / "m.burnish"
     file.write_text(PAINTED)
     with viewing(file) as viewer:
@@ -80,7 +80,7 @@ def test_more_pictures_than_a_page_can_have(tmp_path: Path) -> None:
 
 
 def test_what_is_dropped_first() -> None:
-    """What was asked for longest ago; of the first shelf, before anything of the others."""
+    """The entries used longest ago go first: those of the first shelf before all others."""
     keeping = Keeping()
     easy, hard = (Shelf[str, bytes](keeping, len) for _ in range(2))
     key = len(repr("a"))

@@ -1,4 +1,4 @@
-"""What the page of ``burnish view`` shows of outputs: pictures of any size, and buffers."""
+"""The outputs in the page of ``burnish view``: pictures of any size, and buffers."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def show(page: Page, viewer: Viewer) -> None:
 
 
 def test_a_picture_of_another_size_keeps_its_shape(page: Page, viewer: Viewer) -> None:
-    """Its pixels are as they are, without anything between them, and above and below is room."""
+    """The picture's pixels are shown unchanged, without gaps, with room above and below."""
     show(page, viewer)
     shows(page, RED, 0.49)
     box = page.locator("#picture").bounding_box()

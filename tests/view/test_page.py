@@ -38,7 +38,7 @@ frame Brighter {
 
 
 def _of_normal(yaw: float, pitch: float) -> Color:
-    """What ``Facing`` has in the middle of a sphere that is seen from there."""
+    """The colour of ``Facing`` in the middle of a sphere that is seen from there."""
     x, y, z = math.sin(yaw) * math.cos(pitch), math.sin(pitch), math.cos(yaw) * math.cos(pitch)
     return srgb(0.5 + 0.5 * x), srgb(0.5 + 0.5 * y), srgb(0.5 + 0.5 * z)
 

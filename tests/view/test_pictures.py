@@ -46,7 +46,7 @@ def choose(page: Page, name: str, file: str, content: bytes) -> None:
 
 
 def test_a_texture_is_given_a_picture(page: Page, viewer: Viewer) -> None:
-    """It stays when the file changes, and when the page is loaded again."""
+    """The picture stays when the file changes, and when the page is loaded again."""
     write(viewer, PAINTED)
     row = page.locator("[data-name=paint]")
     row.wait_for()
@@ -75,7 +75,7 @@ def test_a_texture_is_given_a_picture(page: Page, viewer: Viewer) -> None:
 
 
 def test_files_that_are_no_pictures(page: Page, viewer: Viewer) -> None:
-    """What is wrong stands below the texture, which keeps the picture that it had."""
+    """The error stands below the texture, which keeps its earlier picture."""
     write(viewer, PAINTED)
     choose(page, "paint", "gray.png", png())
     shows(page, MEANT)
@@ -155,7 +155,7 @@ def test_how_large_pictures_may_be(viewer: Viewer, monkeypatch: pytest.MonkeyPat
 
 
 def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where there is no room for all of them; one that there is no room for is refused."""
+    """Old files go if there is no room for all; a file that is too large by itself is refused."""
     pictures = Pictures(Keeping())
     files = [png((shade, 0, 0)) for shade in (10, 20, 30)]
     first, second = (pictures.keep("a.png", file, FLAT) for file in files[:2])
@@ -171,7 +171,7 @@ def test_files_that_were_asked_for_longest_ago_go(monkeypatch: pytest.MonkeyPatc
 
 
 def test_panoramas_are_cubes_of_floats() -> None:
-    """Their numbers are linear, whatever is asked for."""
+    """The numbers of a panorama are linear, even if sRGB is asked for."""
     file = EXAMPLES / "pictures" / "garden.hdr"
     pictures, wanted = Pictures(Keeping()), Wanted("cube", "float")
     word = pictures.keep("sky.HDR", file.read_bytes(), wanted)

@@ -47,8 +47,11 @@ def _given_out() -> TemporaryDirectory[str]:
 def in_node(
     module: str, name: str, body: str, given: list[Any], *further: tuple[str, str]
 ) -> list[Any]:
-    """What a JavaScript function of one argument, which may ``call`` what a module exports, makes
-    of each thing that is given. ``further`` are other modules, each with a name that it exports."""
+    """The results of a JavaScript function for each of the values ``given``.
+
+    ``body`` is the function's body. It may ``call`` the export ``name`` of ``module``. ``further``
+    are other modules, each with a name that it exports.
+    """
     modules = Path(_given_out().name)
     imports = [f'import {{ {name} as call }} from "{(modules / module).as_uri()}";']
     imports += [f'import {{ {own} }} from "{(modules / each).as_uri()}";' for each, own in further]
@@ -71,8 +74,7 @@ def copied(folder: Path) -> None:
 
 
 def checked(folder: Path) -> tuple[set[str], list[str]]:
-    """What TypeScript says of the modules in a folder: the paths of those that it has checked, and
-    what is wrong with them."""
+    """The paths of the files that TypeScript has checked in a folder, and its error messages."""
     node, compiler = program("node", "node"), program("typescript", "tsc")
     assert node is not None
     assert compiler is not None

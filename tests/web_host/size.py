@@ -1,4 +1,4 @@
-"""How large the host is: ``python -m tests.web_host.size`` prints the lines of each module.
+"""The size of the host: ``python -m tests.web_host.size`` prints the lines of each module.
 
 A line counts if it has code: no blank one, and none that only has comment. The host for WebGPU
 consists of the modules that APIs share and of those in ``webgpu``. What is generated is left out:
@@ -13,7 +13,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).parents[2] / "targets" / "web_host"
 MOST = 1500
-"""So many lines the host for WebGPU may have."""
+"""The largest number of lines of the host for WebGPU."""
 
 _COMMENT = re.compile(r"/\*.*?\*/|^\s*//[^\n]*", re.DOTALL | re.MULTILINE)
 """A comment between these signs, or a line that is one: no string of the host has any of it."""

@@ -1,4 +1,4 @@
-"""What the host draws of meshes, and with which values, against what Python's runtime draws.
+"""The host draws the same meshes, with the same values, as Python's runtime.
 
 Materials that expand primitives or divide patches, and instances, are drawn as frames of one step.
 """
@@ -57,8 +57,7 @@ def hosted(name: str) -> tuple[FrameHost, dict[str, Any]]:
 
 
 def seen(reflection: Reflection | Mapping[str, Any], geometry: Any) -> dict[str, Any]:
-    """What the host has of a packaged geometry, or of so many vertices that have nothing but their
-    numbers."""
+    """The host's mesh of a packaged geometry, or of a number of vertices without attributes."""
     further = [("geometry.js", "bareMesh"), ("webgl2/vertices.js", "interleaved")]
     given = {"reflection": reflection, "geometry": geometry}
     (found,) = in_node("geometry.js", "unpacked", _MESH, [given], *further)

@@ -35,7 +35,7 @@ def test_the_types_are_right(tmp_path: Path) -> None:
         ("steps.js", "WHOLE[[name, kind, ...shapes].join(\" \")]", "WHOLE.join(name)",
          "error TS2349: This expression is not callable."),
         ("webgpu/device.js", "GPUBufferUsage.MAP_READ", "GPUBufferUsage.READ",
-         "error TS2339: Property 'READ' does not exist on type 'Constants<\"MAP_READ\" | "),
+         "error TS2339: Property 'READ' does not exist on type 'Constants<"),
     ],
 )  # fmt: skip
 def test_wrong_types_are_found(tmp_path: Path, module: str, old: str, new: str, error: str) -> None:
@@ -58,14 +58,14 @@ def test_nothing_in_the_tree_is_made_of_something_else_in_it() -> None:
 
 
 def test_all_modules_are_given_out(tmp_path: Path) -> None:
-    """As they are in the tree, and one that is not there."""
+    """The modules are those of the tree, and a generated one."""
     write_modules(tmp_path / "host")
     written = [path for path in (tmp_path / "host").rglob("*") if path.is_file()]
     given = {path.relative_to(tmp_path / "host").as_posix(): path.read_text() for path in written}
     assert given == host_modules()
     own = {path.relative_to(FOLDER).as_posix() for path in files(FOLDER) if path.suffix == ".js"}
     assert given.keys() == own | {BUILTINS}
-    assert given[BUILTINS].startswith("// What builtins mean, as compiler/reference says it.")
+    assert given[BUILTINS].startswith("// The builtins, generated from compiler/reference")
 
 
 def test_the_package_names_the_tools_of_the_toolchain() -> None:

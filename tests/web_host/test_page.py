@@ -28,7 +28,7 @@ ADDRESS = "https://burnish.invalid/"
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the page's Python writes, and the page."""
+    """A folder with the files that the page's Python writes, and with the page."""
     folder = tmp_path_factory.mktemp("site")
     (folder / "frames").symlink_to(ROOT / "examples" / "frames")
     with chdir(folder):
@@ -48,7 +48,7 @@ def page(site: Path) -> Iterator[Page]:
 
 
 def colors(page: Page) -> int:
-    """How many colours the canvas shows."""
+    """The number of colours on the canvas."""
     picture = Image.open(io.BytesIO(page.locator("canvas").screenshot()))
     return len(picture.convert("RGB").getcolors(picture.width * picture.height) or ())
 
@@ -71,7 +71,8 @@ def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
     page.goto(ADDRESS)
     alert = page.locator("[role=alert]:not(:empty)")
     assert alert.inner_text() == (
-        "this host knows packages of version 2, and this one is of version 9"
+        "this host knows packages of version 2, and this one is of version 9: "
+        "compile the source again"
     )
 
 
@@ -165,7 +166,7 @@ READ = """async () => {
 
 
 def test_the_elements_of_buffers(page: Page, site: Path) -> None:
-    """Also of one without any, whose reader is told so."""
+    """A buffer may be empty, too, and its reader is told so."""
     file = site / "counted.burnish"
     file.write_text(COUNTED)
     (frame,) = burnish.compile(file, targets=("wgsl:webgpu",)).frames

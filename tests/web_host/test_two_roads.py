@@ -37,7 +37,7 @@ def runner() -> Iterator[Runner]:
     "example", ["reaction", "light_by_light", "shadow_volumes", "smooth_edges"]
 )
 def test_pictures_are_the_same(runner: Runner, example: str, name: str) -> None:
-    """What a frame keeps, a draw for each light, stencil values, and several samples."""
+    """The examples keep results, draw for each light, use stencil values, and several samples."""
     route = ROUTES[name]
     (frame,) = burnish.compile(FOLDER / f"{example}.burnish", (route.profile,)).frames
     with Toolchain() as toolchain:

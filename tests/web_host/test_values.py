@@ -51,7 +51,7 @@ def set_up(reflection: Reflection) -> Instance:
 
 
 def test_blocks_have_the_same_bytes() -> None:
-    """But for the last bit of what functions of another library have computed."""
+    """Only the last bit may differ, where functions of another library have computed a value."""
     instances = [set_up(each) for name in NAMES for each in reflections(name)]
     given = []
     for instance in instances:

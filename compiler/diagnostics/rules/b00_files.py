@@ -89,8 +89,8 @@ TOO_MANY_DECLARED = error(
 TOO_MUCH_UNUSED = error(
     "B0016",
     "with `{name}`, more than {most} characters of `{path}` would be tried",
-    "What no shader uses is checked by trying it, with a material and lights of the file, and with "
-    "others until it is right; each try reads all that it extends. Divide the file.",
+    "A record that no shader uses is checked by trying it with a material and lights of the file, "
+    "and with others until it is right; each try reads all that it extends. Divide the file.",
 )
 TOO_MUCH_TOGETHER = error(
     "B0017",

@@ -71,7 +71,7 @@ NO_RANGE = error(
 WRONG_MEANING = error(
     "B0320",
     "expected {expected}, found {found}",
-    "What a value means is part of its type: a point is not a vector, a colour is not a "
+    "The meaning of a value is part of its type: a point is not a vector, a colour is not a "
     "direction, and a value in one space is not a value in another. `x in space` converts "
     "between spaces, `(x as type)` gives another meaning to the same numbers, and `vec3(x)` "
     "takes them as bare numbers, which fit everywhere.",
@@ -142,13 +142,13 @@ TEXTURE_LACKS_READ = error(
 NOT_A_LANE = error(
     "B0351",
     "this operand has to be a constant in 0..3",
-    "Which lane of the texels is gathered is part of the instruction on most devices.",
+    "On most devices, the lane of the texels that is gathered is part of the instruction.",
 )
 SETTING_WITHOUT_USE = error(
     "B0352",
     "`{name}` does not apply to `{type}`",
     "Cubes do not wrap, only depths are compared, depths are read at level 0, and whole numbers "
-    "are not filtered.",
+    "are not filtered. Depths and whole numbers are always data.",
 )
 MEMBER_COUNT = error(
     "B0380",
@@ -186,8 +186,8 @@ STATE_TOO_LARGE = error(
 READ_IN_LOOP = error(
     "B0386",
     "{what} {does}, which may have left the loop already",
-    "Its result is undefined where others have left the loop. Read the texture with an explicit "
-    "level, or before the loop.",
+    "The result is undefined where other pixels have left the loop. Read the texture with an "
+    "explicit level, or before the loop.",
 )
 CROSSING_IN_LOOP = error(
     "B0387",

@@ -173,8 +173,8 @@ EMPTY_STRUCT = error(
 VALUE_TOO_LARGE = error(
     "B0482",
     "a value of type `{type}` has {count} numbers, and {most} are possible",
-    "Whoever sets a value has all its numbers in memory, and so has a shader that chooses between "
-    "two. Elements of a `buffer` may be many: `buffer name : T[]`.",
+    "A host that sets a value has all its numbers in memory, and so has a shader that chooses "
+    "between two. Elements of a `buffer` may be many: `buffer name : T[]`.",
 )
 
 HOST_NAME_TAKEN = error(

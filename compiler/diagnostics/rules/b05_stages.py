@@ -63,14 +63,14 @@ NO_RESULT = error(
 NO_EXTENT = error(
     "B0511",
     "`{name}` does not tell its {what}",
-    "It stands in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
+    "Write it in brackets in the type of a result: `float[before.count]`, `uint[256]`, "
     "`image2d<rgba8>[source.size()]`.",
 )
 EXTENT_VARIES = error(
     "B0512",
     "the {what} of `{name}` is not known to the host",
-    "It is computed of constants, parameters, the counts of buffers and the sizes of textures, "
-    "without loops.",
+    "The host computes it from constants, parameters, the counts of buffers and the sizes of "
+    "textures, without loops.",
 )
 EXTENTS_DIFFER = error(
     "B0513",
@@ -134,15 +134,15 @@ WHICH_CORNER = error(
 OF_WHICH_CORNER = error(
     "B0522",
     "this differs between the corners of a primitive",
-    "How many strips there are, which of them are emitted, and which corner they are like is asked "
-    "once for each primitive. Say which corner is meant: `corner[0].position`.",
+    "The number of strips, the condition to emit them, and the corner that they are like are "
+    "computed once for each primitive. Say which corner is meant: `corner[0].position`.",
 )
 LIKE_WHICH_CORNER = error(
     "B0523",
     "which corner are {count} vertices like? a {primitive} has {corners}",
-    "What is not said of an emitted vertex is as at a corner of the primitive. If there are no "
-    "more vertices than corners, that is the one with the vertex's number. Otherwise say it: "
-    "`strip of 4 as i like corner[i mod 3] { … }`.",
+    "Values that an emitted vertex does not define are those of a corner of the primitive. If "
+    "there are no more vertices than corners, it is the corner with the vertex's number. "
+    "Otherwise name it: `strip of 4 as i like corner[i mod 3] { … }`.",
 )
 NO_TRIANGLES = error(
     "B0524",
@@ -190,8 +190,8 @@ LAYER_WITHIN_STRIP = error(
 NO_WORK_GROUP = error(
     "B0531",
     "{what} has no work groups, so there is no `{name}`",
-    "A work group is what runs together of a kernel over buffers: only there its values can be "
-    "joined.",
+    "The invocations of a kernel over buffers run together in work groups: only there values can "
+    "be joined.",
 )
 COUNT_PER_GROUP = error(
     "B0532",
@@ -202,8 +202,7 @@ COUNT_PER_GROUP = error(
 IMAGE_PER_GROUP = error(
     "B0533",
     "`{name}` is an image, which has a texel for each invocation",
-    "What is written once for each work group is an element of a buffer: "
-    "`result name : vec4[] per group = …`.",
+    "A result for each work group is an element of a buffer: `result name : vec4[] per group = …`.",
 )
 
 # Scattering
@@ -242,8 +241,8 @@ NO_SUCH_ELEMENT = error(
 NEVER_POSITIVE = error(
     "B0543",
     "the {what} of `{name}` is {found}",
-    "A kernel computes at least one element. What stands here has to be above 0, at least for some "
-    "values of the parameters.",
+    "A kernel computes at least one element. The size has to be above 0, at least for some values "
+    "of the parameters.",
 )
 
 # Kernels over images
@@ -282,8 +281,8 @@ CAPTURES_TOO_MUCH = error(
 POINTS_NOT_CAPTURED = error(
     "B0563",
     "points are captured, and `{name}` draws",
-    "A pass with members such as `capture place : vec3 = position` captures points. What is drawn "
-    "are triangles or lines: `strip of 4 as i { … }` makes a square of a point.",
+    "A pass with members such as `capture place : vec3 = position` captures points. Drawing needs "
+    "triangles or lines: `strip of 4 as i { … }` makes a square of a point.",
 )
 DIFFERENT_PRIMITIVES = error(
     "B0564",
@@ -359,7 +358,7 @@ NO_SEGMENTS = error(
 NOT_OF_PATCHES = error(
     "B0590",
     "the parts of a divided `{patch}` patch are `{made}` primitives, and not `{primitive}`",
-    "Where a material divides its patches, `expand` says what each part of a patch turns into. The "
+    "If a material divides its patches, `expand` gets each part of a patch as a primitive. The "
     "parts of triangle and quad patches are triangles, and those of isoline patches are lines. "
     "They know nothing of the vertices next to them.",
 )

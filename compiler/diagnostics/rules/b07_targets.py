@@ -12,7 +12,8 @@ UNSUPPORTED = error(
 TOO_MANY = error(
     "B0702",
     "{count} {what}, but {target} has only {limit}",
-    "The limit is what every device of the target is guaranteed to have, and its compilers take.",
+    "Every device of the target is guaranteed to have as many as the limit says, and compilers "
+    "accept them.",
 )
 REJECTED = error(
     "B0703",

@@ -15,14 +15,14 @@ NO_STEP = error(
     "B0802",
     "this is no step of a frame",
     "A step draws a pass or runs a kernel: `name = Pass(what, size) with { input = value }`, "
-    "`name = Kernel()`. What it makes is read as `name.target`.",
+    "`name = Kernel()`. Its results are read as `name.target`.",
 )
 NOT_LEFT = error(
     "B0803",
     "this is no {what}",
-    "What a step makes has names: the targets of its pass, `depth`, or the results of its kernel. "
-    "They are read as `step.name`; textures and buffers of the host are declared by `map` and "
-    "`buffer`.",
+    "The results of a step have names: the targets of its pass, `depth`, or the results of its "
+    "kernel. They are read as `step.name`; textures and buffers of the host are declared by `map` "
+    "and `buffer`.",
 )
 NOT_DRAWN = error(
     "B0804",
@@ -48,13 +48,14 @@ INPUT_MISSING = error(
 PLACES_DIFFER = error(
     "B0807",
     "`{first}` and `{second}` do not fit together: {reason}",
-    "What is drawn at once has one size and equally many layers. What a pass draws over has the "
-    "format of its own target.",
+    "Targets of one step have one size and equally many layers. A target that a pass draws over "
+    "has the format of the pass's own target.",
 )
 NO_OUTPUT = error(
     "B0808",
     "frame `{name}` has no output",
-    "`output picture = step.target` says what the host gets. What no output needs is not drawn.",
+    "`output picture = step.target` is a result for the host. Steps that no output needs are not "
+    "drawn.",
 )
 NOT_ADDED = error(
     "B0809",
@@ -89,14 +90,15 @@ NOT_FILTERED = error(
 FRAME_CYCLE = error(
     "B0814",
     "`{name}` needs itself: {cycle}",
-    "A frame draws its steps one after the other, so none of them can need what comes of it. "
-    "`previous(step.target)` is what the last frame left there.",
+    "A frame draws its steps one after the other, so no step can need its own result. "
+    "`previous(step.target)` is the result of the last frame.",
 )
 NOTHING_BEFORE = error(
     "B0815",
     "in the first frame, nothing has left `{name}`",
-    "A buffer has as many elements as what made it says, and before the first frame nothing did. "
-    "`previous(moved.after, seeded.after)` reads the second buffer in the first frame.",
+    "The kernel that writes a buffer gives its number of elements, and before the first frame "
+    "none has run. `previous(moved.after, seeded.after)` reads the second buffer in the first "
+    "frame.",
 )
 NO_VERTEX_INPUTS = error(
     "B0816",
@@ -115,19 +117,19 @@ NO_SHARED_VERTICES = error(
     "B0818",
     "`{step}` draws {primitives}, and vertices without models are points or triangles",
     "Lines, primitives with what lies next to them, and patches come of a mesh, whose triangles "
-    "have vertices in common. Vertices that have nothing but their numbers share none.",
+    "have vertices in common. Vertices without a mesh share none.",
 )
 NOT_BROUGHT = error(
     "B0819",
     "`{name}` of a {record} cannot be what a step leaves",
-    "Only lights bring the steps that make their textures, such as a shadow map. For all else a "
-    "frame says by `with` what is read.",
+    "Only lights bring the steps that make their textures, such as a shadow map. For all others, "
+    "a frame sets the texture by `with`.",
 )
 NOT_CLEARED = error(
     "B0820",
     "`{name}` is drawn over, so it is not cleared",
-    "A step clears what it draws to for the first time. What it draws over stays as another step "
-    "has left it.",
+    "A step clears the targets that are drawn to for the first time. A target that it draws over "
+    "stays as another step has left it.",
 )
 NO_BLEND_CONSTANT = error(
     "B0821",
@@ -178,5 +180,5 @@ TOO_MANY_STEPS = error(
     "B0828",
     "`{name}` has more than {most}",
     "Repetitions inside of each other multiply their steps, each of which a host draws one by one. "
-    "What is done so often belongs into a loop of a shader.",
+    "Work that is repeated so often belongs into a loop of a shader.",
 )

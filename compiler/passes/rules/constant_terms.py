@@ -54,10 +54,13 @@ def _are_factors(_builder: Builder, type_: Type, one: Node, other: Node) -> bool
 @computed
 def _plus(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -> Node | None:
     """A value plus a constant, in place of a chain with ``inner``."""
+    # A term of 0 leaves the value, without any operation, so a name of ``inner`` does not matter.
     if uniform_lane(term) == 0:
         return builder.fitted(value, type_)
+    # A named value stays for its other users, so a new sum would be computed beside it.
     if inner.id in builder.notes.names:
         return None
+    # Write ``x - 2`` and not ``x + -2``; ``uint`` has no negative constants.
     lanes = constant_lanes(term.type, term.data)
     if scalar_kind(term.type) != "uint" and all(lane < 0 for lane in lanes):
         return builder.call("sub", type_, value, builder.call("neg", term.type, term))
@@ -67,6 +70,7 @@ def _plus(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -
 @computed
 def _minus(builder: Builder, type_: Type, inner: Node, value: Node, term: Node) -> Node | None:
     """A value minus a constant, in place of a chain with ``inner``."""
+    # The steps are those of ``_plus``, with the opposite sign.
     if uniform_lane(term) == 0:
         return builder.fitted(value, type_)
     if inner.id in builder.notes.names:

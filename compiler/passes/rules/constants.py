@@ -179,7 +179,7 @@ def _lane_of_call(node: Node, lane: int, depth: int) -> Number | None:
         return None
     operands: list[Lanes] = []
     for operand in node.operands:
-        is_scalar = isinstance(operand.type, Scalar)  # It counts for every lane.
+        is_scalar = isinstance(operand.type, Scalar)  # A scalar has this value in every lane.
         value = _lane(operand, 0 if is_scalar else lane, depth - 1)
         if value is None:
             return None

@@ -9,7 +9,7 @@ other sequence; the operands of operands, and data, come behind.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -78,6 +78,28 @@ class Case:
         return _Matching(self.left, self.of_calls).applying(self.right, self.where)
 
 
+class Pattern:
+    """A term that is looked for in a graph, to which nothing is done.
+
+    The reflection looks for values by which hosts know a computation.
+    """
+
+    def __init__(self, term: Operation) -> None:
+        self._heads = frozenset(term.function.heads)
+        self._orders = tuple(
+            (Case(each, each, (), of_calls=False), _Matching(each, of_calls=False))
+            for each in orders(term)
+        )
+
+    def found_in(self, node: Node) -> Mapping[str, Any] | None:
+        """The values of the names in the term if a node looks like it; otherwise ``None``."""
+        if node.head not in self._heads:
+            return None
+        heads = tuple(operand.head for operand in node.operands)
+        found = (matching.named(node) for case, matching in self._orders if case.admits(heads))
+        return next((names for names in found if names is not None), None)
+
+
 def orders(operation: Operation) -> Iterator[Operation]:
     """The operation with its operands in each order that they may have."""
     choices = (
@@ -144,6 +166,13 @@ class _Matching:
             return made
 
         return apply
+
+    def named(self, node: Node) -> Mapping[str, Any] | None:
+        """The values of all names, or ``None`` where a part of a value looks in another way."""
+        values = self._begin(node.operands, node.data)
+        if not all(matches(values) for matches in self._steps):
+            return None
+        return {name: values[place] for name, place in self._places.items()}
 
     # --- the left side ---------------------------------------------------------------------------
 

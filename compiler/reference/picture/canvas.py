@@ -186,13 +186,13 @@ class Canvas:
         drawing = there.both(through.both(nearer))
         unsure = drawing.open
         if self.is_opaque and (test.write or not self.has_depth):
-            # Whatever is behind a fragment that certainly wins is not undecided any more.
+            # A fragment that certainly wins hides all before it, so the pixel is decided again.
             wins = drawing.holds & ~unsure
             wins &= self._passes_in_any_case(test, new + off[members], at)
             self.shaky[at[wins]] = False
         if self._shows(test):
             self.shaky[at] |= unsure
-        # It may have been drawn or not, so that either of the two depths may be there.
+        # An unsure fragment may be drawn or not, so that either of the two depths may be there.
         nearest_there = np.minimum(new - off[members], before - self.depth_off[at])
         self._may_hide[at[unsure]] = np.minimum(self._may_hide[at[unsure]], nearest_there[unsure])
         drawn, fragment = members[drawing.holds], fragment[drawing.holds]

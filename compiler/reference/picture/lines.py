@@ -193,7 +193,7 @@ def _outline(ends: Floats, rules: RasterRules) -> _Outline:
         upright = np.stack([-np.sign(dy), np.zeros_like(dy)], axis=1)
         across = _HALF * np.where(steep[:, None], upright, flat)
     if rules.lines == "diamonds":
-        # That of a pixel may begin before the line, or end behind it.
+        # The diamond of a pixel may begin before the line, or end behind it.
         beyond = _HALF * straight / np.where(longer > 0, longer, 1.0)[:, None]
         begin, end = begin - beyond, end + beyond
     return _Outline(

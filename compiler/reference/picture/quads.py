@@ -320,6 +320,7 @@ def _depth(depth: Floats, off: Floats) -> Bounded:
 
 
 def _error(bits: int | None) -> float:
+    """The relative error of numbers with so many bits; 0 if the rules ask for exact numbers."""
     return 0.0 if bits is None else 2.0**-bits
 
 

@@ -29,7 +29,7 @@ def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> Bu
         return None
     facts = tuple((short, part.fact) for short, part in declared.members)
     buffer = Buffer(name, declared.type, group, declared.fact, facts, declared.meaning)
-    doc = f"How many elements `{name}` has"
+    doc = f"The number of elements of `{name}`"
     limits = (0.0, buffer.count.fact.hi)
     span = member.name.span
     count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
@@ -47,7 +47,8 @@ def light_buffer(name: str, array: ParameterInfo, light: str, span: Span, doc: s
     )  # fmt: skip
     element = Parameter("", one.type.element, "", one.fact, one.member_facts, meaning=one.meaning)
     limits = (0.0, buffer.count.fact.hi)
-    count = ParameterInfo(buffer.count, "int", limits, 0, f"How many of `{name}` shine", span)
+    shining = f"The number of `{name}` that shine"
+    count = ParameterInfo(buffer.count, "int", limits, 0, shining, span)
     return BufferInfo(
         buffer, ParameterInfo(element, light, None, None, "", span, array.members), count, doc, span
     )

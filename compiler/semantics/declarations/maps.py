@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import get_args
 
 from ....frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
+from ...ir import default_textures
 from ...ir.leaves import Resource
 from ...ir.shader import ResourceInfo
-from ...ir.types import Array, Texture
+from ...ir.types import Array, Intent, Texture
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
@@ -19,7 +21,7 @@ from .written_types import declared_type
 Settings = Mapping[str, tuple[str, ...]]
 """The settings of a sampler, each with its words; the first one is the default."""
 
-COLOR_DEFAULTS = ("white", "black", "gray", "transparent", "flat_normal")
+COLOR_DEFAULTS = tuple(default_textures.COLORS)
 WRAP = ("repeat", "clamp", "mirror")
 FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "nearest", "none")}
 
@@ -33,17 +35,26 @@ class Kind:
     settings: Settings = EMPTY
     fixed: Mapping[str, str] = EMPTY
     """State that goes without saying."""
+    intents: tuple[Intent, ...] = ()
+    """The possible intents, if a declaration may say one."""
+
+    @property
+    def words(self) -> Settings:
+        """All settings that a declaration may have, with their words."""
+        return {**self.settings, "intent": self.intents} if self.intents else self.settings
 
 
-COLORS = Kind(COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP})
-CUBES = Kind(COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"})
+INTENTS: tuple[Intent, ...] = get_args(Intent)
+COLORS = Kind(COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS)
+CUBES = Kind(COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"}, INTENTS)
 COMPARED: Settings = {
     "filter": ("linear", "nearest"),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
 }
-DEPTHS = Kind(("far", "near"), {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
-DEPTH_CUBES = Kind(("far", "near"), COMPARED, {"mip": "none", "wrap": "clamp"})
-INTEGERS = Kind(("zero",))
+_DEPTH_DEFAULTS = tuple(default_textures.DEPTHS)
+DEPTHS = Kind(_DEPTH_DEFAULTS, {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
+DEPTH_CUBES = Kind(_DEPTH_DEFAULTS, COMPARED, {"mip": "none", "wrap": "clamp"})
+INTEGERS = Kind(tuple(default_textures.INTEGERS))
 """Maps of integers: nothing filters them, so they have no sampler."""
 
 DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
@@ -85,10 +96,13 @@ def resource(ctx: Context, definition: Definition, name: str, group: str) -> Res
         default = member.default.text
         if default not in kind.defaults:
             unknown_word(ctx, "texture default", member.default, kind.defaults)
-    state = _sampler_state(ctx, member, kind, declared.text)
+    said = _settings(ctx, member, kind, declared.text)
+    written = said.pop("intent", None)
+    intent = next((each for each in kind.intents if each == written), None)
+    state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
     found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
     is_brought = member.brought is not None
-    return ResourceInfo(found, member.doc, member.name.span, is_brought=is_brought)
+    return ResourceInfo(found, member.doc, member.name.span, is_brought=is_brought, intent=intent)
 
 
 def _check_bringer(ctx: Context, definition: Definition) -> None:
@@ -103,20 +117,21 @@ def _check_bringer(ctx: Context, definition: Definition) -> None:
         )  # fmt: skip
 
 
-def _sampler_state(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
+def _settings(ctx: Context, member: ast.Map, kind: Kind, type_: str) -> dict[str, str]:
+    """The settings that a declaration says; wrong ones have been reported, and are left out."""
     check_once(ctx.report, (key for key, _ in member.state))
-    state = {**kind.fixed, **{key: values[0] for key, values in kind.settings.items()}}
-    known = {**COLORS.settings, **DEPTHS.settings}
+    said: dict[str, str] = {}
+    known = {**COLORS.words, **DEPTHS.words}
     for key, value in member.state:
-        if key.text not in known and kind.settings:
-            unknown_word(ctx, "sampler setting", key, kind.settings)
-        elif key.text not in kind.settings:
+        if key.text not in known and kind.words:
+            unknown_word(ctx, "texture setting", key, kind.words)
+        elif key.text not in kind.words:
             ctx.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
-        elif value.text not in kind.settings[key.text]:
-            unknown_word(ctx, f"value for `{key.text}`", value, kind.settings[key.text])
+        elif value.text not in kind.words[key.text]:
+            unknown_word(ctx, f"value for `{key.text}`", value, kind.words[key.text])
         else:
-            state[key.text] = value.text
-    return state
+            said[key.text] = value.text
+    return said
 
 
 def unknown_word(ctx: Context, kind: str, name: ast.Name, known: Collection[str]) -> None:

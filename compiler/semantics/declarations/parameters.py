@@ -371,5 +371,5 @@ def as_array(ctx: Context, name: str, light: str, infos: tuple[ParameterInfo, ..
 def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> ParameterInfo:
     """The parameter for the number of lights that shine, of at most ``bound``."""
     parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
-    doc = f"How many of `{name}` shine"
+    doc = f"The number of `{name}` that shine"
     return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span, light=of.light)

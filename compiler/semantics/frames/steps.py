@@ -158,7 +158,7 @@ class Steps:
             return owner.values[key]
         definitions = owner.instance.record.definitions
         if key[0] in definitions and owner.dependencies.is_step(key):
-            return FAILURE  # It needs itself, which has been reported.
+            return FAILURE  # The step needs itself, which was reported.
         if key[0] in definitions:
             number = slot(self._ctx, owner.instance, key[0], span, key[1])
             return FAILURE if isinstance(number, Failure) else no_step(self._ctx, span)

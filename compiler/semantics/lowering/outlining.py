@@ -75,6 +75,7 @@ class _Sharing:
         # A body may call functions itself, so calls are looked for in the bodies, too. Callees come
         # first: their bodies are closed before those that apply them.
         self._find_bodies(roots)
+        # A body is outlined only if several calls have its value for their arguments.
         self._find_calls([*roots, *(group.body for group in self._groups.values())])
         uses = Counter(self._group_of.values())
         for group in self._groups.values():
@@ -86,6 +87,7 @@ class _Sharing:
 
     def _find_bodies(self, roots: list[Node]) -> None:
         """The bodies of all functions that are called more than once."""
+        # The candidates of all functions are trees first, and become nodes of the graph together.
         found = [
             candidate
             for callee, marks in _by_callee(roots).items()
@@ -98,11 +100,13 @@ class _Sharing:
 
     def _candidates(self, callee: Callee, marks: list[Node]) -> Iterator[_Candidate]:
         """One body for all calls; where constants have to be known, one for those with the same."""
+        # A body with a variable for each argument serves all calls.
         nothing: Fixed = (None,) * len(marks[0].operands[1:])
         whole = self._checked(callee, nothing)
         if whole is not None:
             yield callee, nothing, whole
             return
+        # Otherwise some argument must be constant, such as the number of turns of a loop.
         for fixed, count in Counter(map(_constants, marks)).items():
             if count > 1 and any(fixed) and (checked := self._checked(callee, fixed)):
                 yield callee, fixed, checked
@@ -115,6 +119,7 @@ class _Sharing:
 
     def _at_rest(self, group: _Group) -> Node:
         """The body of a group, closed, with what texts show of the function."""
+        # Calls within the body are applied first; then its variables become those of a function.
         (body,) = self._rewritten([group.body])
         closed = close(self._graph, body, group.formals, self._moved)
         notes, function = self._notes, group.callee.symbol.declaration
@@ -181,13 +186,14 @@ class _Sharing:
 
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         group = self._group_of.get(node.id)
+        # A call that shares no body stays written out: the first operand is its value.
         if group is None or group.applied is None:
             return operands[0]
         return build.apply(graph, group.applied, group.varying(operands[1:]))
 
 
 def _by_callee(roots: list[Node]) -> dict[Callee, list[Node]]:
-    """The marks of calls."""
+    """The marks of calls, by the function that is called."""
     found: dict[Callee, list[Node]] = {}
     for node in reachable(roots):
         if isinstance(node.data, Callee):

@@ -41,6 +41,7 @@ from .formats import texel_value
 from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
+from .intents import with_intents
 from .layers import layer_count, layer_of
 from .render_states import render_state_of
 from .samples import check_samples, check_samples_of_lines
@@ -100,7 +101,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
     everything = (*leaves, *lights)
     told = _of_pattern(steps)
-    values, graph, notes = lowered(ctx, [*(result.value for result in results), *told])
+    written = [result.value for result in results]
+    values, graph, notes = lowered(ctx, [*written, *told])
     values, told = values[: len(results)], values[len(results) :]
     return Shader(
         name=setting.surface.record.name,
@@ -110,7 +112,11 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         graph=graph,
         notes=notes,
         parameters=all_parameters(everything, ctx.externs.infos),
-        resources=tuple(resource for part in everything for resource in part.resources),
+        resources=with_intents(
+            tuple(resource for part in everything for resource in part.resources),
+            ctx.meanings,
+            written,
+        ),
         attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,

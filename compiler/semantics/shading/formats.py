@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...ir import build
+from ...ir.formats import TARGET_FORMATS
 from ...ir.node import Node
-from ...ir.types import FLOAT, VEC2, VEC3, VEC4, Type, width
+from ...ir.types import FLOAT, VEC3, VEC4, Type, width
 from ...syntax import ast
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import fit, typed
@@ -14,12 +15,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
 
-FORMATS: Mapping[str, Type] = {
-    "r8": FLOAT, "r16f": FLOAT, "r32f": FLOAT,
-    "rg8": VEC2, "rg16f": VEC2, "rg32f": VEC2,
-    "rgba8": VEC4, "rgba8_srgb": VEC4, "bgra8": VEC4, "bgra8_srgb": VEC4, "rgb10a2": VEC4,
-    "rgba16f": VEC4, "rgba32f": VEC4,
-}  # fmt: skip
+FORMATS: Mapping[str, Type] = {name: format_.type for name, format_ in TARGET_FORMATS.items()}
 """The formats, and the type of the value that is written to a texel."""
 
 

@@ -62,7 +62,7 @@ def extent_words(member: ast.Result) -> str:
 def image_result(ctx: Context, member: ast.Result, scope: Scope) -> Result | None:
     """An image with the value of one of its texels; ``None`` after reporting an error."""
     if member.type.name.text != IMAGE_TYPE:
-        return None  # It has been reported that there is no such image.
+        return None  # The missing image has been reported.
     if len(member.type.arguments) != 1:
         ctx.report.add(rules.NO_FORMAT, member.type.name.span, name=member.name.text)
         return None

@@ -41,6 +41,7 @@ from .images import (
     report_other_image,
 )
 from .instances import instance_of
+from .intents import with_intents
 from .room import has_room
 from .scattering import scattered
 from .slot_checks import check_instance
@@ -112,7 +113,7 @@ def kernel_shader(
         graph=graph,
         notes=notes,
         parameters=all_parameters((leaves,), externs),
-        resources=leaves.resources,
+        resources=with_intents(leaves.resources, ctx.meanings, [each.value for each in results]),
         attributes=(),
         results=lowered_results,
         externs=externs,

@@ -37,7 +37,7 @@ def stand_in(ctx: Context, instance: Instance) -> None:
                 value = _placeholder(ctx, definition)
                 instance.values[name, definition.level] = value
                 if definition is definitions[0] and name not in instance.replaced:
-                    # It may have failed already: a declaration cannot change a slot's type.
+                    # The slot may have failed already: a declaration cannot change a slot's type.
                     instance.values.setdefault((name, OUTERMOST), value)
 
 

@@ -109,7 +109,7 @@ class Attachment:
     clear: tuple[float, float, float, float] = BLACK
     """The clear colour; for depths, the first number."""
     resolve: Resolve | None = None
-    """Where the means of the samples go. ``None``: no step reads them, or there is one sample."""
+    """The place of the samples' means. ``None``: no step reads them, or there is one sample."""
 
 
 @dataclass(frozen=True, slots=True)

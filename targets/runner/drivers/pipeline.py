@@ -9,19 +9,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from ....compiler.ir.formats import VertexFormat
 from ....compiler.ir.render_state import Cull, DepthState, Fill, StencilState
 from .render_state import DepthFormat, RenderTarget, Winding
 from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 
 NEAREST = DepthState()
 """The depth test of a pass that says nothing of it: the nearest fragment is seen."""
-
-VertexFormat = Literal[
-    "float32", "float32x2", "float32x3", "float32x4",
-    "sint32", "sint32x2", "sint32x3", "sint32x4",
-    "uint32", "uint32x2", "uint32x3", "uint32x4",
-]  # fmt: skip
-"""WebGPU's names: the type of a lane and the number of lanes, tightly packed."""
 
 StepMode = Literal["vertex", "instance"]
 """When an attribute advances to its next value."""

@@ -10,12 +10,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
+from ....compiler.documents.drawing import ADDRESS_MODES, TOPOLOGY_WORDS
+from ....compiler.documents.writing import to_json
 from ....compiler.ir.blending import BlendEquation
-from ....compiler.ir.render_state import StencilSide
+from ....compiler.ir.render_state import COMPARE_WORDS, StencilSide
+from ....compiler.ir.types import DIMENSION_WORDS
 from .checks import lane_count
 from .pipeline import Pipeline, VertexInput
 from .render_state import RenderTarget
@@ -24,13 +27,11 @@ from .slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 DEPTH = "depth32float"
 FLOAT32_TARGETS = {"r32float", "rg32float", "rgba32float"}
 """The formats of render targets that not every device can blend."""
-VIEWS = {"2d": "2d", "2d_array": "2d-array", "3d": "3d", "cube": "cube"}
 
 DRAWN, COMPUTED = 0x3, 0x4
 """The bits of GPUShaderStage: of the two stages that draw, and of kernels."""
 _LANES = {"r": 0x1, "g": 0x2, "b": 0x4, "a": 0x8}
 """The bits of GPUColorWrite."""
-_ADDRESS_MODES = {"repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,20 +61,17 @@ class Buffer:
 def primitive(pipeline: Pipeline) -> Mapping[str, Any]:
     """The primitive state: topology, culling and winding."""
     return {
-        "topology": f"{pipeline.primitive}-list",
+        "topology": TOPOLOGY_WORDS[pipeline.primitive],
         "cull_mode": pipeline.cull,
         "front_face": pipeline.front_face,
     }
 
 
 def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
-    """The tests of depths and of stencil values, without the format.
-
-    The words of a pipeline are WebGPU's, with other dashes.
-    """
+    """The tests of depths and of stencil values, without the format."""
     state: dict[str, Any] = {
         "depth_write_enabled": pipeline.depth.write,
-        "depth_compare": _word(pipeline.depth.compare),
+        "depth_compare": COMPARE_WORDS[pipeline.depth.compare],
     }
     if pipeline.has_bias:
         state |= {
@@ -91,17 +89,8 @@ def depth_stencil(pipeline: Pipeline) -> Mapping[str, Any]:
     return state
 
 
-def _word(text: str) -> str:
-    return text.replace("_", "-")
-
-
 def _stencil_side(side: StencilSide) -> Mapping[str, str]:
-    return {
-        "compare": _word(side.compare),
-        "fail_op": _word(side.fail_op),
-        "depth_fail_op": _word(side.depth_fail_op),
-        "pass_op": _word(side.pass_op),
-    }
+    return cast(Mapping[str, str], to_json(side))
 
 
 def color_target(target: RenderTarget) -> Mapping[str, Any]:
@@ -114,16 +103,17 @@ def color_target(target: RenderTarget) -> Mapping[str, Any]:
 
 
 def _equation(equation: BlendEquation) -> Mapping[str, str]:
+    words = to_json(equation)
     return {
-        "operation": _word(equation.operation),
-        "src_factor": _word(equation.source),
-        "dst_factor": _word(equation.destination),
+        "operation": words["operation"],
+        "src_factor": words["source"],
+        "dst_factor": words["destination"],
     }
 
 
 def sampler(slot: TextureSlot) -> Mapping[str, Any]:
     """The sampler of a texture."""
-    wrap = _ADDRESS_MODES[slot.wrap]
+    wrap = ADDRESS_MODES[slot.wrap]
     state: dict[str, Any] = {
         "address_mode_u": wrap,
         "address_mode_v": wrap,
@@ -134,7 +124,7 @@ def sampler(slot: TextureSlot) -> Mapping[str, Any]:
         # A sampler cannot ignore mip levels, but it can stay on the first one.
         "lod_max_clamp": 0.0 if slot.mip == "none" else 32.0,
     }
-    return state if slot.compare is None else {**state, "compare": _word(slot.compare)}
+    return state if slot.compare is None else {**state, "compare": COMPARE_WORDS[slot.compare]}
 
 
 def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
@@ -212,7 +202,9 @@ def _entry(what: Bound) -> Mapping[str, Any]:
         return {"storage_texture": {"access": "write-only", "format": slot.format}}
     if what.is_sampler:
         return {"sampler": {"type": slot.sampling}}
-    return {"texture": {"view_dimension": VIEWS[slot.dimension], "sample_type": slot.sample}}
+    return {
+        "texture": {"view_dimension": DIMENSION_WORDS[slot.dimension], "sample_type": slot.sample}
+    }
 
 
 # --- for web pages -------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ from ....compiler.documents.plan import (
     RunStep,
     WaitingRow,
 )
+from ....compiler.ir.formats import DEPTH_WORDS
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
@@ -54,7 +55,6 @@ from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]
 
-DEPTH_FORMATS = {"depth32f": "depth32float", "depth32f_stencil8": "depth32float-stencil8"}
 WORD = 4
 """The bytes of a word."""
 
@@ -168,7 +168,7 @@ class _Job:
         width, height = self._host.size_of(number)
         if row.size.value is None:
             self._bytes.add(bytes_of(row, (width, height)))
-        name: Any = DEPTH_FORMATS.get(row.format) or FORMATS[row.format]
+        name: Any = DEPTH_WORDS.get(row.format) or FORMATS[row.format]
         self._textures.made.append(
             FrameTexture(
                 name,

@@ -102,7 +102,7 @@ class Drawn:
         return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
 
     def copy(self) -> Drawn:
-        """The same contents in a texture of its own."""
+        """A texture of its own with the same contents."""
         return deepcopy(self)
 
 

@@ -35,7 +35,7 @@ class SingleFrame:
 
     @property
     def plan_of_reference(self) -> FramePlan:
-        """The same plan: the results of one step share nothing."""
+        """The plan itself, as the results of one step share nothing."""
         return self.plan
 
 

@@ -320,7 +320,7 @@ def _size_row() -> ParameterRow:
         representation="ivec2",
         range=(1.0, 16384.0),
         default=(512, 512),
-        doc="Of what is shown, in pixels",
+        doc="The size of the picture, in pixels",
         library=declared_as("size"),
         role="size",
         group="frame",

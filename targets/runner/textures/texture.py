@@ -12,13 +12,14 @@ do it this way.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from ....arguments import expect, expect_all
+from ....compiler.ir.default_textures import OF_SAMPLES
 from ..drivers.texels import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
 from .kinds import FACES, Kind, PictureError
@@ -28,18 +29,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SRGB_PREFIX = "srgb:"
-
-_COLORS: dict[str, Sequence[int]] = {
-    "white": (255, 255, 255, 255),
-    "black": (0, 0, 0, 255),
-    "gray": (128, 128, 128, 255),
-    "transparent": (0, 0, 0, 0),
-    "flat_normal": (128, 128, 255, 255),
-}
-_DEPTHS = {"far": 1.0, "near": 0.0}
-DEFAULTS: Mapping[str, Collection[str]] = {"float": _COLORS.keys(), "depth": _DEPTHS.keys()}
-"""The default textures until a host binds one, by the kind of their texels; all others are
-zeros."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,11 +213,12 @@ def default_texture(name: str, dimension: Dimension = "2d", sample: Kind = "floa
     """A default texture of a ``map``, by its name in the language; not sRGB."""
     import numpy as np
 
+    texel = np.array(OF_SAMPLES[sample][name])
     if sample == "float":
-        return _texel(np.array(_COLORS[name], np.uint8), dimension, sample)
+        return _texel(np.round(texel * 255).astype(np.uint8), dimension, sample)
     if sample == "depth":
-        return _texel(np.array([_DEPTHS[name]]), dimension, sample)
-    return _texel(np.zeros(4, np.uint8 if sample == "uint" else np.int32), dimension, sample)
+        return _texel(texel, dimension, sample)
+    return _texel(texel.astype(np.uint8 if sample == "uint" else np.int32), dimension, sample)
 
 
 def _texel(

@@ -1,8 +1,8 @@
-"""Makes the host's table of builtins: what each of them means, as the reference says it.
+"""Makes the host's table of builtins: JavaScript functions that compute what the reference does.
 
 ``modules.py`` gives it to pages as the module ``generated/builtins.js``, and ``generate.py`` has it
-made when the package is built. Each overload is asked for its value once, with the names of its
-operands' lanes (``tracing.py``).
+made when the package is built. Each overload is evaluated once, with the names of its operands'
+lanes (``tracing.py``).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ....stdlib.builtins.overloads import COMPUTING, Overload, Shape, overloads
 from .tracing import Tracing, function, made, wrapped
 
 _HEAD = """\
-// What builtins mean, as compiler/reference says it. burnish.targets.web_host.serving makes this.
+// The builtins, generated from compiler/reference by burnish.targets.web_host.serving.
 
 /**
  * A number is one lane; a vector its lanes; a matrix its columns. Truth is 1 or 0.

@@ -12,7 +12,7 @@ from pathlib import Path
 from .builtin_table import builtins_module
 
 BUILTINS = "generated/builtins.js"
-"""Where the host finds the table of builtins."""
+"""The path at which the host imports the table of builtins."""
 
 _FOLDER = Path(__file__).parents[1]
 _PARTS = (".", "webgl2", "webgpu")

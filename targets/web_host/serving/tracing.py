@@ -1,4 +1,4 @@
-"""What the reference computes, as expressions of JavaScript.
+"""Turns functions of the reference into expressions of JavaScript.
 
 The functions of ``compiler/reference`` are written for any array library. ``Tracing`` is one whose
 arrays are expressions: a function that is called with the names of lanes returns the text by which
@@ -21,8 +21,8 @@ from typing import Any, Literal
 Kind = Literal["float", "int", "bool"]
 
 _HALF = 0x80000000
-"""A number that is wrapped to 32 bits with a sign is that much larger meanwhile; JavaScript has an
-operation for all of that."""
+"""The reference wraps to signed 32 bits by adding this, taking the low 32 bits, and subtracting it;
+JavaScript has one operation for the three."""
 _CALL = re.compile(r"[\w.]+\(({}|\d+)(, {})*\)")
 """The form of a call, whose arguments take no parentheses."""
 _SHORT = 60
@@ -166,7 +166,7 @@ def wrapped(value: Any) -> Expression:
 
 
 def is_number(value: Any, number: int) -> bool:
-    """Whether something is a constant of this value."""
+    """True if something is a constant with this value."""
     return not isinstance(value, Expression) and bool(value == number)
 
 
@@ -273,7 +273,7 @@ def _written(results: Any, names: dict[int, str], indent: int) -> str:
 
 
 def _shared(roots: tuple[Expression, ...]) -> list[Expression]:
-    """What more than one expression needs, operands first."""
+    """The expressions that more than one expression needs, operands first."""
     uses: dict[int, int] = {}
     order: list[Expression] = []
 

@@ -1,4 +1,4 @@
-// Draws textures over all of what is bound: on a canvas as a screen shows them, or as they are.
+// Draws textures over the whole framebuffer that is bound: to a canvas in sRGB, or unchanged.
 
 import { isDepth, lanesOf } from "../bytes.js";
 import { compiled } from "./programs.js";
@@ -22,7 +22,7 @@ vec4 texel(vec2 at) {
   return texelFetch(shown, ivec2(at / size * vec2(textureSize(shown, 0))), 0);
 }`;
 
-/** Rows of a canvas count from below, and those of frames from above. sRGB, without alpha. */
+/** Encodes sRGB, drops the alpha, and turns rows: a canvas counts them from below. */
 const ON_SCREEN = `${TEXT}
 void main() {
   vec3 linear = clamp(texel(vec2(gl_FragCoord.x, size.y - gl_FragCoord.y)).LANES, 0., 1.);
@@ -66,7 +66,7 @@ export class Presenter {
   }
 
   /**
-   * Draw the depths of a flat texture to the framebuffer that is bound, as numbers.
+   * Draw the depths of a flat texture as numbers to the framebuffer that is bound.
    * @param {Texture} texture
    */
   unpack(texture) {

@@ -9,8 +9,8 @@ import { interleaved } from "./vertices.js";
  */
 
 /**
- * The same mesh with its vertices in the order of its indices: while it captures, ES 3.00 draws
- * none by their indices.
+ * The same mesh without indices, its vertices in their order: ES 3.00 draws no indexed vertices
+ * while it captures.
  * @param {Reflection} reflection
  * @param {Mesh} mesh
  * @returns {Mesh}
@@ -28,8 +28,8 @@ export function inOrder(reflection, mesh) {
 }
 
 /**
- * What the program that is in use captures of the vertices that are bound: all values of a vertex
- * one behind the other, without gaps. `mode` is what is drawn.
+ * The values that the program in use captures from the bound vertices: all values of a vertex one
+ * behind the other, without gaps. `mode` is the topology, as WebGL numbers it.
  * @param {Gl} gl
  * @param {number} mode
  * @param {Mesh} mesh
@@ -43,7 +43,7 @@ export function captured(gl, mode, mesh, stride) {
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, buffer);
   gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, bytes.length, gl.STREAM_READ);
   gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-  // What is drawn to must be complete, although nothing is drawn to it.
+  // WebGL wants a complete framebuffer, although nothing is drawn to it.
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.enable(gl.RASTERIZER_DISCARD);
   gl.beginTransformFeedback(mode);

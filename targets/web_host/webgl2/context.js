@@ -1,10 +1,10 @@
-// Opens a context of WebGL 2, and asks it what went wrong.
+// Opens a context of WebGL 2, and asks it for errors.
 
 /** @typedef {WebGL2RenderingContext} Gl */
 
 /**
- * What frames are drawn with beyond WebGL 2 itself: without the first one there are no targets of
- * floats; what else is missing is told when it is needed.
+ * The extensions that frames use. Without the first one, a context cannot draw to floats and is
+ * refused; a frame that needs another one which is missing gets an error.
  */
 const EXTENSIONS = /** @type {const} */ ([
   "EXT_color_buffer_float", "EXT_float_blend", "OES_texture_float_linear",
@@ -28,7 +28,7 @@ export class Context {
   }
 
   /**
-   * A context that draws to a canvas, or one without a canvas, of which frames are read only.
+   * A context that draws to a canvas; frames of a context without a canvas can only be read.
    * @param {HTMLCanvasElement | OffscreenCanvas | null} canvas
    * @returns {Context}
    */
@@ -59,7 +59,7 @@ export class Context {
     return this.#found.get(name);
   }
 
-  /** An error with all that the context has complained about since the last time. */
+  /** Throws an error that lists the errors of the context since the last call. */
   check() {
     const { gl } = this;
     if (gl.isContextLost()) throw new Error("the WebGL context was lost");

@@ -1,4 +1,4 @@
-// Checks that a program reads nothing but what its reflection has: WebGL would read zeros there.
+// Checks that a program reads nothing that its reflection lacks: WebGL would read zeros.
 
 import { present } from "../present.js";
 
@@ -8,8 +8,8 @@ import { present } from "../present.js";
  */
 
 /**
- * An error for a vertex input, a block or a uniform that nobody would bind, and for a block that
- * is larger in the text than what is bound.
+ * Throws an error for a vertex input, a block or a uniform that would stay unbound, and for a block
+ * that is larger in the text than in the reflection.
  * @param {Gl} gl
  * @param {WebGLProgram} program
  * @param {Reflection} reflection

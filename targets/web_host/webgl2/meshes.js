@@ -10,21 +10,21 @@ import { interleaved } from "./vertices.js";
  */
 
 /**
- * What is drawn of a mesh by one program.
+ * The objects of WebGL with which one program draws a mesh.
  * @typedef {object} Uploaded
  * @property {WebGLVertexArrayObject} vertices
  * @property {WebGLBuffer[]} buffers
  * @property {number} count
  */
 
-/** What draws each topology, and how many vertices its primitives have. */
+/** The mode of WebGL that draws each topology, and the number of vertices of its primitives. */
 export const MODES = /** @type {const} */ ({
-  point: ["POINTS", 1], line: ["LINES", 2], triangle: ["TRIANGLES", 3],
+  "point-list": ["POINTS", 1], "line-list": ["LINES", 2], "triangle-list": ["TRIANGLES", 3],
 });
 
 /** @type {(reflection: Reflection) => keyof typeof MODES} */
 export const topologyOf = ({ draw }) =>
-  /** @type {keyof typeof MODES} */ (draw?.topology ?? "triangle");
+  /** @type {keyof typeof MODES} */ (draw?.topology ?? "triangle-list");
 
 /**
  * @param {Gl} gl

@@ -11,7 +11,7 @@ import { checkInterface } from "./interface.js";
 export const PROFILE = "glsl:es300";
 
 /**
- * A program with the numbers at which it finds what it reads.
+ * A program with the numbers of everything that it reads.
  * @typedef {object} Program
  * @property {WebGLProgram} gl
  * @property {string[]} blocks The name of the block at each binding.
@@ -19,10 +19,11 @@ export const PROFILE = "glsl:es300";
  *   unit, with its sampler; null where its texels are only loaded.
  * @property {Map<string, number>} inputs The location of each vertex input that the program reads,
  *   by name.
- * @property {WebGLUniformLocation[]} heights Uniforms that are the height of what is drawn to.
+ * @property {WebGLUniformLocation[]} heights Uniforms that are set to the height of the
+ *   targets.
  */
 
-/** WebGL links no program without a fragment shader, also where vertices are captured. */
+/** WebGL links no program without a fragment shader, not even where vertices are captured. */
 const NO_FRAGMENTS = { text: "#version 300 es\nvoid main() {}\n" };
 
 /**
@@ -60,7 +61,7 @@ function start(gl, { reflection, texts }) {
 }
 
 /**
- * A shader of a text. What is wrong with the text is told when its program is linked.
+ * A shader of a text. Errors in the text are reported when its program is linked.
  * @param {Gl} gl
  * @param {number} kind
  * @param {string} text
@@ -94,7 +95,7 @@ function finished(gl, { reflection }, program) {
   const bound = reflection.blocks.map(({ name }) => name).filter((name) => blocks[name]);
   bound.forEach((name, at) => {
     const index = gl.getUniformBlockIndex(program, blocks[name].identifier);
-    // Else nothing reads it.
+    // The linker has left out a block that nothing reads.
     if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, at);
   });
   const read = reflection.textures.filter(({ name }) => textures[name]);

@@ -37,9 +37,9 @@ export class WebGl2Renderer {
   #programs;
   /** @type {Presenter} */
   #presenter;
-  /** What steps draw to. @type {WebGLFramebuffer} */
+  /** The framebuffer that steps draw to. @type {WebGLFramebuffer} */
   #screen;
-  /** What is read or copied. @type {WebGLFramebuffer} */
+  /** The framebuffer that texels are read and copied from. @type {WebGLFramebuffer} */
   #source;
   /** @type {Map<string, WebGLSampler>} */
   #samplers = new Map();
@@ -183,7 +183,7 @@ export class WebGl2Renderer {
   }
 
   /**
-   * To blend floats of 32 bits takes an extension.
+   * Throws an error if 32-bit floats are blended without the extension for it.
    * @param {Attachment<Texture>[]} targets
    * @param {Call[]} calls
    */
@@ -198,7 +198,7 @@ export class WebGl2Renderer {
   }
 
   /**
-   * Write the means of the samples of a target where others read them.
+   * Write the means of a target's samples to the texture that later steps read.
    * @param {Attachment<Texture>} attachment
    * @param {number} point
    * @param {number} width
@@ -218,7 +218,7 @@ export class WebGl2Renderer {
   }
 
   /**
-   * Attach everything that is drawn to; the depths last.
+   * Attach the targets to the framebuffer, the depths last.
    * @param {Attachment<Texture>[]} targets
    * @param {Attachment<Texture> | null} depth
    * @returns {number[]}
@@ -279,8 +279,8 @@ export class WebGl2Renderer {
   }
 
   /**
-   * Draw nothing, and return the vertices that a draw captures: all values of a vertex one behind
-   * the other.
+   * Return the vertices that a draw captures, without drawing pixels: all values of a vertex one
+   * behind the other.
    * @param {Call} call
    * @returns {Uint8Array<ArrayBuffer>}
    */
@@ -293,8 +293,8 @@ export class WebGl2Renderer {
     gl.useProgram(program.gl);
     this.#bind(program, call);
     gl.bindVertexArray(uploaded.vertices);
-    const { primitive, stride } = present(reflection.capture);
-    const found = captured(gl, gl[MODES[primitive][0]], mesh, stride);
+    const { topology, stride } = present(reflection.capture);
+    const found = captured(gl, gl[MODES[topology][0]], mesh, stride);
     gl.bindVertexArray(null);
     freeMesh(gl, uploaded);
     this.#context.check();
@@ -440,7 +440,7 @@ export class WebGl2Renderer {
   }
 
   /**
-   * WebGL reads no depths back, so they are drawn as colours.
+   * The depths of a layer. WebGL reads no depths back, so they are drawn as colours first.
    * @param {Texture} texture
    * @param {number} layer
    * @returns {Float32Array}
@@ -461,7 +461,7 @@ export class WebGl2Renderer {
   }
 
   /**
-   * Do something with a layer as a flat texture of its own.
+   * Call `work` with a flat texture that has the texels of a layer.
    * @param {Texture} texture
    * @param {number} layer
    * @param {(texture: Texture) => void} work

@@ -3,6 +3,7 @@
 
 import { hasStencil } from "../bytes.js";
 import { PROFILE } from "./programs.js";
+import { topologyOf } from "./meshes.js";
 import { compareOf } from "./textures.js";
 
 /**
@@ -12,6 +13,7 @@ import { compareOf } from "./textures.js";
 
 /** @typedef {Reflection["render_state"]} RenderState */
 /** @typedef {NonNullable<TargetRow["blend"]>} Blend */
+/** @typedef {Blend["color"]["source"]} BlendFactor */
 
 /**
  * Set everything for draws of a shader. `depths` is the format of the depths, if there are any.
@@ -21,7 +23,7 @@ import { compareOf } from "./textures.js";
  */
 export function setState(context, reflection, depths) {
   const { gl } = context;
-  const { render_state: state, backends, material, draw } = reflection;
+  const { render_state: state, backends, material } = reflection;
   if (state.fill === "lines") {
     throw new Error(`WebGL 2 cannot draw the edges of triangles, as ${material} asks`);
   }
@@ -31,7 +33,7 @@ export function setState(context, reflection, depths) {
   turn(gl, gl.DEPTH_TEST, depths !== null);
   gl.depthFunc(compareOf(gl, state.depth.compare));
   gl.depthMask(state.depth.write);
-  setBias(context, state, (draw?.topology ?? "triangle") === "triangle");
+  setBias(context, state, topologyOf(reflection) === "triangle-list");
   setStencil(gl, depths !== null && hasStencil(depths) ? state.stencil : null);
   setTargets(context, reflection);
 }
@@ -79,18 +81,17 @@ function setStencil(gl, stencil) {
   const { front, back } = stencil;
   for (const [face, side] of /** @type {const} */ ([[gl.FRONT, front], [gl.BACK, back]])) {
     gl.stencilFuncSeparate(face, compareOf(gl, side.compare), stencil.reference, stencil.read_mask);
-    const words = /** @type {Operation[]} */ ([side.fail_op, side.depth_fail_op, side.pass_op]);
+    const words = [side.fail_op, side.depth_fail_op, side.pass_op];
     const [fail, behind, pass] = words.map((word) => gl[STENCIL_OPERATIONS[word]]);
     gl.stencilOpSeparate(face, fail, behind, pass);
   }
 }
 
 const STENCIL_OPERATIONS = /** @type {const} */ ({
-  keep: "KEEP", zero: "ZERO", replace: "REPLACE", invert: "INVERT",
-  increment_clamp: "INCR", decrement_clamp: "DECR", increment_wrap: "INCR_WRAP",
-  decrement_wrap: "DECR_WRAP",
+  "keep": "KEEP", "zero": "ZERO", "replace": "REPLACE", "invert": "INVERT",
+  "increment-clamp": "INCR", "decrement-clamp": "DECR",
+  "increment-wrap": "INCR_WRAP", "decrement-wrap": "DECR_WRAP",
 });
-/** @typedef {keyof typeof STENCIL_OPERATIONS} Operation */
 
 // --- targets -------------------------------------------------------------------------------------
 
@@ -139,31 +140,31 @@ const lanesOf = (mask) =>
 /** @typedef {[boolean, boolean, boolean, boolean]} Lanes */
 /** @typedef {"FUNC_ADD" | "FUNC_SUBTRACT" | "FUNC_REVERSE_SUBTRACT" | "MIN" | "MAX"} Equation */
 
-/** @type {Record<string, Equation>} */
+/** @type {Record<GPUBlendOperation, Equation>} */
 const OPERATIONS = {
-  add: "FUNC_ADD", subtract: "FUNC_SUBTRACT", reverse_subtract: "FUNC_REVERSE_SUBTRACT",
-  min: "MIN", max: "MAX",
+  "add": "FUNC_ADD", "subtract": "FUNC_SUBTRACT", "reverse-subtract": "FUNC_REVERSE_SUBTRACT",
+  "min": "MIN", "max": "MAX",
 };
 
 /** @type {(gl: Gl, blend: Blend) => [number, number]} */
 const operations = (gl, { color, alpha }) =>
   [gl[OPERATIONS[color.operation]], gl[OPERATIONS[alpha.operation]]];
 
-/** The factor of colours and that of alpha. @type {Record<string, [keyof Gl, keyof Gl]>} */
+/** The factor of colours and that of alpha. @type {Record<BlendFactor, [keyof Gl, keyof Gl]>} */
 const FACTORS = {
-  zero: ["ZERO", "ZERO"],
-  one: ["ONE", "ONE"],
-  src: ["SRC_COLOR", "SRC_ALPHA"],
-  one_minus_src: ["ONE_MINUS_SRC_COLOR", "ONE_MINUS_SRC_ALPHA"],
-  src_alpha: ["SRC_ALPHA", "SRC_ALPHA"],
-  one_minus_src_alpha: ["ONE_MINUS_SRC_ALPHA", "ONE_MINUS_SRC_ALPHA"],
-  dst: ["DST_COLOR", "DST_ALPHA"],
-  one_minus_dst: ["ONE_MINUS_DST_COLOR", "ONE_MINUS_DST_ALPHA"],
-  dst_alpha: ["DST_ALPHA", "DST_ALPHA"],
-  one_minus_dst_alpha: ["ONE_MINUS_DST_ALPHA", "ONE_MINUS_DST_ALPHA"],
-  src_alpha_saturated: ["SRC_ALPHA_SATURATE", "SRC_ALPHA_SATURATE"],
-  constant: ["CONSTANT_COLOR", "CONSTANT_ALPHA"],
-  one_minus_constant: ["ONE_MINUS_CONSTANT_COLOR", "ONE_MINUS_CONSTANT_ALPHA"],
+  "zero": ["ZERO", "ZERO"],
+  "one": ["ONE", "ONE"],
+  "src": ["SRC_COLOR", "SRC_ALPHA"],
+  "one-minus-src": ["ONE_MINUS_SRC_COLOR", "ONE_MINUS_SRC_ALPHA"],
+  "src-alpha": ["SRC_ALPHA", "SRC_ALPHA"],
+  "one-minus-src-alpha": ["ONE_MINUS_SRC_ALPHA", "ONE_MINUS_SRC_ALPHA"],
+  "dst": ["DST_COLOR", "DST_ALPHA"],
+  "one-minus-dst": ["ONE_MINUS_DST_COLOR", "ONE_MINUS_DST_ALPHA"],
+  "dst-alpha": ["DST_ALPHA", "DST_ALPHA"],
+  "one-minus-dst-alpha": ["ONE_MINUS_DST_ALPHA", "ONE_MINUS_DST_ALPHA"],
+  "src-alpha-saturated": ["SRC_ALPHA_SATURATE", "SRC_ALPHA_SATURATE"],
+  "constant": ["CONSTANT_COLOR", "CONSTANT_ALPHA"],
+  "one-minus-constant": ["ONE_MINUS_CONSTANT_COLOR", "ONE_MINUS_CONSTANT_ALPHA"],
 };
 
 /**
@@ -173,7 +174,7 @@ const FACTORS = {
  * @returns {[number, number, number, number]}
  */
 function factors(gl, { color, alpha }) {
-  /** @type {(word: string, lanes: 0 | 1) => number} */
+  /** @type {(word: BlendFactor, lanes: 0 | 1) => number} */
   const of = (word, lanes) => /** @type {number} */ (gl[FACTORS[word][lanes]]);
   return [
     of(color.source, 0), of(color.destination, 0), of(alpha.source, 1), of(alpha.destination, 1),

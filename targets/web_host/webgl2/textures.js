@@ -23,11 +23,11 @@ import { present } from "../present.js";
 /** @typedef {"TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP"} Bind */
 /** @type {Record<PictureRow["dimension"], Bind>} */
 const BINDS = {
-  "2d": "TEXTURE_2D", "2d_array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
+  "2d": "TEXTURE_2D", "2d-array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-/** @type {Record<string, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT">} */
+/** @type {Record<GPUAddressMode, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT">} */
 const WRAPS = {
-  repeat: "REPEAT", clamp: "CLAMP_TO_EDGE", mirror: "MIRRORED_REPEAT",
+  "repeat": "REPEAT", "clamp-to-edge": "CLAMP_TO_EDGE", "mirror-repeat": "MIRRORED_REPEAT",
 };
 
 /**
@@ -166,7 +166,7 @@ export const depthPoint = (gl, format) =>
 export function attach(gl, framebuffer, point, { gl: texture, dimension, samples }, layer, level) {
   if (samples > 1) {
     gl.framebufferRenderbuffer(framebuffer, point, gl.RENDERBUFFER, texture);
-  } else if (dimension === "2d_array" || dimension === "3d") {
+  } else if (dimension === "2d-array" || dimension === "3d") {
     gl.framebufferTextureLayer(framebuffer, point, texture, level, layer);
   } else {
     const face = dimension === "cube" ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + layer : gl.TEXTURE_2D;
@@ -187,7 +187,7 @@ export function makePicture(context, picture) {
   if (format === "rgba32float") {
     context.need("OES_texture_float_linear", "filter pictures of floats");
   }
-  const hasThree = dimension === "3d" || dimension === "2d_array";
+  const hasThree = dimension === "3d" || dimension === "2d-array";
   const sides = hasThree ? [width, height, depth] : [width, height];
   const made = allocate(context, {
     format, dimension, width, height, layers: depth, levels: levels.length, samples: 1, sides,
@@ -239,6 +239,9 @@ function numbersOf(type, { buffer }) {
   }
 }
 
+/** @type {SamplerRow["state"]} */
+const LOADED = { filter: "nearest", mip: "nearest", wrap: "clamp-to-edge", compare: null };
+
 /**
  * The sampler of a texture in a shader; without a state, its texels are only loaded.
  * @param {Gl} gl
@@ -249,8 +252,7 @@ export function makeSampler(gl, state) {
   const sampler = gl.createSampler();
   /** @type {(name: number, value: number) => void} */
   const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-  const plain = { filter: "nearest", mip: "nearest", wrap: "clamp", compare: "" };
-  const { filter, mip, wrap, compare } = state ?? plain;
+  const { filter, mip, wrap, compare } = state ?? LOADED;
   const words = [filter, mip === "linear" ? "linear" : "nearest"];
   const [near, between] = words.map((word) => word.toUpperCase());
   set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
@@ -268,9 +270,9 @@ export function makeSampler(gl, state) {
 }
 
 const COMPARES = /** @type {const} */ ({
-  never: "NEVER", less: "LESS", equal: "EQUAL", less_equal: "LEQUAL",
-  greater: "GREATER", not_equal: "NOTEQUAL", greater_equal: "GEQUAL", always: "ALWAYS",
+  "never": "NEVER", "less": "LESS", "equal": "EQUAL", "less-equal": "LEQUAL",
+  "greater": "GREATER", "not-equal": "NOTEQUAL", "greater-equal": "GEQUAL", "always": "ALWAYS",
 });
 
-/** @type {(gl: Gl, word: string) => number} */
-export const compareOf = (gl, word) => gl[COMPARES[/** @type {keyof typeof COMPARES} */ (word)]];
+/** @type {(gl: Gl, word: GPUCompareFunction) => number} */
+export const compareOf = (gl, word) => gl[COMPARES[word]];

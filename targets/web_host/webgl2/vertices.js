@@ -1,9 +1,9 @@
-// How the vertex inputs of a mesh lie in its buffers.
+// The layout of the vertex inputs of a mesh in its buffers.
 
 /** @import { Reflection, VertexInputRow } from "../generated/documents.js" */
 
 /**
- * Where the inputs lie that step alike: all of one vertex, or of one instance, after the other.
+ * The layout of the inputs with one step: all of one vertex, or of one instance, after the other.
  * @typedef {object} Interleaved
  * @property {VertexInputRow["step"]} step
  * @property {number} stride
@@ -11,7 +11,7 @@
  */
 
 /**
- * The buffers that a shader reads vertex inputs of.
+ * The buffers from which a shader reads its vertex inputs.
  * @param {Reflection} reflection
  * @returns {Interleaved[]}
  */

@@ -1,4 +1,4 @@
-// Draws over all of a picture, pixel by pixel, what a text makes of the texels of a texture.
+// Draws over a whole picture with a fragment shader that reads the texels of a texture.
 
 const CORNERS = `
 @group(0) @binding(0) var texels: texture_2d<f32>;

@@ -1,13 +1,13 @@
-// Opens a device of WebGPU, and keeps what it complains about.
+// Opens a device of WebGPU, and collects its errors.
 
 /**
- * Features that textures and targets of 32 bits need, and stencil values beside such depths.
+ * Features that 32-bit textures and targets need, and stencil values beside 32-bit depths.
  * @type {GPUFeatureName[]}
  */
 const FEATURES = [
   "float32-filterable", "float32-blendable", "depth32float-stencil8",
 ];
-/** Limits that frames may need to be above the default. */
+/** Limits that some frames need above the default: the device gets all that the adapter has. */
 const LIMITS = /** @type {const} */ ([
   "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",
 ]);
@@ -48,7 +48,7 @@ export class Device {
     );
   }
 
-  /** An error with all that the device has complained about since the last time. */
+  /** Throws an error that lists the errors of the device since the last call. */
   check() {
     const found = [...new Set(this.#complaints.splice(0))];
     if (found.length) throw new Error(found.join("\n"));
@@ -105,7 +105,7 @@ export class Arena {
   }
 
   /**
-   * Where a piece lies, until `begin` is called again; it is there for what is submitted next.
+   * The place of a piece, valid until the next `begin`; the next submission finds it there.
    * @param {Uint8Array<ArrayBuffer>} bytes
    * @returns {GPUBufferBinding}
    */

@@ -12,7 +12,7 @@ import { present } from "../present.js";
 export const PROFILE = "wgsl:webgpu";
 
 /**
- * What of a package a renderer is opened for.
+ * The parts of a package that a renderer needs to open.
  * @typedef {Pick<Package, "shaders" | "pipelines">} Drawable
  */
 
@@ -24,7 +24,7 @@ export const PROFILE = "wgsl:webgpu";
  * @property {GPUComputePipeline} [compute]
  */
 
-/** The formats of what a pipeline draws to. @typedef {Omit<PipelineRow, "shader">} Formats */
+/** The formats of a pipeline's targets. @typedef {Omit<PipelineRow, "shader">} Formats */
 
 /** All pipelines of a frame, by shader and formats. */
 export class Pipelines {

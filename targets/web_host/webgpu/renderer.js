@@ -22,7 +22,7 @@ import { layerOf, makePicture, makeTexture, viewOf } from "./textures.js";
 const ROW_ALIGNMENT = 256;
 
 /**
- * What the device has of a mesh.
+ * The buffers of a mesh on the device.
  * @typedef {object} Uploaded
  * @property {GPUBuffer[]} vertices
  * @property {GPUBuffer | null} indices
@@ -35,7 +35,7 @@ const ROW_ALIGNMENT = 256;
 export class WebGpuRenderer {
   /** @readonly */
   profile = PROFILE;
-  /** What steps write into, from `begin` to `end`. @type {GPUCommandEncoder | null} */
+  /** The encoder of the steps, from `begin` to `end`. @type {GPUCommandEncoder | null} */
   #encoder = null;
   /** @type {Arena} */
   #arena;
@@ -69,14 +69,14 @@ export class WebGpuRenderer {
   }
 
   /**
-   * A renderer that draws with a device, which it destroys in the end if it owns it.
+   * A renderer that draws with a device; `owns` says that it destroys the device in the end.
    * @param {Device} device
    * @param {Drawable} from
    * @param {Canvas | null} canvas
    */
   static async open(device, from, canvas, owns = !canvas) {
     const pipelines = await Pipelines.of(device, from);
-    // Until here, the canvas shows what it did before.
+    // Everything that can fail comes first: until here, the canvas shows its last picture.
     const presenter = canvas && new Presenter(device, canvas);
     return new WebGpuRenderer(device, pipelines, presenter, from.shaders, owns);
   }

@@ -15,7 +15,7 @@ import { cover, coverPipeline } from "./cover.js";
  * @property {number[]} sides The texels of its first level in each direction.
  */
 
-/** What kernels can store to. */
+/** The formats to which kernels can store. */
 const STORABLE = /^(rgba8unorm|rgba16float|(r|rg|rgba)32float)$/;
 
 /**
@@ -89,7 +89,7 @@ export function makePicture(device, picture) {
     const fill = isDepth(format) ? drawDepths : writeTexels;
     fill(device, texture, bytesOf(level), number, size);
   });
-  const hasThree = isSolid || dimension === "2d_array";
+  const hasThree = isSolid || dimension === "2d-array";
   return { gpu: texture, sides: hasThree ? [width, height, depth] : [width, height] };
 }
 

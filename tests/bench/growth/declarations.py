@@ -66,7 +66,7 @@ def materials_with_the_librarys_light(size: int) -> str:
 
 @shape(16, 512)
 def abstract_materials(size: int) -> str:
-    """None of them is compiled, and each is checked."""
+    """Abstract materials, which are checked and not compiled."""
     records = lines(f"abstract material M{i} {{ color = vec3(uv, {i}) }}" for i in range(size))
     return f"{records}\n" + material("")
 
@@ -93,7 +93,7 @@ def chain_of_inherited(size: int) -> str:
 
 @shape(16, 512)
 def mixins(size: int) -> str:
-    """One material takes in all of them."""
+    """Mixins, all of which one material includes."""
     records = lines(f"mixin X{i} {{ color = inherited.color * 0.5 + {i}.5 }}" for i in range(size))
     chain = " + ".join(f"X{i}" for i in range(size))
     return f"{records}\nmaterial Last : Surface + {chain} {{ }}"

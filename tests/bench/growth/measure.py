@@ -21,7 +21,7 @@ _DECLARING = (graphs, declarations, texts, mistakes)
 
 PHASES = ("parse", "semantics", "passes", "emission", "reflection", "messages")
 LIMIT = 4.0
-"""CPU seconds: a shape is not taken any further from where a compile takes as long as this."""
+"""The CPU seconds of a compile after which a shape is not taken any further."""
 PATIENCE = 8.0
 """CPU seconds after which a compile is ended."""
 LEAST = 0.02
@@ -30,11 +30,11 @@ LEAST = 0.02
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """What a compile of one size took."""
+    """The time and memory of a compile of one size."""
 
     size: int
     seconds: dict[str, float]
-    """By phase, and ``all`` together."""
+    """The times by phase, and ``all`` together."""
     megabytes: float
 
 
@@ -45,7 +45,7 @@ class Curve:
     shape: Shape
     points: tuple[Point, ...]
     end: str
-    """What became of it: ``compiles``, ``reported``, or why it went no further."""
+    """The end of the curve: ``compiles``, ``reported``, or the reason why it went no further."""
 
     def exponent(self, phase: str) -> float | None:
         """The power of the size with which a phase grows at the end of the curve.

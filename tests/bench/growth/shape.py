@@ -1,4 +1,4 @@
-"""What a shape of programs is: a generator of sources by size, and how far to take it."""
+"""Shapes of programs: a generator of sources by size, and the largest size of each."""
 
 from __future__ import annotations
 

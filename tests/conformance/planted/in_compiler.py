@@ -85,7 +85,7 @@ def rewriting(name: str, right: Term) -> Plant:
 
 
 def _holding(fact: Any, condition: Any, _holds: bool, without: Any) -> Any:
-    """What a condition says where it holds, wherever that is asked."""
+    """The refinements of a condition that holds, also where it does not hold."""
     return refinements(fact, condition, True, without)
 
 

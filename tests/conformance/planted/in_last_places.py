@@ -24,7 +24,7 @@ FUNCTIONS: Mapping[str, int] = {
 """Builtins, and how many operands they have."""
 
 CLOSE = {"div", "inversesqrt", "exp2", "log2"}
-"""Those that are not correctly rounded."""
+"""The builtins that are not correctly rounded."""
 
 NAMES: Mapping[str, Mapping[str, str]] = {
     "glsl": {"round": "roundEven"},
@@ -35,11 +35,11 @@ NAMES: Mapping[str, Mapping[str, str]] = {
 
 
 ALLOWED = {("hlsl", name) for name in ("inversesqrt", "exp2", "log2")}
-"""Where Direct3D promises less than that."""
+"""The builtins for which Direct3D promises less than that."""
 
 
 def _right(language: str, builtin: str) -> str:
-    """How a language writes a builtin."""
+    """The text of a builtin in a language."""
     if builtin in OPERATORS:
         return f"({{0:p}} {OPERATORS[builtin]} {{1:p}})"
     if (language, builtin) == ("glsl", "saturate"):

@@ -94,7 +94,7 @@ _IN_GLSL = [
     ("the last texel", "gathered: Levels",
      "clamp(place, 0, size - 1)", "clamp(place, 0, max(size - 2, 0))"),
 ]  # fmt: skip
-"""What is wrong, a material that shows it, a text, and what replaces it."""
+"""The error, a material that shows it, the correct text, and the wrong text in its place."""
 
 _IN_OPENGL = [
     ("bits of nibbles", "bits: Counted",

@@ -1,4 +1,4 @@
-"""What a planted error is, and functions that plant one in each part of a copy of the compiler."""
+"""Planted errors, and functions that plant one in each part of a copy of the compiler."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ fn main(input: VertexInput) -> VertexOutput {
     // Normals stay upright under any scale by the inverse transpose. Their length changes.
     let normal_upright = (draw_derived.normal_matrix * object_normal_elements[emitted_vertex]).xyz;
     let position_ = position + material.fur_length * height * safe_normalize(normal_upright);
-    // Where the vertex lands in clip space.
+    // The position of the vertex in clip space.
     let clip_position_ = view.view_projection * vec4f(position_, 1.0);
     var uv_elements: array<vec2f, 3> = array<vec2f, 3>(
         input.corner0_vertex_uv, input.corner1_vertex_uv, input.corner2_vertex_uv

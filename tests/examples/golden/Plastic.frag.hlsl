@@ -22,7 +22,7 @@ cbuffer Rig : register(b0, space1) {
     float3 sun_direction;  /// Where the light travels
     float rig_pad_0;
     Point lamps[8];
-    int lamps_count;  /// How many of `lamps` shine
+    int lamps_count;  /// The number of `lamps` that shine
     float rig_pad_1;
     float rig_pad_2;
     float rig_pad_3;

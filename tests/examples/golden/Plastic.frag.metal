@@ -26,7 +26,7 @@ struct Rig {
     alignas(16) packed_float3 sun_direction;  /// Where the light travels
     float rig_pad_0;
     array<Point, 8> lamps;
-    int lamps_count;  /// How many of `lamps` shine
+    int lamps_count;  /// The number of `lamps` that shine
     float rig_pad_1;
     float rig_pad_2;
     float rig_pad_3;

@@ -22,7 +22,7 @@ struct Rig {
     sun_direction: vec3f,  /// Where the light travels
     rig_pad_0: f32,
     lamps: array<Point, 8>,
-    lamps_count: i32,  /// How many of `lamps` shine
+    lamps_count: i32,  /// The number of `lamps` that shine
     rig_pad_1: f32,
     rig_pad_2: f32,
     rig_pad_3: f32,

@@ -23,7 +23,7 @@ layout(std140) uniform Rig {
     vec3 sun_direction;  /// Where the light travels
     float rig_pad_0;
     Point lamps[8];
-    int lamps_count;  /// How many of `lamps` shine
+    int lamps_count;  /// The number of `lamps` that shine
     float rig_pad_1;
     float rig_pad_2;
     float rig_pad_3;

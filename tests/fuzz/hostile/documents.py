@@ -15,7 +15,7 @@ Document = Any
 
 MOST_CHANGES = 3
 DEEPER = 0.93
-"""How likely a change is about something inside of a value, and not about all of it."""
+"""The probability that a change concerns something inside a value, and not the whole value."""
 
 NUMBERS: Sequence[Any] = (
     0, 1, -1, 2, 3, 4, 7, 31, 32, 255, 256, 65535, 65536, 2**24, 2**31 - 1, 2**31, -(2**31),
@@ -82,14 +82,14 @@ def _replace(random: Random, container: Any, key: Any, _whole: Document) -> None
 
 
 def _near(random: Random, container: Any, key: Any, whole: Document) -> None:
-    """A number becomes a little other; what is no number becomes something of the document."""
+    """Changes a number by one; replaces another value by any value of the document."""
     value = container[key]
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     container[key] = value + random.choice((-1, 1)) if is_number else _anything(random, whole)
 
 
 def _move(random: Random, container: Any, key: Any, whole: Document) -> None:
-    """What stands elsewhere under the same key, or anything, stands here, too."""
+    """Replaces a value by one from elsewhere under the same key, or by any other value."""
     for _ in range(20):
         other = _anything(random, whole)
         if isinstance(other, dict) and key in other:
@@ -99,7 +99,7 @@ def _move(random: Random, container: Any, key: Any, whole: Document) -> None:
 
 
 def _repeat(random: Random, container: Any, key: Any, _whole: Document) -> None:
-    """Once more, or often."""
+    """Repeats a value once or many times."""
     if isinstance(container, list):
         container[key:key] = [container[key]] * random.choice((1, 1, 2, 40))
     else:

@@ -23,7 +23,7 @@ from ...cli.hostile_folder import SECRET, Reader
 from .names import hostile_names
 
 SHARE_WRITTEN = 0.1
-"""Of so many folders the pages are written, since making templates takes long."""
+"""The share of folders whose pages are written, since making templates takes long."""
 VALUES = (
     "1", "a=1", "t=own.png", "t=../private", "t=/dev/zero", "t=srgb:up/private", "t=link,own.png",
     "knot", "99999999999999999999", "", "'", "#fff", "x.png", "../x.png", "a=b=c", "=", "t=\0",
@@ -31,7 +31,7 @@ VALUES = (
 
 
 def trial() -> Callable[[Random, Path], None]:
-    """What shows a random folder."""
+    """The function that shows a random folder."""
     return _show
 
 

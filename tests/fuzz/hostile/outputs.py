@@ -24,7 +24,7 @@ State = dict[str, tuple[int, bytes]]
 
 
 def trial() -> Callable[[Random, Path], None]:
-    """What writes into a random folder."""
+    """The function that writes into a random folder."""
     return _write
 
 

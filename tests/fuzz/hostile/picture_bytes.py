@@ -21,7 +21,7 @@ from burnish.targets.runner.textures.kinds import PictureError
 from burnish.targets.runner.textures.texture import Texture
 
 TOLD = (PictureError, BudgetError)
-"""What reading a picture may raise."""
+"""The errors that reading a picture may raise."""
 
 _WRITTEN: Mapping[str, tuple[str, str, dict[str, object]]] = {
     "rgba.png": ("PNG", "RGBA", {}),

@@ -77,7 +77,7 @@ class Received:
 
 @cache
 def received(name: str) -> Received:
-    """What one of ``NAMES`` is compiled to, for one route."""
+    """The documents and texts that one of ``NAMES`` is compiled to, for one route."""
     (frame,) = burnish.compile(FOLDER / f"{name}.burnish", (ROUTE.profile,)).frames
     texts = {file.name: "x" for shader in frame.shaders for file in shader.files}
     reflections = {f"{each.name}.json": each.reflection for each in frame.shaders}
@@ -96,7 +96,7 @@ def mistaken(number: int) -> Received:
 
 
 def outcome(path: Path) -> str:
-    """What is said of a plan; empty if nothing is wrong. Raises what should not be raised."""
+    """The error of a plan as text; empty if there is none. Raises unexpected errors."""
     try:
         _prepare(path)
     except TOLD as error:
@@ -115,7 +115,7 @@ def trouble(path: Path) -> str | None:
 
 
 LONGEST = 40_000
-"""How long an error may be: a hundred lines."""
+"""The largest length of an error, in characters: a hundred lines."""
 
 
 def _prepare(path: Path) -> None:

@@ -65,14 +65,14 @@ class Hostile:
     query: bytes
     headers: Sequence[tuple[bytes, bytes]]
     parts: Sequence[bytes]
-    """Of its body."""
+    """The parts of its body, in the order in which they are sent."""
     is_whole: bool
-    """Whether the body ends; otherwise the connection does."""
+    """True if the body ends; otherwise the connection ends before it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """What came back."""
+    """The answer of the server to a request."""
 
     status: int
     headers: Sequence[tuple[bytes, bytes]]
@@ -100,9 +100,9 @@ class Asked:
         self._server.close()
 
     def problem(self, seed: str) -> str | None:
-        """What is wrong with the answer to the request of a seed; ``None`` if nothing is.
+        """The fault in the answer to the request of a seed; ``None`` if there is none.
 
-        Raises whatever the application raises, which is wrong as well.
+        Raises whatever the application raises, which is a fault as well.
         """
         hostile = request_of(seed, self._host)
         answered = self._loop.run_until_complete(self._ask(hostile))
@@ -138,7 +138,7 @@ class Asked:
 
 
 def trial() -> Callable[[Random, Path], None]:
-    """What asks a random request of one server, which all of them share."""
+    """The function that sends a random request to one server, which all requests share."""
     stack = ExitStack()
     server = stack.enter_context(asked())
     atexit.register(stack.close)

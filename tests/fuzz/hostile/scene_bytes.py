@@ -25,7 +25,7 @@ from burnish.targets.runner.scenes.records import SceneError
 from ...scenes.kit import Builder, Json, glb, png, triangle
 
 TOLD = (SceneError, BudgetError)
-"""What reading a scene may raise."""
+"""The errors that reading a scene may raise."""
 
 _NUMBERS: Sequence[object] = (
     0, -0.0, 1, -1, 2, 3, 4, 5, 7, 255, 256, 5121, 5126, 65535, 65536, 10**6, 2**31 - 1, 2**31,

@@ -18,9 +18,9 @@ from .questions import Question, judged
 from .studio import Studio, codes_of
 
 PATIENCE = 150.0
-"""How many seconds a mutant has; one that takes longer hangs, or is as good as that."""
+"""The limit of a mutant, in seconds; one that takes longer counts as hanging."""
 LONG = 3600.0
-"""The same for a question about all materials."""
+"""The limit of a question about all materials, in seconds."""
 
 
 def main(folders: Sequence[str]) -> None:

@@ -1,4 +1,4 @@
-"""What a material or a frame comes to: its texts, and what drivers are told, as digests."""
+"""The behaviour of a material or a frame: its texts, and what drivers are told, as digests."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ DEFECTIVE = {"gathered: Varying"}
 """Materials that show a driver's bug."""
 _FRAMES = re.compile(r"^frame (\w+)", re.MULTILINE)
 _FRAME_SIZE = (36, 28)
-"""Of the frames of which drivers are told."""
+"""The size of the frames that drivers are told to draw."""
 _FRAME_COUNT = 2
-"""So many show what a frame leaves for the next one."""
+"""The number of frames that it takes to show the results kept for the next frame."""
 
 Name = tuple[str, str]
 """A file, and one of its passes or frames."""
@@ -72,7 +72,7 @@ def shaders_of(subject: Judged) -> Sequence[CompiledMaterial]:
 
 
 def description(subject: Judged) -> object:
-    """What a host knows of it: the reflection, or the plan and what the reference draws by."""
+    """The host's description of a subject: the reflection, or the plan and the reference's plan."""
     from burnish.api import CompiledFrame
 
     if isinstance(subject, CompiledFrame):
@@ -81,7 +81,7 @@ def description(subject: Judged) -> object:
 
 
 def lacks(subject: Judged, route: Route) -> str | None:
-    """What a route lacks to draw it, or ``None``."""
+    """The feature that a route lacks to draw a subject, or ``None``."""
     every = (shader.lacking.get(route.profile) for shader in shaders_of(subject))
     return next(filter(None, every), None)
 
@@ -111,7 +111,7 @@ def texts(subject: Judged) -> Iterator[tuple[str, object]]:
 
 
 def told_to_drivers(subject: Judged) -> Iterator[tuple[str, object]]:
-    """For each route what its driver is told, without the code."""
+    """The data that each route's driver is told, without the code."""
     from burnish.api import CompiledFrame
 
     if isinstance(subject, CompiledFrame):

@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any
 
 Answer = dict[str, Any]
-"""What is printed as JSON."""
+"""An answer, which is printed as JSON."""
 
 
 def in_child(work: Callable[[], Answer], limit: float) -> Answer:
-    """What a function returns in a process of its own, which may take so many seconds."""
+    """The result of a function in a process of its own, which may take ``limit`` seconds."""
     source, sink = os.pipe()
     child = os.fork()
     if not child:

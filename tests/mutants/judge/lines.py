@@ -1,4 +1,4 @@
-"""Which lines of the package run for which materials."""
+"""The lines of the package that each material runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a process is asked, and how it judges a mutant."""
+"""The questions to a judging process, and the judgement of a mutant."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from .behaviour import Judged
 
 IN_RUNTIME = "targets/runner/"
-"""Where the files are that compute what drivers are told; the others determine what texts say."""
+"""The folder of files that compute what drivers are told; all other files determine the texts."""
 
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What a process is asked."""
+    """A question to a judging process."""
 
     kind: str
     """``known``: what do all materials come to without a mutant, and which of them run which lines?
@@ -31,10 +31,13 @@ class Question:
     materials: tuple[str, ...] = ()
     """The materials that can show it, as ``label`` has them."""
     known: Mapping[str, str] | None = None
-    """What these came to without the mutant."""
+    """The behaviour of these materials without the mutant."""
     everything: bool = False
-    """Whether to draw also what does not differ, because the code that draws is different. When
-    asked what is known: whether to look also what code compilers make of it, and who draws it."""
+    """True if the code that draws is different, so that routes without a difference are drawn too.
+
+    In a question about all materials: true if their codes, and the lines that run to draw them, are
+    also part of the answer.
+    """
 
 
 def judged(asked: Question) -> Answer:
@@ -66,7 +69,7 @@ def _named(text: str) -> Name:
 
 
 def _different(name: Name, asked: Question) -> Iterator[str]:
-    """The routes on which a material comes to something else than without the mutant."""
+    """The routes on which the behaviour of a material differs from that without the mutant."""
     assert asked.known is not None
     told = asked.path.startswith(IN_RUNTIME)
     found = dict(behaviour(name, told=told))

@@ -1,4 +1,4 @@
-"""What compilers make of a material's texts, and whether its pictures are right."""
+"""The codes that compilers make of a material's texts, and the judgement of its pictures."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ NOTICED = ("differs", "failed")
 SMALL = (36, 28)
 """The size of the pictures that are drawn first, as most errors show in a small one."""
 PICTURES = 16
-"""So many materials and routes are drawn at most: first each material once, on its first route."""
+"""The most materials and routes that are drawn: first each material on its first route."""
 LARGE_PICTURES = 2
-"""Of so many of them, large pictures are drawn if small ones are right."""
+"""The number of these of which large pictures are drawn if small ones are right."""
 
 
 class Studio(ExitStack):
     """Compilers and drivers, which are started when something is to be drawn."""
 
     drawn = 0
-    """How many pictures were drawn."""
+    """The number of pictures that were drawn."""
 
     @cached_property
     def _toolchain(self) -> Toolchain:
@@ -56,7 +56,7 @@ class Studio(ExitStack):
         return self.enter_context(Runner([ROUTES[name] for name in DRAWN]))
 
     def code(self, subject: Judged, route: str) -> object:
-        """What compilers make of a material's texts, or a frame's, without the names in it."""
+        """The compiled codes of a material's texts, or a frame's, without the names in them."""
         from burnish.targets.runner.codes import compile_one
         from burnish.targets.runner.routes import ROUTES
 
@@ -67,8 +67,11 @@ class Studio(ExitStack):
         ]
 
     def wrong(self, name: Name, subject: Judged, route: str, known: Mapping[str, str]) -> str:
-        """How a picture is wrong; empty if it is right, or not drawn because its code
-        is known, or because there are enough pictures already."""
+        """The error in a picture; empty if there is none.
+
+        It is also empty if no picture is drawn, because its code is known or because there are
+        enough pictures already.
+        """
         from burnish.targets.conformance.cases import SIZE
         from burnish.targets.conformance.conform import conform
         from burnish.targets.runner.codes import CodeError

@@ -2,7 +2,7 @@
 // What groups of forty numbers come to, and what is before each of these.
 
 cbuffer Draw : register(b0, space3) {
-    int numbers_count;  /// How many elements `numbers` has
+    int numbers_count;  /// The number of elements of `numbers`
 };
 
 StructuredBuffer<float> numbers : register(t1, space3);
@@ -16,7 +16,7 @@ struct ComputeInput {
 groupshared float group_floats[40];
 groupshared float3 group_vec3s[40];
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_sum(float value, uint place, uint present) {
     group_floats[place] = value;
     GroupMemoryBarrierWithGroupSync();
@@ -31,7 +31,7 @@ float group_sum(float value, uint place, uint present) {
     return joined;
 }
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_max(float value, uint place, uint present) {
     group_floats[place] = value;
     GroupMemoryBarrierWithGroupSync();
@@ -46,7 +46,7 @@ float group_max(float value, uint place, uint present) {
     return joined;
 }
 
-/// What the values of the invocations before this one come to.
+/// The values of the invocations before this one, joined.
 float3 group_exclusive_sum(float3 value, uint place) {
     float3 joined = value;
     for (uint reach = 1u; reach < 40u; reach *= 2u) {

@@ -6,10 +6,10 @@ using namespace metal;
 // What groups of forty numbers come to, and what is before each of these.
 
 struct Draw {
-    int numbers_count;  /// How many elements `numbers` has
+    int numbers_count;  /// The number of elements of `numbers`
 };
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_sum(threadgroup array<float, 40>& group_floats, float value, uint place, uint present) {
     group_floats[place] = value;
     threadgroup_barrier(mem_flags::mem_threadgroup);
@@ -24,7 +24,7 @@ float group_sum(threadgroup array<float, 40>& group_floats, float value, uint pl
     return joined;
 }
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_max(threadgroup array<float, 40>& group_floats, float value, uint place, uint present) {
     group_floats[place] = value;
     threadgroup_barrier(mem_flags::mem_threadgroup);
@@ -39,7 +39,7 @@ float group_max(threadgroup array<float, 40>& group_floats, float value, uint pl
     return joined;
 }
 
-/// What the values of the invocations before this one come to.
+/// The values of the invocations before this one, joined.
 float3 group_exclusive_sum(threadgroup array<float3, 40>& group_vec3s, float3 value, uint place) {
     float3 joined = value;
     for (uint reach = 1u; reach < 40u; reach *= 2u) {

@@ -2,7 +2,7 @@
 // What groups of forty numbers come to, and what is before each of these.
 
 struct Draw {
-    numbers_count: i32,  /// How many elements `numbers` has
+    numbers_count: i32,  /// The number of elements of `numbers`
 }
 
 @group(3) @binding(0) var<uniform> draw: Draw;
@@ -17,7 +17,7 @@ struct ComputeInput {
 var<workgroup> group_floats: array<f32, 40>;
 var<workgroup> group_vec3s: array<vec3f, 40>;
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 fn group_sum(value: f32, place: u32, present: u32) -> f32 {
     group_floats[place] = value;
     workgroupBarrier();
@@ -32,7 +32,7 @@ fn group_sum(value: f32, place: u32, present: u32) -> f32 {
     return joined;
 }
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 fn group_max(value: f32, place: u32, present: u32) -> f32 {
     group_floats[place] = value;
     workgroupBarrier();
@@ -47,7 +47,7 @@ fn group_max(value: f32, place: u32, present: u32) -> f32 {
     return joined;
 }
 
-/// What the values of the invocations before this one come to.
+/// The values of the invocations before this one, joined.
 fn group_exclusive_sum(value: vec3f, place: u32) -> vec3f {
     var joined: vec3f = value;
     for (var reach: u32 = 1u; reach < 40u; reach *= 2u) {

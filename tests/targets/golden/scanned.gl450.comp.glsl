@@ -3,7 +3,7 @@
 // What groups of forty numbers come to, and what is before each of these.
 
 layout(std140, binding = 0) uniform Draw {
-    int numbers_count;  /// How many elements `numbers` has
+    int numbers_count;  /// The number of elements of `numbers`
 };
 
 layout(std430, binding = 0) readonly buffer NumbersBuffer {
@@ -21,7 +21,7 @@ layout(std430, binding = 2) writeonly buffer BeforeBuffer {
 shared float group_floats[40];
 shared vec3 group_vec3s[40];
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_sum(float value, uint place, uint present) {
     group_floats[place] = value;
     memoryBarrierShared(); barrier();
@@ -36,7 +36,7 @@ float group_sum(float value, uint place, uint present) {
     return joined;
 }
 
-/// What the values of all invocations of a work group come to.
+/// The values of all invocations of a work group, joined.
 float group_max(float value, uint place, uint present) {
     group_floats[place] = value;
     memoryBarrierShared(); barrier();
@@ -51,7 +51,7 @@ float group_max(float value, uint place, uint present) {
     return joined;
 }
 
-/// What the values of the invocations before this one come to.
+/// The values of the invocations before this one, joined.
 vec3 group_exclusive_sum(vec3 value, uint place) {
     vec3 joined = value;
     for (uint reach = 1u; reach < 40u; reach *= 2u) {

@@ -12,7 +12,7 @@ layout(std140, set = 3, binding = 0) uniform Draw {
     float dt;  /// Seconds in a step
     float pull;  /// To the middle
     float reach;  /// How far particles push each other
-    int before_count;  /// How many elements `before` has
+    int before_count;  /// The number of elements of `before`
 };
 
 layout(std430, set = 3, binding = 1) readonly buffer BeforeBuffer {

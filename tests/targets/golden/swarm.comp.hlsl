@@ -11,7 +11,7 @@ cbuffer Draw : register(b0, space3) {
     float dt;  /// Seconds in a step
     float pull;  /// To the middle
     float reach;  /// How far particles push each other
-    int before_count;  /// How many elements `before` has
+    int before_count;  /// The number of elements of `before`
 };
 
 StructuredBuffer<Particle> before : register(t1, space3);

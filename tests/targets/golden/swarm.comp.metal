@@ -15,7 +15,7 @@ struct Draw {
     float dt;  /// Seconds in a step
     float pull;  /// To the middle
     float reach;  /// How far particles push each other
-    int before_count;  /// How many elements `before` has
+    int before_count;  /// The number of elements of `before`
 };
 
 kernel void cs_main(

@@ -11,7 +11,7 @@ struct Draw {
     dt: f32,  /// Seconds in a step
     pull: f32,  /// To the middle
     reach: f32,  /// How far particles push each other
-    before_count: i32,  /// How many elements `before` has
+    before_count: i32,  /// The number of elements of `before`
 }
 
 @group(3) @binding(0) var<uniform> draw: Draw;

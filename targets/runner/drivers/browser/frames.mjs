@@ -3,7 +3,7 @@
 import { answer, base64 } from "./answers.mjs";
 import { openFrame } from "./host/host.js";
 
-/** What some outputs show, frame after frame. */
+/** Draws `count` frames, and answers with the texels of some outputs of each of them. */
 export function frames({ whole, count, outputs }) {
   return answer(async () => {
     const frame = await openFrame(null, whole);
@@ -20,5 +20,5 @@ export function frames({ whole, count, outputs }) {
   });
 }
 
-/** What was read of a texture, as frame_job.py has it. */
+/** The contents of a texture that was read, in the form of frame_job.py. */
 export const packed = ({ texels, ...size }) => ({ ...size, texels: base64(texels) });

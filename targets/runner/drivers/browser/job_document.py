@@ -8,15 +8,19 @@ Textures that several draws carry are written once.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, cast
 
+from .....compiler.documents.drawing import TOPOLOGY_WORDS, SamplerState
+from .....compiler.documents.writing import to_json as document_json
+from .....compiler.ir.formats import VERTEX_FORMATS
 from .....compiler.ir.stages import COMPUTE, INSTANCES, VERTICES
-from ...binding import VERTEX_FORMATS
+from .....compiler.ir.types import DIMENSION_WORDS
 from ..device import DriverError
 from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, FrameDraw, FrameJob, FrameStep
 from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
+from ..render_state import RenderTarget
 from ..slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from ..texels import Image
 from ..webgpu import COMPUTED, DRAWN, for_pages, interleaved, vertex_buffers
@@ -38,7 +42,7 @@ def document_of(job: FrameJob, profile: str) -> dict[str, Any]:
     return {
         "shaders": [_shader(*each, profile) for each in enumerate(job.pipelines)],
         "pipelines": list(_formats(job)),
-        "pictures": to_json(tuple(pictures)),
+        "pictures": [_as_in_documents(to_json(each)) for each in pictures],
         "textures": list(_textures(job)),
         "buffers": [to_json(each.contents) for each in job.buffers],
         "steps": steps,
@@ -92,17 +96,22 @@ def _reflection(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]
             }
             for each in pipeline.inputs
         ],
-        "targets": [to_json(target) for target in pipeline.targets],
+        "targets": [_target(target) for target in pipeline.targets],
         "capture": _capture(pipeline),
-        "draw": {"topology": pipeline.primitive},
+        "draw": {"topology": TOPOLOGY_WORDS[pipeline.primitive]},
         "render_state": _render_state(pipeline),
         "backends": {profile: _backend(pipeline)},
     }  # fmt: skip
 
 
 def _sampler(slot: TextureSlot) -> Mapping[str, Any]:
+    state = SamplerState(filter=slot.filter, mip=slot.mip, wrap=slot.wrap, compare=slot.compare)
+    return cast(Mapping[str, Any], document_json(state))
+
+
+def _target(target: RenderTarget) -> Mapping[str, Any]:
     return {
-        "filter": slot.filter, "mip": slot.mip, "wrap": slot.wrap, "compare": slot.compare,
+        "format": target.format, "blend": document_json(target.blend), "mask": target.mask,
     }  # fmt: skip
 
 
@@ -110,7 +119,8 @@ def _capture(pipeline: Pipeline) -> Mapping[str, Any] | None:
     if (stream := pipeline.stream_output) is None:
         return None
     members = [{"name": each.identifier} for each in stream.outputs]
-    return {"primitive": stream.primitive, "stride": stream.stride, "members": members}
+    topology = TOPOLOGY_WORDS[stream.primitive]
+    return {"topology": topology, "stride": stream.stride, "members": members}
 
 
 def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
@@ -118,8 +128,8 @@ def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
         "samples": pipeline.samples,
         "cull": pipeline.cull,
         "fill": pipeline.fill,
-        "depth": to_json(pipeline.depth),
-        "stencil": to_json(pipeline.stencil),
+        "depth": document_json(pipeline.depth),
+        "stencil": document_json(pipeline.stencil),
     }
 
 
@@ -160,7 +170,12 @@ def _textures(job: FrameJob) -> Iterator[Mapping[str, Any]]:
     written = {number for step in job.steps for number in step.images}
     for number, texture in enumerate(job.textures):
         uses = ["image"] if number in written else []
-        yield {**to_json(texture), "uses": uses}
+        yield {**_as_in_documents(to_json(texture)), "uses": uses}
+
+
+def _as_in_documents(texture: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A texture with the word that documents have for its dimension."""
+    return {**texture, "dimension": DIMENSION_WORDS[texture["dimension"]]}
 
 
 def _step(job: FrameJob, step: FrameStep, pictures: dict[Image, int]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import { bytesOf, halved } from "./host/bytes.js";
 import { unpacked } from "./host/geometry.js";
 import { settingsOf } from "./host/settings.js";
 
-/** What a job reads back, step by step. In the end, the renderer is disposed of. */
+/** Executes a job, and returns the contents that it reads back. Then the renderer is disposed of. */
 export async function found(renderer, job) {
   try {
     const run = new Run(renderer, job);

@@ -32,12 +32,12 @@ export function device() {
   });
 }
 
-/** What a frame job reads back. */
+/** Executes a frame job, and answers with the contents that it reads back. */
 export function job(given) {
   return answer(async () => {
     const context = theContext();
     const { gl } = context;
-    // What a job that broke off has left over.
+    // A job that broke off may have left errors, which are not this job's.
     while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost());
     try {
       return await found(WebGl2Renderer.open(given, null, context), given);

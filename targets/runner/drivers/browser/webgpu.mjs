@@ -37,11 +37,11 @@ export function device() {
   });
 }
 
-/** What a frame job reads back. */
+/** Executes a frame job, and answers with the contents that it reads back. */
 export function job(given) {
   return answer(async () => {
     const device = await theDevice();
-    // What a job that broke off has left over.
+    // A job that broke off may have left errors, which are not this job's.
     complaints(device);
     try {
       return await Promise.race([executed(device, given), loss(device)]);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import vulkan as vk
 
-from ..pipeline import VertexFormat
+from .....compiler.ir.formats import VertexFormat
 from ..render_state import DepthFormat, TargetFormat
 from ..texels import Dimension, TextureFormat
 

@@ -7,10 +7,10 @@ from typing import Any
 
 import wgpu
 
+from .....compiler.ir.types import DIMENSION_WORDS
 from ..device import DriverError
 from ..frame_job import FrameTexels, FrameTexture
 from ..readback import TEXEL_LANES, depths_to_float, to_float
-from ..webgpu import VIEWS
 from .device import Gpu
 
 DEPTH_BYTES = 4
@@ -36,7 +36,7 @@ class MadeTexture:
         """
         depths_only = is_read and self.description.has_stencil
         return self.texture.create_view(
-            dimension=VIEWS[self.description.dimension],
+            dimension=DIMENSION_WORDS[self.description.dimension],
             aspect="depth-only" if depths_only else "all",
         )
 

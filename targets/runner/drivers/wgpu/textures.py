@@ -7,11 +7,12 @@ from typing import Any
 
 import wgpu
 
+from .....compiler.ir.types import DIMENSION_WORDS
 from ..checks import level_size
 from ..device import DriverError
 from ..slots import TextureSlot
 from ..texels import TEXELS, Image
-from ..webgpu import DEPTH, VIEWS, sampler
+from ..webgpu import DEPTH, sampler
 from .device import Gpu
 
 
@@ -38,7 +39,7 @@ def make_view(gpu: Gpu, image: Image) -> Any:
             _draw_depths(gpu, texture, image, level)
         else:
             _write(gpu, texture, image, level)
-    return texture.create_view(dimension=VIEWS[image.dimension])
+    return texture.create_view(dimension=DIMENSION_WORDS[image.dimension])
 
 
 def _write(gpu: Gpu, texture: Any, image: Image, level: int) -> None:

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 from typing import NoReturn
 
 from .....compiler.documents.reflection import Reflection
+from .....compiler.ir.formats import VERTEX_FORMATS
 from .....compiler.ir.stages import STAGES
-from ...binding import FORMATS, VERTEX_FORMATS
 from .rows import Named, PlanError
 
 _ENTRY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -40,11 +40,11 @@ class _Backend:
         for read in self._reflection.vertex_inputs:
             if read.buffer is None and read.representation not in VERTEX_FORMATS:
                 self._fail(f"no vertex input is {read.representation}, as `{read.name}` is")
+            if read.buffer is None and read.format != VERTEX_FORMATS[read.representation]:
+                found = read.format or "none"
+                self._fail(f"{found} is no format of {read.representation}, as `{read.name}` is")
             if read.buffer is None and read.location is None:
                 self._fail(f"the vertex input `{read.name}` has no location")
-        for target in self._reflection.targets:
-            if target.format not in FORMATS:
-                self._fail(f"there is no format {target.format}, as `{target.name}` has")
 
     def _bound(self) -> Iterator[tuple[str, Iterable[str]]]:
         """Everything that has a binding in the texts, by the backend's names for the bindings."""

@@ -25,13 +25,12 @@ from .....compiler.documents.plan import (
     WaitingRow,
 )
 from .....compiler.documents.steps import ParameterStep, ResourceStep
+from .....compiler.ir.formats import DEPTH_WORDS
 from .....frozen import changed
-from ...binding import FORMATS
 from .reflections import Values
 from .rows import Named, drawn_to, fail, inputs, places_of_waiting
 from .steps import check_steps
 
-DEPTH_FORMATS = ("depth32f", "depth32f_stencil8")
 STENCILS = "stencil8"
 """The ending of the depth formats that have stencil values."""
 SETTINGS = {"viewport": "ivec4", "scissor": "ivec4", "blend_constant": "vec4"}
@@ -149,7 +148,6 @@ class _Names:
         is_single = (texture.dimension, texture.levels, texture.kept) == ("2d", 1, False)
         if texture.samples > 1 and not is_single:
             self._fail(where, "it has several samples, and also levels, layers or a later frame")
-        self._one_of(where, "format", texture.format, (*FORMATS, *DEPTH_FORMATS))
         if texture.layers not in LAYERS.get(texture.dimension, MOST_LAYERS):
             self._fail(where, f"{texture.dimension} does not have {texture.layers} layers")
         if texture.levels not in LEVELS:
@@ -236,7 +234,7 @@ class _Names:
 
     def _check_attachment(self, where: str, row: AttachmentRow, *, is_depth: bool) -> None:
         texture = self._plan.textures[self._texture(where, row.texture)]
-        if (texture.format in DEPTH_FORMATS) != is_depth:
+        if (texture.format in DEPTH_WORDS) != is_depth:
             self._fail(where, f"texture {row.texture} is {texture.format}")
         if texture.format.endswith(STENCILS) != (row.stencil is not None):
             said = "nothing" if row.stencil is None else "what becomes"
@@ -258,7 +256,7 @@ class _Names:
         texture = self._plan.textures[self._texture(where, row.texture)]
         level, said = row.level, f"texture {row.texture}"
         size, whole = drawn.size, texture.size
-        if drawn.samples == 1 or drawn.format in DEPTH_FORMATS or texture.samples > 1:
+        if drawn.samples == 1 or drawn.format in DEPTH_WORDS or texture.samples > 1:
             self._fail(where, f"there are no samples to resolve to {said}")
         if not 0 <= level < texture.levels or not 0 <= row.layer < texture.layers:
             self._fail(where, f"{said} has no layer {row.layer}, level {level}")

@@ -22,9 +22,9 @@ from .....compiler.documents.values import (
     ParameterRow,
     ResultRow,
 )
+from .....compiler.ir.default_textures import OF_SAMPLES
 from ...instances.declared import TextureDeclaration
 from ...instances.shapes import MOST_LANES
-from ...textures.texture import DEFAULTS
 from .rows import PlanError
 from .steps import check_steps
 
@@ -91,9 +91,11 @@ class Values:
     def check_textures(self, rows: Iterable[TextureDeclaration]) -> None:
         """Raise ``PlanError`` for a texture without a valid default until a host binds one."""
         for row in rows:
-            known = DEFAULTS.get(row.sample, (row.default,))
+            known = OF_SAMPLES[row.sample]
             if row.default not in known:
                 self.fail(row.name, f"nothing {row.sample} is called `{row.default}`")
+            if row.default_texel != known[row.default]:
+                self.fail(row.name, f"`{row.default}` has another texel")
 
     def check_row(self, name: str, row: ParameterRow | MemberRow | DerivedRow) -> None:
         """Raise ``PlanError`` unless a value lies within its own bytes."""

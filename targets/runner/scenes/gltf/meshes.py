@@ -79,7 +79,7 @@ def mesh_of(
 ) -> Mesh:
     """The mesh of a primitive. The channels ``morph_…`` lead to the shape that its targets make
     together with these weights. Raises ``SceneError``; ``what`` names the primitive in it."""
-    with np.errstate(all="ignore"):  # What is not finite then, is refused below.
+    with np.errstate(all="ignore"):  # Infinities and NaNs are refused below.
         channels, triangles = _made(primitive, accessors, weights, what)
         rounded = {name: _single(values) for name, values in channels.items()}
     try:

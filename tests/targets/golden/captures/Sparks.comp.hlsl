@@ -12,7 +12,7 @@ cbuffer Material : register(b0, space2) {
 
 cbuffer Draw : register(b0, space3) {
     column_major float4x4 object_to_world;
-    int mesh_count;  /// How many elements `mesh` has
+    int mesh_count;  /// The number of elements of `mesh`
 };
 
 cbuffer DrawDerived : register(b1, space3) {

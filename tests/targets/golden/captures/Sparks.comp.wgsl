@@ -12,7 +12,7 @@ struct Material {
 
 struct Draw {
     object_to_world: mat4x4f,
-    mesh_count: i32,  /// How many elements `mesh` has
+    mesh_count: i32,  /// The number of elements of `mesh`
 }
 
 struct DrawDerived {

@@ -1,8 +1,8 @@
-"""Builds the ``Picture`` of a compiled material; ``command.py`` calls ``picture``."""
+"""Builds the ``Picture`` of a compiled material; ``command.py`` calls ``material_picture``."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import pairwise
 
 from ...compiler.diagnostics.source import Span
@@ -19,24 +19,36 @@ from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
 from ...compiler.passes.walks import operands_of, visible
 from ...frozen import frozen
-from .model import KINDS, Box, Cluster, Kind, Picture
+from .kinds import ArrowKind, Kind
+from .model import Arrow, Box, Cluster, Picture
 
 LEAVES = OUTSIDE | {"formal"}
 ADDED = "each"
 """The name of the value that each iteration of a fold adds or multiplies."""
+_LEAVES = {
+    "attribute": Kind.ATTRIBUTE, "input": Kind.INPUT, "resource": Kind.TEXTURE,
+    "buffer": Kind.BUFFER, "formal": Kind.ARGUMENT,
+}  # fmt: skip
+"""The kinds of values from outside by operation; parameters have that of their group."""
+_GROUPS = {
+    "frame": Kind.FRAME_PARAMETER, "view": Kind.VIEW_PARAMETER, "rig": Kind.RIG_PARAMETER,
+    "material": Kind.MATERIAL_PARAMETER, "draw": Kind.DRAW_PARAMETER,
+}  # fmt: skip
+_COMPUTED = {"fold": Kind.LOOP, "iterate": Kind.LOOP, "apply": Kind.CALL}
+"""The kinds of computed values by operation, if they are more than a value."""
 
 
-def picture(
+def material_picture(
     shader: Shader, staged: Staged, *, everything: bool, parts: Mapping[Span, float] | None = None
 ) -> Picture:
     """The named values, or with ``everything`` all values, in the place that computes them.
 
     ``parts`` are the parts of the source's expressions in the error of a pixel.
     """
-    return _Building(shader, staged, everything, parts).picture()
+    return _MaterialBuilder(shader, staged, everything, parts).picture()
 
 
-class _Building:
+class _MaterialBuilder:
     def __init__(
         self,
         shader: Shader,
@@ -64,34 +76,35 @@ class _Building:
         }
         """By stage, the ids of its results, without varyings."""
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
+        self._arrows: dict[Arrow, None] = {}
 
     def picture(self) -> Picture:
         program = self._staged.program
-        found = Picture(
-            f"{program.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
-        )
-        if self._derived:
-            found.clusters.append(self._host())
+        clusters = [self._host()] if self._derived else []
         for stage in program.stages:
-            found.clusters += self._entry(stage)
+            clusters += self._entry(stage)
         for stage in program.stages:
             for function in stage.functions:
-                found.clusters += self._function(stage, function)
-        found.crossings = list(dict.fromkeys(self._between(found)))
-        return found
+                clusters += self._function(stage, function)
+        keys = {box.key: None for cluster in clusters for box in cluster.boxes}
+        for source, target in self._between(keys):
+            self._arrow(source, target, ArrowKind.CROSSING)
+        title = f"{program.name}, pass {self._shader.pass_name}, rig {self._shader.rig_name}"
+        return Picture(title, clusters, list(self._arrows))
 
-    def _between(self, found: Picture) -> Iterator[tuple[str, str]]:
-        """Arrows from the host's values to their uses, and from each stage to the next."""
-        keys = [box.key for box in found.boxes]
+    def _between(self, keys: Collection[str]) -> Iterator[tuple[str, str]]:
+        """The ends of arrows from the host's values to their uses, and from stage to stage."""
         for parameter, values in self._derived.items():
             ending = f".derived.{parameter.name}"
             readers = [key for key in keys if key.endswith(ending)]
             yield from ((f"host.{name}", key) for name in values for key in readers)
-        boxed = set(keys)
         for before, stage in pairwise(self._staged.program.stages):
             for node in visible(stage.roots):
-                if node.op == "cross" and (key := self._key(stage.name, node)) in boxed:
+                if node.op == "cross" and (key := self._key(stage.name, node)) in keys:
                     yield self._key(before.name, node.operands[0]), key
+
+    def _arrow(self, source: str, target: str, kind: ArrowKind = ArrowKind.USE) -> None:
+        self._arrows[Arrow(source, target, kind)] = None
 
     # --- clusters --------------------------------------------------------------------------------
 
@@ -99,7 +112,7 @@ class _Building:
         cluster = Cluster("host, once for each change of a parameter", is_stage=True)
         for parameter, values in self._derived.items():
             for name, expression in values.items():
-                box = self._box(f"host.{name}", "derived", name, expression)
+                box = self._box(f"host.{name}", Kind.DERIVED, name, expression)
                 box.formula = self._formulas.computed(expression)
                 box.note = f"group {parameter.group}"
                 cluster.boxes.append(box)
@@ -113,7 +126,7 @@ class _Building:
                 inner = self._leaf("host", leaf)
                 if all(known.key != inner.key for known in cluster.boxes):
                     cluster.boxes.append(inner)
-                cluster.edges.append((inner.key, box.key))
+                self._arrow(inner.key, box.key)
 
     def _entry(self, stage: Stage) -> Iterator[Cluster]:
         """The clusters of a stage, without those of its functions."""
@@ -158,14 +171,13 @@ class _Building:
             yield self._cluster(part, bodies, results)
 
     def _cluster(self, part: _Part, roots: list[Node], results: dict[int, str]) -> Cluster:
-        cluster = Cluster(part.title, part.prefix in self._results)
-        edges: dict[tuple[str, str], None] = {}
+        cluster = Cluster(part.title, is_stage=part.prefix in self._results)
         for node in part.reached(roots):
             if part.is_outer(node):
                 name = part.names.get(node.id) or self._shown_name(node)
                 box = self._value(part.prefix, node, name or self._formulas.computed(node))
                 if node.op not in LEAVES and node.op != "cross":
-                    box.kind, box.note = "argument", "computed before the loop"
+                    box.kind, box.note = Kind.ARGUMENT, "computed before the loop"
                 cluster.boxes.append(box)
             elif node.id in results or self._has_box(part, node):
                 name = part.names.get(node.id) or self._shown_name(node)
@@ -173,12 +185,11 @@ class _Building:
                 if node.id in results and node.op not in LEAVES:
                     delivered = self._results.get(part.prefix)
                     crosses = delivered is not None and node.id not in delivered
-                    box.kind = "crossing" if crosses else "result"
-                    box.note = "varying" if crosses else KINDS["result"]
+                    box.kind = Kind.CROSSING if crosses else Kind.RESULT
+                    box.note = "varying" if crosses else Kind.RESULT.words
                 cluster.boxes.append(box)
                 if node.op not in LEAVES and node.op != "cross":
-                    self._inside(part, node, box, edges, results)
-        cluster.edges = list(edges)
+                    self._inside(part, node, box, results)
         return cluster
 
     def _has_box(self, part: _Part, node: Node) -> bool:
@@ -210,30 +221,24 @@ class _Building:
         if node.op in LEAVES:
             return self._leaf(prefix, node)
         if node.op == "cross":
-            box = self._box(self._key(prefix, node), "crossing", name, node)
+            box = self._box(self._key(prefix, node), Kind.CROSSING, name, node)
             flat = CROSS.data(node).mode == "flat"
             box.note = "varying, flat" if flat else "varying, interpolated"
             box.part = self._part([self._notes.spans.get(node.id)])
             return box
-        kinds: dict[str, Kind] = {"fold": "loop", "iterate": "loop", "apply": "call"}
-        return self._box(self._key(prefix, node), kinds.get(node.op, "value"), name, node)
+        return self._box(self._key(prefix, node), _COMPUTED.get(node.op, Kind.VALUE), name, node)
 
     def _leaf(self, prefix: str, node: Node) -> Box:
-        kinds: dict[str, Kind] = {
-            "attribute": "attribute", "input": "input", "resource": "texture", "buffer": "buffer",
-            "formal": "argument",
-        }  # fmt: skip
         name = self._formulas.name(node) or str(node.data)
-        kind = kinds.get(node.op, "group")
+        kind = _LEAVES.get(node.op, Kind.OTHER_PARAMETER)
         if isinstance(node.data, Parameter):
-            group = node.data.group
-            kind = "derived" if node.data.derived else group if group in KINDS else "group"
-        box = self._box(self._key(prefix, node), kind, name, node)
-        box.note = KINDS[kind]
-        return box
+            derived = node.data.derived
+            kind = Kind.DERIVED if derived else _GROUPS.get(node.data.group, kind)
+        return self._box(self._key(prefix, node), kind, name, node)
 
     def _box(self, key: str, kind: Kind, name: str, node: Node) -> Box:
-        return Box(key, kind, name, str(node.type), place=self._place(node), part=self._part(()))
+        place, part = self._place(node), self._part(())
+        return Box(key, kind, name, str(node.type), place=place, part=part)
 
     def _part(self, spans: Iterable[Span | None]) -> float | None:
         """The sum of the parts of these expressions in the error of a pixel."""
@@ -261,10 +266,7 @@ class _Building:
 
         return self._formulas.computed(root, name)
 
-    def _inside(
-        self, part: _Part, root: Node, box: Box, edges: dict[tuple[str, str], None],
-        results: dict[int, str],
-    ) -> None:  # fmt: skip
+    def _inside(self, part: _Part, root: Node, box: Box, results: Collection[int]) -> None:
         """The parts of a formula: other boxes, with arrows, and values without names."""
         box.formula = self._formula(root, part.names)
         spans: set[Span | None] = {self._notes.spans.get(root.id)}
@@ -276,7 +278,7 @@ class _Building:
                 continue
             seen.add(node.id)
             if part.is_outer(node) or node.id in results or self._has_box(part, node):
-                edges[self._key(part.prefix, node), box.key] = None
+                self._arrow(self._key(part.prefix, node), box.key)
                 continue
             spans.add(self._notes.spans.get(node.id))
             pending += operands_of(node)

@@ -5,9 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from ..shapes import FAINT, INK, NAME_SIZE, TEXT_SIZE, cut, escaped, text, width_of
-from .looks import ONCE, texture_color
-from .model import MARKS, Column, FramePicture, Life, MarkKind, Row
+from .kinds import Mark, texture_color
+from .model import Column, Life, Row, TimeLine
+from .shapes import (
+    FAINT,
+    INK,
+    NAME_SIZE,
+    ONCE,
+    TEXT_SIZE,
+    WHITE,
+    cut,
+    dashed,
+    escaped,
+    rectangle,
+    text,
+    titled,
+    width_of,
+)
 
 CELL, HEIGHT, BAR = 30.0, 26.0, 18.0
 LONG = 8
@@ -22,17 +36,13 @@ HOLDS = 64
 TITLE = 26.0
 
 
-def drawn_lanes(picture: FramePicture) -> tuple[list[str], float, float]:
-    """The shapes, and their width and height."""
-    lanes = _Lanes(picture)
-    return list(lanes.shapes()), lanes.width, lanes.height
+class Lanes:
+    """A time line with the places of its columns."""
 
-
-class _Lanes:
-    def __init__(self, picture: FramePicture) -> None:
-        self._picture = picture
-        self._shown, self._place = _columns(picture.columns)
-        titles = [f"{row.title}  {row.what}" for row in picture.rows]
+    def __init__(self, line: TimeLine) -> None:
+        self._line = line
+        self._shown, self._place = _columns(line.columns)
+        titles = [f"{row.title}  {row.what}" for row in line.rows]
         self._left = max((width_of(title, TEXT_SIZE) for title in titles), default=0.0) + 40
         names = [width_of(cut(c.name, LONGEST), TEXT_SIZE) if c else 0.0 for c in self._shown]
         self._top = TITLE + max(names, default=0.0) * math.sin(SLOPE) + 16
@@ -41,57 +51,51 @@ class _Lanes:
             self._left + CELL * (number + 0.5) + width * math.cos(SLOPE) + 12
             for number, width in enumerate(names)
         ]
-        held = max((len(cut(row.holds, HOLDS)) for row in picture.rows), default=0)
+        held = max((len(cut(row.holds, HOLDS)) for row in line.rows), default=0)
         self.width = max([self._right + 36 + width_of("x" * held, TEXT_SIZE), *leaning])
-        self.height = self._top + HEIGHT * len(picture.rows) + 6
+        self.height = self._top + HEIGHT * len(line.rows) + 6
 
     def shapes(self) -> Iterator[str]:
+        """The heading, the columns, and above them the rows."""
         yield text(0, 12, "Textures and buffers, from step to step", NAME_SIZE, FAINT, bold=True)
         for number, column in enumerate(self._shown):
             yield from self._heading(number, column)
-        for number, row in enumerate(self._picture.rows):
+        for number, row in enumerate(self._line.rows):
             yield from self._row(row, self._top + HEIGHT * number)
 
     def _heading(self, number: int, column: Column | None) -> Iterator[str]:
-        x, bottom = self._left + CELL * number, self.height - 6
-        odd = number % 2 == 0
-        yield (
-            f'<rect x="{x:.1f}" y="{self._top:.1f}" width="{CELL:.1f}" '
-            f'height="{bottom - self._top:.1f}" fill="{"#f0f3f6" if odd else "#f7f9fa"}"/>'
-        )
+        x, height = self._left + CELL * number, self.height - 6 - self._top
+        fill = "#f7f9fa" if number % 2 else "#f0f3f6"
+        yield rectangle(x, self._top, CELL, height, f'fill="{fill}"')
         middle, y = x + CELL / 2, self._top - 7
         if column is None:
             yield text(middle - 4, y, "…", NAME_SIZE, FAINT)
             return
         if column.only_first:
-            yield (
-                f'<rect x="{x + 1:.1f}" y="{self._top:.1f}" width="{CELL - 2:.1f}" '
-                f'height="{bottom - self._top:.1f}" fill="none" stroke="#8b97a3" '
-                f'stroke-dasharray="{ONCE}"/>'
-            )
+            looks = f'fill="none" stroke="#8b97a3"{dashed(ONCE)}'
+            yield rectangle(x + 1, self._top, CELL - 2, height, looks)
         name = cut(column.name, LONGEST)
         yield f'<g transform="translate({middle:.1f} {y:.1f}) rotate(-45)">'
         yield text(0, 4, name, TEXT_SIZE, INK, bold=not column.group) + "</g>"
 
     def _row(self, row: Row, y: float) -> Iterator[str]:
         middle, color = y + HEIGHT / 2, texture_color(row.texture)
-        yield (f'<rect x="0" y="{middle - 5:.1f}" width="10" height="10" rx="2" fill="{color}"/>')
+        yield rectangle(0, middle - 5, 10, 10, f'rx="2" fill="{color}"')
         yield text(17, middle + 4, f"{row.title}  {row.what}", TEXT_SIZE, INK)
         yield (
             f'<path d="M0 {y + HEIGHT:.1f}H{self._right + 14:.1f}" stroke="#e2e7ec" fill="none"/>'
         )
-        lives = sorted(row.lives, key=lambda life: (life.first, life.last))
-        for number, life in enumerate(lives):
-            if self._is_left_out(life):
-                continue
-            yield self._bar(life, lives[number + 1 :], middle, color, 0.30 + 0.22 * (number % 2))
+        for number, life in enumerate(row.ordered):
+            if not self._is_left_out(life):
+                later, opacity = row.ordered[number + 1 :], 0.30 + 0.22 * (number % 2)
+                yield self._bar(life, later, middle, color, opacity)
         for number, mark in row.marks.items():
             if self._shown[self._place[number]] is not None:
                 x = self._left + CELL * (self._place[number] + 0.5)
-                words = f"{self._picture.columns[number].name}: {MARKS[mark]}"
-                yield f"<g><title>{escaped(words)}</title>{drawn_mark(mark, x, middle)}</g>"
-        yield f"<g><title>{escaped(row.holds)}</title>"
-        yield text(self._right + 30, middle + 4, cut(row.holds, HOLDS), TEXT_SIZE, FAINT) + "</g>"
+                words = f"{self._line.columns[number].name}: {mark.words}"
+                yield titled(words, drawn_mark(mark, x, middle))
+        held = cut(row.holds, HOLDS)
+        yield titled(row.holds, text(self._right + 30, middle + 4, held, TEXT_SIZE, FAINT))
 
     def _is_left_out(self, life: Life) -> bool:
         """True if all steps that need a result are among those that are not shown."""
@@ -125,18 +129,18 @@ class _Lanes:
         )
 
 
-def drawn_mark(mark: MarkKind, x: float, y: float) -> str:
+def drawn_mark(mark: Mark, x: float, y: float) -> str:
     """The small shape for a step's use of a texture."""
-    if mark == "read":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#ffffff" stroke="{INK}"/>'
-    if mark == "dropped":
+    if mark is Mark.READ:
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{WHITE}" stroke="{INK}"/>'
+    if mark is Mark.DROPPED:
         shape = f"M{x - 4:.1f} {y - 4:.1f}l8 8m0 -8l-8 8"
         return f'<path d="{shape}" stroke="{INK}" stroke-width="1.6" fill="none"/>'
-    if mark == "written":
-        return f'<rect x="{x - 4:.1f}" y="{y - 4:.1f}" width="8" height="8" fill="{INK}"/>'
+    if mark is Mark.WRITTEN:
+        return rectangle(x - 4, y - 4, 8, 8, f'fill="{INK}"')
     dot = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{INK}"/>'
-    if mark == "drawn over":
-        dot += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.8" fill="#ffffff"/>'
+    if mark is Mark.DRAWN_OVER:
+        dot += f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.8" fill="{WHITE}"/>'
     return dot
 
 

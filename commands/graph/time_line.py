@@ -1,23 +1,24 @@
-"""Finds the uses and results of each texture of a frame, step by step; ``build.py`` calls it."""
+"""Finds the uses and results of each texture of a frame, step by step; ``frame.py`` calls it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from ....compiler.documents.plan import (
+from ...compiler.documents.plan import (
     AttachmentRow,
     CopyStep,
     FramePlan,
     FrameTextureRow,
     PlanStep,
 )
-from ....targets.runner.frames.checks.rows import read_before, read_now
-from .model import Column, Life, MarkKind, Row
+from ...targets.runner.frames.checks.rows import read_before, read_now
+from .kinds import Mark
+from .model import Column, Life, Row, TimeLine
 
 
 def time_line(
     plan: FramePlan, groups: Sequence[int], what: Callable[[FrameTextureRow], str]
-) -> tuple[list[Column], list[Row]]:
+) -> TimeLine:
     """The steps of a plan, and its textures and buffers.
 
     ``groups`` has the number of steps of each equation, and ``what`` describes a texture.
@@ -50,7 +51,7 @@ def time_line(
             previous = textures[exchanged.previous]
             last = max(previous.marks, default=0)
             previous.lives.append(Life(name, 0, last, before=True))
-    return columns, [*textures, *buffers.values()]
+    return TimeLine(columns, [*textures, *buffers.values()])
 
 
 def _mark(plan: FramePlan, textures: Sequence[Row], buffers: Mapping[str, Row]) -> None:
@@ -62,26 +63,26 @@ def _mark(plan: FramePlan, textures: Sequence[Row], buffers: Mapping[str, Row]) 
                 row.marks.setdefault(number, mark)
 
 
-def _touched(step: PlanStep) -> Iterator[tuple[int | None, str, MarkKind]]:
+def _touched(step: PlanStep) -> Iterator[tuple[int | None, str, Mark]]:
     """The texture, the result, and the use of them."""
     if isinstance(step, CopyStep):
-        yield step.into.texture, step.into.result, "written"
-        yield step.copied.texture, step.copied.result, "read"
+        yield step.into.texture, step.into.result, Mark.WRITTEN
+        yield step.copied.texture, step.copied.result, Mark.READ
         return
     for image in step.images:
-        yield image.texture, image.result, "written"
+        yield image.texture, image.result, Mark.WRITTEN
     for buffer in step.buffers:
-        yield None, buffer.result, "written"
+        yield None, buffer.result, Mark.WRITTEN
     for target in step.attachments:
         yield target.texture, target.result, mark_of(target)
     for result, texture in (*read_now(step, is_first=True), *read_before(step)):
-        yield texture, result, "read"
+        yield texture, result, Mark.READ
 
 
-def mark_of(target: AttachmentRow) -> MarkKind:
+def mark_of(target: AttachmentRow) -> Mark:
     """The use of an attachment by a render pass; one of depths may have stencil values, too."""
     stencil = target.stencil
     if not (target.store or (stencil is not None and stencil.store)):
-        return "dropped"
+        return Mark.DROPPED
     is_loaded = "load" in (target.load, stencil and stencil.load)
-    return "drawn over" if is_loaded else "cleared"
+    return Mark.DRAWN_OVER if is_loaded else Mark.CLEARED

@@ -1,12 +1,12 @@
-"""Builds the ``FramePicture`` of a compiled frame; ``command.py`` calls ``frame_picture``."""
+"""Builds the ``Picture`` of a compiled frame; ``command.py`` calls ``frame_picture``."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from ....compiler.documents.plan import (
+from ...compiler.documents.plan import (
     AttachmentRow,
     CopyStep,
     DrawStep,
@@ -22,53 +22,54 @@ from ....compiler.documents.plan import (
     Source,
     ValueSource,
 )
-from ....compiler.documents.steps import ParameterStep
-from ....compiler.formula import Formulas
-from ....compiler.ir.shader import Notes
-from ....targets.runner.frames.checks.rows import inputs
-from .model import Arrow, ArrowKind, Box, FramePicture, MarkKind, Port
+from ...compiler.documents.steps import ParameterStep
+from ...compiler.formula import Formulas
+from ...compiler.ir.shader import Notes
+from ...targets.runner.frames.checks.rows import inputs
+from .kinds import ArrowKind, Kind, Mark
+from .model import Arrow, Box, Cluster, Picture, Port
 from .time_line import mark_of, time_line
 
 if TYPE_CHECKING:
-    from ....api import CompiledFrame
+    from ...api import CompiledFrame
 
 
 EVERYWHERE = "size"
 """A parameter that every frame has, and nearly every step reads."""
 
 
-def frame_picture(frame: CompiledFrame) -> FramePicture:
+def frame_picture(frame: CompiledFrame) -> Picture:
     """The steps of a frame, the host's inputs and outputs, and the lives of results."""
-    return _Builder(frame).picture()
+    return _FrameBuilder(frame).picture()
 
 
-class _Builder:
+class _FrameBuilder:
     def __init__(self, frame: CompiledFrame) -> None:
         self._plan = frame.plan
         self._formulas = Formulas(Notes())
         # The rows of the plan's values are the different ones of the frame's, in order.
         self._values = list(dict.fromkeys(frame.frame.values))
         self._host: dict[str, Box] = {}
-        self._steps: list[Box] = []
         self._arrows: dict[Arrow, None] = {}
         self._makers: dict[str, tuple[str, str]] = {}
         """For each result, the box of the step that leaves it, and the key of the box's row."""
         self._lights = {name: light.name for light in self._plan.lights
                         for name in light.parameters}  # fmt: skip
 
-    def picture(self) -> FramePicture:
+    def picture(self) -> Picture:
         plan = self._plan
         groups = list(_groups(plan.steps))
-        for group in groups:
-            self._steps.append(self._step(group))
+        steps = list(map(self._step, groups))
         outputs = list(map(self._output, plan.outputs))
         self._loops()
-        columns, rows = time_line(plan, [len(group.steps) for group in groups], self._what)
+        clusters = [
+            Cluster("from the host", list(self._host.values()), has_border=False),
+            Cluster("steps", steps, has_border=False),
+            Cluster("outputs", outputs, has_border=False),
+        ]
+        line = time_line(plan, [len(group.steps) for group in groups], self._what)
         rig = f", rig {plan.rig}" if plan.rig else ""
-        boxes = [*self._host.values(), *self._steps, *outputs]
-        return FramePicture(
-            f"{plan.frame}{rig}", plan.doc, boxes, list(self._arrows), columns, rows
-        )
+        return Picture(f"{plan.frame}{rig}", clusters, list(self._arrows), plan.doc, line)
 
     # --- steps ---
 
@@ -79,11 +80,12 @@ class _Builder:
             return self._copy(last)
         steps = [step for step in group.steps if not isinstance(step, CopyStep)]
         turns = [step for step in steps if not group.within(step)]
-        box = Box(f"step {last.name}", last.kind, group.name)
+        box = Box(f"step {last.name}", Kind[last.kind.upper()], group.name)
         box.only_first = last.only_first
         box.repeated = self._repeated(turns)
-        box.lines = list(dict.fromkeys(line for step in steps for line in self._does(step)))
-        box.notes.append(_place(last.source))
+        actions = dict.fromkeys(line for step in steps for line in self._does(step))
+        box.subject, *box.lines = actions
+        box.place = _place(last.source)
         for step in steps:
             self._read(step, box)
             self._leave(step, box, group.within(step))
@@ -91,9 +93,10 @@ class _Builder:
 
     def _copy(self, step: CopyStep) -> Box:
         before, after, texture = step.copied.result, step.into.result, step.into.texture
-        box = Box(f"copy {after}", "copy", "copy", [f"of {before}"])
-        self._arrow_from(before, box.key, "read")
-        port = Port(f"{after} (copied)", after, self._texture(texture), texture, "written", "")
+        box = Box(f"copy {after}", Kind.COPY, "copy", subject=f"of {before}")
+        self._arrow_from(before, box.key, ArrowKind.READ)
+        what = self._texture(texture)
+        port = Port(f"{after} (copied)", after, what, texture, Mark.WRITTEN, "")
         box.ports.append(port)
         self._makers[after] = box.key, port.key
         return box
@@ -139,9 +142,9 @@ class _Builder:
         """Add the arrows from a step's inputs, and notes of the values that the frame sets."""
         for drawn in step.draws:
             if drawn.models is not None:
-                self._arrow("given", self._given_models(drawn.models), box)
+                self._arrow(self._given_models(drawn.models), box)
             if drawn.light is not None:
-                self._arrow("given", self._given("light", drawn.light, ""), box)
+                self._arrow(self._given_light(drawn.light), box)
         for row in inputs(step):
             self._input(row.name, row.source, box)
         for target in step.attachments:
@@ -149,28 +152,29 @@ class _Builder:
                 # If others need the old contents, these were copied to where the step draws.
                 copied = target.result in self._makers
                 over = target.result if copied else target.over
-                self._arrow_from(over, box.key, "over")
+                self._arrow_from(over, box.key, ArrowKind.OVER)
 
     def _input(self, name: str, source: Source, box: Box) -> None:
         match source:
             case ValueSource():
                 note = f"{name} = {self._number(source.value)}"
-                if note not in box.notes:
-                    box.notes.append(note)
+                if note not in box.settings:
+                    box.settings.append(note)
                 for parameter in self._parameters(source.value):
-                    self._arrow("given", self._given_parameter(parameter), box)
+                    self._arrow(self._given_parameter(parameter), box)
             case HostSource():
-                self._arrow("given", self._given_resource(source.host), box)
+                self._arrow(self._given_resource(source.host), box)
             case PreviousSource():
-                before = self._given("previous", source.previous, "of the last frame")
-                self._arrow("read", before, box)
+                before = self._given(Kind.PREVIOUS, "previous", source.previous)
+                before.lines = ["of the last frame"]
+                self._arrow(before, box, ArrowKind.READ)
                 match source.initially:
                     case HostSource(host=host):
-                        self._arrow("initial", self._given_resource(host), box)
+                        self._arrow(self._given_resource(host), box, ArrowKind.INITIAL)
                     case ResultSource(result=result):
-                        self._arrow_from(result, box.key, "initial")
+                        self._arrow_from(result, box.key, ArrowKind.INITIAL)
             case ResultSource():
-                self._arrow_from(source.result, box.key, "read")
+                self._arrow_from(source.result, box.key, ArrowKind.READ)
 
     def _leave(self, step: PlanStep, box: Box, within: str) -> None:
         """Add the results of a step, as rows of its box."""
@@ -181,13 +185,12 @@ class _Builder:
                        mark_of(target))  # fmt: skip
         for image in step.images:
             what = self._texture(image.texture)
-            self._port(box, image.result, prefix + image.name, what, image.texture,
-                       "written")  # fmt: skip
+            self._port(box, image.result, prefix + image.name, what, image.texture, Mark.WRITTEN)
         for buffer in step.buffers:
-            self._port(box, buffer.result, prefix + buffer.name, "buffer", None, "written")
+            self._port(box, buffer.result, prefix + buffer.name, "buffer", None, Mark.WRITTEN)
 
     def _port(
-        self, box: Box, result: str, name: str, what: str, texture: int | None, mark: MarkKind
+        self, box: Box, result: str, name: str, what: str, texture: int | None, mark: Mark
     ) -> None:
         """Add a row for a result to a box, or replace the row of the same name.
 
@@ -218,37 +221,35 @@ class _Builder:
 
     # --- the host ---
 
-    def _given(self, kind: Any, name: str, line: str) -> str:
-        key = f"{kind} {name}"
-        if key not in self._host:
-            self._host[key] = Box(key, kind, name, [line] if line else [])
-        return key
+    def _given(self, kind: Kind, word: str, name: str, type_: str = "") -> Box:
+        """The box of an input, whose key has a word for the kind; made when first asked for."""
+        key = f"{word} {name}"
+        source = self._plan.sources.get(name) if type_ else None
+        place = "" if source is None else _place(source)
+        return self._host.setdefault(key, Box(key, kind, name, type_, place=place))
 
-    def _given_models(self, name: str) -> str:
+    def _given_models(self, name: str) -> Box:
         (row,) = (row for row in self._plan.models if row.name == name)
-        key = self._given("models", name, "")
-        self._host[key].lines = [", ".join(row.materials)]
-        self._host[key].notes = [_place(row.source)]
-        return key
+        box = self._given(Kind.MODELS, "models", name)
+        box.lines = [", ".join(row.materials)]
+        box.place = _place(row.source)
+        return box
 
-    def _given_resource(self, name: str) -> str:
+    def _given_light(self, name: str) -> Box:
+        return self._given(Kind.LIGHT, "light", name)
+
+    def _given_resource(self, name: str) -> Box:
         textures = {row.name: row.type for row in self._plan.host_textures}
         if name in textures:
-            return self._declared("texture", name, textures[name])
+            return self._given(Kind.HOST_TEXTURE, "texture", name, textures[name])
         (row,) = (row for row in self._plan.host_buffers if row.name == name)
-        return self._declared("buffer", name, row.type)
+        return self._given(Kind.HOST_BUFFER, "buffer", name, row.type)
 
-    def _given_parameter(self, name: str) -> str:
+    def _given_parameter(self, name: str) -> Box:
         if name in self._lights:
-            return self._given("light", self._lights[name], "")
+            return self._given_light(self._lights[name])
         (row,) = (row for row in self._plan.parameters if row.name == name)
-        return self._declared("parameter", name, row.type)
-
-    def _declared(self, kind: str, name: str, type_: str) -> str:
-        key = self._given(kind, name, type_)
-        source = self._plan.sources.get(name)
-        self._host[key].notes = [] if source is None else [_place(source)]
-        return key
+        return self._given(Kind.FRAME_PARAMETER, "parameter", name, row.type)
 
     def _parameters(self, value: int) -> Iterator[str]:
         """The parameters on which a number depends."""
@@ -257,10 +258,11 @@ class _Builder:
         return (name for name in sorted(names) if name != EVERYWHERE)
 
     def _output(self, row: OutputRow) -> Box:
-        box = Box(f"output {row.name}", "output", row.name)
+        _, port = self._makers[row.result]
+        box = Box(f"output {row.name}", Kind.OUTPUT, row.name, formula=port)
         box.lines = [row.doc] if row.doc else []
-        box.notes = [_place(row.source)]
-        self._arrow_from(row.result, box.key, "read")
+        box.place = _place(row.source)
+        self._arrow_from(row.result, box.key, ArrowKind.READ)
         return box
 
     def _loops(self) -> None:
@@ -268,12 +270,12 @@ class _Builder:
         for kept in self._plan.kept:
             target = f"previous {kept.result}"
             if target in self._host:
-                self._arrow_from(kept.result, target, "back")
+                self._arrow_from(kept.result, target, ArrowKind.BACK)
 
     # --- arrows and words ---
 
-    def _arrow(self, kind: ArrowKind, source: str, box: Box) -> None:
-        self._arrows[Arrow(source, box.key, kind)] = None
+    def _arrow(self, source: Box, box: Box, kind: ArrowKind = ArrowKind.GIVEN) -> None:
+        self._arrows[Arrow(source.key, box.key, kind)] = None
 
     def _arrow_from(self, result: str, target: str, kind: ArrowKind) -> None:
         """An arrow from a result of a step; none within a box, whose steps follow each other."""
