@@ -133,10 +133,11 @@ def those_that_have_all(
 ) -> Sequence[Route | None]:
     """The routes without those whose profiles lack something that a shader needs: such a shader
     has been compiled for the others only."""
+    from ..targets.runner.subject import lacking
+
     found = []
     for route in routes:
-        every = [] if route is None else [each.lacking.get(route.profile) for each in frame.shaders]
-        problem = next(filter(None, every), None)
+        problem = route and lacking(frame.shaders, route)
         if route is None or problem is None:
             found.append(route)
         else:

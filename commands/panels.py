@@ -81,7 +81,9 @@ def panels(
 
 def _problem(subject: Subject, route: Route, runner: Runner) -> str | None:
     """The reason why a route cannot draw a material, or ``None``."""
-    return runner.problem(route) or subject.material.lacking.get(route.profile)
+    from ..targets.runner.subject import lacking
+
+    return runner.problem(route) or lacking([subject.material], route)
 
 
 def _drawn(
@@ -104,7 +106,7 @@ def _drawn(
         return "float64", targets
     device = runner.device(route)
     targets = by_route(subject.material, subject.state, route, runner, toolchain)
-    return f"{device.name}, {device.version}", targets
+    return device.title, targets
 
 
 def _panel(

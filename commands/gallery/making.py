@@ -27,10 +27,10 @@ from ...targets.closing import Closing
 from ...targets.conformance import summary
 from ...targets.conformance.conform import conform as compare
 from ...targets.runner.files import FileError, opened, read_file
-from ...targets.runner.frames.by_route import lacking
 from ...targets.runner.pictures import encoded
 from ...targets.runner.routes import Route
 from ...targets.runner.runner import Runner
+from ...targets.runner.subject import lacking
 from ...targets.selection import DEFAULT, full_name, select_targets
 from ...targets.toolchain import Toolchain
 from .. import compared, frames, panels, subjects
@@ -228,7 +228,7 @@ class _Making:
         made = frames.host_maker(frame, request)
         for route in routes:
             name = REFERENCE if route is None else route.name
-            problem = route and (self._runner.problem(route) or lacking(frame, route))
+            problem = route and (self._runner.problem(route) or lacking(frame.shaders, route))
             if problem:
                 self._figure(frame.name, name, problem, (), panels.NOT_RUN)
                 continue
@@ -246,8 +246,7 @@ class _Making:
         """The device that has drawn: its name and version."""
         if route is None:
             return "float64"
-        device = self._runner.device(route)
-        return f"{device.name}, {device.version}"
+        return self._runner.device(route).title
 
     @contextmanager
     def _failure_of(self, label: str, route: str) -> Iterator[None]:
@@ -301,7 +300,7 @@ class _Making:
 
 def _verdict(label: str, row: Row, lines: Sequence[str]) -> Verdict:
     route, status, difference, share, bite, unproven = summary.cells(row)
-    device = "" if row.device is None else f"{row.device.name}, {row.device.version}"
+    device = "" if row.device is None else row.device.title
     return {
         "label": label.rpartition(": ")[2], "route": route, "title": row.route.title,
         "status": status, "difference": difference, "share": share, "bite": bite,

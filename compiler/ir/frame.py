@@ -169,6 +169,11 @@ class RenderStep:
     """The value of the factor ``constant`` in all targets."""
 
     @property
+    def uses(self) -> tuple[Use, ...]:
+        """Its shaders, with their inputs."""
+        return tuple(use for drawn in self.draws for use in drawn.uses)
+
+    @property
     def drawn_to(self) -> tuple[Attachment, ...]:
         """The attachments that it draws to, its depths last."""
         return self.attachments if self.depth is None else (*self.attachments, self.depth)
@@ -197,6 +202,11 @@ class KernelStep:
     """The buffers, by the names of the kernel's results."""
     doc: str
     span: Span
+
+    @property
+    def uses(self) -> tuple[Use, ...]:
+        """Its kernel, with the inputs of this."""
+        return (self.use,)
 
 
 Step = RenderStep | KernelStep
@@ -239,6 +249,7 @@ class Frame:
     buffers: tuple[BufferInfo, ...]
     models: tuple[Models, ...]
     shaders: tuple[FrameShader, ...]
+    """The shaders that steps use."""
     steps: tuple[Step, ...]
     """The steps that outputs need, each behind those that it needs itself."""
     outputs: tuple[Output, ...]

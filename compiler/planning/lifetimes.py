@@ -17,7 +17,6 @@ from ..ir.frame import (
     RenderStep,
     Source,
     Step,
-    Use,
 )
 
 Left = Image | Elements
@@ -27,18 +26,9 @@ ALWAYS = 1 << 30
 """A step after the last one: results that it needs live on."""
 
 
-def uses_of(step: Step) -> Iterator[Use]:
-    """The shaders of a step, with their inputs."""
-    if isinstance(step, KernelStep):
-        yield step.use
-    else:
-        for drawn in step.draws:
-            yield from drawn.uses
-
-
 def sources_of(step: Step) -> Iterator[Source]:
     """The sources of a step's inputs; several inputs may have one source."""
-    for use in uses_of(step):
+    for use in step.uses:
         for given in use.given:
             yield given.source
 

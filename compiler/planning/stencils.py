@@ -12,7 +12,6 @@ from itertools import chain
 from ...frozen import record
 from ..ir.frame import Attachment, Frame, Image, RenderStep, Step
 from ..ir.shared_depths import shared_depths
-from .lifetimes import uses_of
 
 STENCIL_FORMATS: Mapping[str, str] = {"depth32f": "depth32f_stencil8"}
 """The format with stencil values for each format of depths: depths stay the same numbers."""
@@ -51,4 +50,4 @@ def _place(depth: Attachment) -> tuple[Image, int | None, int]:
 
 
 def _uses_stencil(step: Step) -> bool:
-    return any(use.shader.shader.render_state.stencil.is_used for use in uses_of(step))
+    return any(use.shader.shader.render_state.stencil.is_used for use in step.uses)

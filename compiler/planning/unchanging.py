@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from ..ir.frame import Elements, Frame, Image, Previous, RenderStep, Step, Use
 from ..ir.leaves import Buffer, Parameter, Resource
 from ..ir.node import Node, reachable
-from .lifetimes import Left, attachments_of, read_by, sources_of, uses_of, written_by
+from .lifetimes import Left, attachments_of, read_by, sources_of, written_by
 
 
 def unchanging(frame: Frame) -> frozenset[str]:
@@ -65,7 +65,7 @@ def _is_known(frame: Frame, step: Step) -> bool:
     return (
         all(isinstance(source, int | Image) for source in given)
         and all(_is_constant(frame.values[number]) for number in numbers)
-        and all(_is_given_all(use) for use in uses_of(step))
+        and all(_is_given_all(use) for use in step.uses)
     )
 
 

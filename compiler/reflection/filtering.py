@@ -8,7 +8,6 @@ from ...frozen import frozen
 from ..diagnostics.source import Span
 from ..ir.frame import Frame, FrameShader, Given, Image, Previous, Use
 from ..ir.program import Program
-from ..planning.lifetimes import uses_of
 from .textures import TextureRows
 
 UNFILTERABLE = frozenset(("r32f", "rg32f", "rgba32f"))
@@ -32,7 +31,7 @@ def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> I
     format.
     """
     for step in frame.steps:
-        for use in uses_of(step):
+        for use in step.uses:
             given = list(_unfilterable(use))
             filters = _filters(use.shader, program_of(use.shader)) if given else frozenset()
             for each, image in given:

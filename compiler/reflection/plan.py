@@ -53,7 +53,6 @@ from ..ir.frame import (
 from ..ir.leaves import Resource
 from ..ir.shader import ResourceInfo
 from ..ir.types import Texture
-from ..planning.lifetimes import uses_of
 from ..planning.plan import Copy, Plan, PlannedStep, Target
 from ..planning.textures import Shape
 from .buffers import buffer_row
@@ -161,7 +160,7 @@ class _Document:
         return frozenset(
             source.name
             for step in self._frame.steps
-            for use in uses_of(step)
+            for use in step.uses
             for given in use.given
             for source in _sources_of(given)
             if isinstance(source, FromHost) and given.name in _color_textures(use.shader)

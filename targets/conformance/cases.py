@@ -1,4 +1,5 @@
-"""The scenes in which ``conform`` draws a material: common cases, and those that break shaders.
+"""The cases in which ``conform`` draws a material or runs a kernel: common ones, and those that
+break shaders.
 
 Together they have default and random values, all lights and none, lights inside the mesh,
 non-uniform scale, back faces, triangles that cross the near and the far plane, and a picture for
@@ -9,7 +10,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,11 +20,17 @@ from ...compiler.documents.steps import ParameterStep
 from ..runner.binding import shows_less
 from ..runner.cameras import looking
 from ..runner.instances.instance import Instance
-from ..runner.kernels import full_screen_state, has_images
+from ..runner.kernels import (
+    elements_state,
+    full_screen_state,
+    has_images,
+    is_drawn,
+    is_over_buffers,
+)
 from ..runner.meshes import Mesh, cube, plane, sphere, torus
 from ..runner.scene import Scene, with_inputs
 from ..runner.scene_state import Color, SceneState, set_up
-from .sample import sample_buffers, sample_textures, sample_values
+from .sample import BUFFER_SIZES, sample_buffers, sample_textures, sample_values
 
 Size = tuple[int, int]
 """Width and height of a picture, in pixels."""
@@ -36,6 +43,12 @@ UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
 
 IMAGE_CASES = ("first", "second")
 """The names of the pictures of a kernel over images."""
+
+MANY = (64, 70, 200)
+ANY = (0, 1, *MANY)
+ELEMENT_CASES = {"first": ANY, "second": MANY, "third": ANY}
+"""The runs of a kernel over buffers, and the numbers of elements that storage buffers may get: a
+whole work group, and parts of one; none or one, but not in all cases."""
 
 BACKDROP: Color = (0.2, 0.3, 0.4, 0.5)
 """The clear colour for blending."""
@@ -54,7 +67,7 @@ FEW_LINES = 1 / 4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Case:
-    """One picture of a material."""
+    """One picture of a material, one run of a kernel, or one capture."""
 
     name: str
     state: SceneState
@@ -77,7 +90,7 @@ def series_of(
     size: Size = SIZE,
     like: Reflection | None = None,
 ) -> Iterator[Series]:
-    """All cases of one material; ``seed`` is the seed of its random values.
+    """All cases of one material or kernel; ``seed`` is the seed of its random values.
 
     Pictures of a smaller ``size`` have meshes of fewer triangles: random programs are drawn so.
     The images of a kernel have sizes of their own. ``like`` is the reflection of another form of
@@ -91,13 +104,19 @@ def series_of(
             for turn, name in enumerate(IMAGE_CASES)
         ))  # fmt: skip
         return
-    yield Series(exact=True, cases=(
+    if is_over_buffers(reflection):
+        yield Series(exact=False, cases=tuple(
+            Case(name, elements_state(_sampled(reflection, seed + turn, sizes)))
+            for turn, (name, sizes) in enumerate(ELEMENT_CASES.items())
+        ))  # fmt: skip
+        return
+    yield Series(exact=is_drawn(reflection), cases=(
         _defaults(reflection, size, form),
         _stretched("stretched", reflection, seed, UNCOVERED, size, form),
         _behind(reflection, seed + 1, size, form),
         _inside(reflection, seed + 2, size),
     ))  # fmt: skip
-    if shows_less(reflection):
+    if is_drawn(reflection) and shows_less(reflection):
         case = _stretched("declared", reflection, seed, BACKDROP, size, form)
         state = replace(case.state, blend_constant=BLEND_CONSTANT)
         yield Series(exact=False, cases=(replace(case, state=state),))
@@ -188,10 +207,10 @@ def _inside(reflection: Reflection, seed: int, size: Size) -> Case:
     return _case("inside", _sampled(reflection, seed), cube(), Scene(camera), size)
 
 
-def _sampled(reflection: Reflection, seed: int) -> Instance:
+def _sampled(reflection: Reflection, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> Instance:
     instance = Instance(reflection)
     sample_values(instance, seed)
-    sample_buffers(instance, seed)
+    sample_buffers(instance, seed, sizes)
     sample_textures(instance, seed)
     return instance
 

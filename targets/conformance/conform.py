@@ -6,42 +6,38 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from functools import partial
 from threading import Event
 
 from ...compiler.budget import BudgetError
 from ...frozen import EMPTY
-from ..runner.codes import CodeError, compile_one
-from ..runner.drivers.device import Device, DriverError
-from ..runner.frames.by_route import lacking
+from ..runner.codes import CodeError
+from ..runner.drivers.device import DriverError
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameSubject, is_frame, is_shader
 from ..runner.job_sizes import check_work
-from ..runner.kernels import UndrawableError, is_drawn, is_over_buffers
+from ..runner.kernels import UndrawableError
 from ..runner.reference import STORE, Draw, expected
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.store import Store
 from ..runner.subject import Subject
 from ..toolchain import Toolchain
-from .captures import CapturePlan
 from .cases import SIZE, Size
 from .compare import Comparison, proves_little
+from .contents import content_of
 from .frames import FramePlan
-from .kernels import KernelPlan
-from .plan import Plan
+from .plan import Plan, ShaderPlan
 from .rows import CaseResult, Row, Status
 
 Done = Callable[[int, int], None]
 """Called with the number of finished rows and the number of all rows."""
 
 
-AnyPlan = Plan | KernelPlan | CapturePlan | FramePlan
-Planned = AnyPlan | tuple[str, str]
-"""The plan of a material, a kernel or a frame; or its label, and the reason why nothing can draw
-it."""
+Planned = Plan | tuple[str, str]
+"""The plan of a subject; or its label, and the reason why nothing can draw it."""
 
 
 def conform(
@@ -139,12 +135,9 @@ def _plan(
         return FramePlan(label, subject, size)
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
+    content = content_of(subject.reflection, store, draw)
     try:
-        if is_drawn(subject.reflection):
-            return Plan(label, subject, seed, store, size, draw, meant)
-        if is_over_buffers(subject.reflection):
-            return KernelPlan(label, subject, seed)
-        return CapturePlan(label, subject, seed, size, meant)
+        return ShaderPlan(label, subject, content, seed, size, meant)
     except ValueError as error:
         return label, str(error)
 
@@ -162,41 +155,22 @@ def _row(
     if isinstance(plan, tuple):
         label, reason = plan
         return Row(label, route, "failed", reason)
-    problem = runner.problem(route) or _lacking(plan, route)
+    problem = runner.problem(route) or plan.lacking(route)
     if problem is not None:
         return Row(plan.label, route, "not run", problem)
     made = partial(Row, plan.label, route, versions=runner.versions(route))
     try:
         device = runner.device(route)
+        for shader in plan.shaders:
+            check_work(shader.shader)
         results: list[CaseResult] = []
-        for result in _results(plan, route, device, runner, toolchain):
+        for result in plan.results(route, device, runner, toolchain):
             results.append(result)
             if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
     except (BudgetError, CodeError, DriverError, PlanError, UndrawableError) as error:
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
-
-
-def _results(
-    plan: AnyPlan, route: Route, device: Device, runner: Runner, toolchain: Toolchain
-) -> Iterator[CaseResult]:
-    if isinstance(plan, FramePlan):
-        for shader in plan.subject.shaders:
-            check_work(shader.shader)
-        return plan.results(route, device, runner, toolchain)
-    check_work(plan.subject.shader)
-    codes = compile_one(route, plan.subject.files, toolchain)
-    return plan.results(route, device, codes, runner)
-
-
-def _lacking(plan: AnyPlan, route: Route) -> str | None:
-    """The reason why a route has nothing to draw, or nothing to be compared with; or ``None``."""
-    profile = route.profile
-    if isinstance(plan, FramePlan):
-        return lacking(plan.subject, route)
-    meant = plan.meant if isinstance(plan, Plan) else plan.subject
-    return plan.subject.lacking.get(profile) or meant.lacking.get(profile)
 
 
 def _status(results: Sequence[CaseResult]) -> Status:

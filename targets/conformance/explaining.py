@@ -1,28 +1,28 @@
 """Explains pixels of a conformance run: the values of each route, and where the error comes from.
 
 ``burnish conform`` calls it when a run is over: with ``--explain`` for the pixel that somebody asks
-about, and for rows that differ or prove little, to name the cause in the source.
+about, and for rows that differ or prove little, to name the cause in the source. Of a frame it says
+which step has made the pixel, and which inputs of this step carry the error to it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import chain
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from ...compiler.reference.attribution import Explanation, UncoveredError
+from ...compiler.reference.attribution import Explanation
 from ..runner.drivers.device import Device
-from ..runner.explanation import explained
-from ..runner.frames.host import FrameSubject, is_frame, is_shader
-from ..runner.kernels import drawable, is_drawn
+from ..runner.frames.following import BEFORE, Carried, Made
+from ..runner.frames.host import FrameSubject, is_shader
+from ..runner.kernels import is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
-from .cases import SIZE, Case, series_of
-from .error_words import blamed, causes, lines, small
-from .frame_explaining import frame_lines, reasons_of_frame
-from .plan import bounds_of
+from .cases import SIZE
+from .conform import planned
+from .error_words import blamed, causes, lines, short, small, table
+from .plan import Plan, ShaderPlan
 from .rows import Row
 from .seen import (
     Pixel,
@@ -40,6 +40,9 @@ from .seen import (
 
 _BLAMED = 100.0
 """The multiple of its bound up to which a difference can come from an operation's error."""
+_LARGE_PART = 0.5
+"""An input is to blame if, with an exact input, the distance of the bounds falls below this
+part."""
 _ANY_DEVICE = Device("", "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
 """A device with the bits that nearly all devices have."""
 
@@ -55,13 +58,6 @@ def check_pixel(pixel: Pixel) -> None:
         )
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _SeenCase(Seen):
-    """One case of a material."""
-
-    case: Case
-
-
 def explanation_lines(
     subject: Subject | FrameSubject,
     rows: Sequence[Row],
@@ -69,49 +65,58 @@ def explanation_lines(
     pixel: Pixel,
     case: str | None,
 ) -> Iterator[str]:
-    """The lines that explain one pixel of a material, from the material's rows.
+    """The lines that explain one pixel of a subject, from the subject's rows.
 
     Without a case, the one in which the pixel is the least certain is taken. Raises ``PixelError``.
     """
-    if not is_shader(subject):
-        assert is_frame(subject)
-        yield from frame_lines(subject, rows, pixel, case)
-        return
-    x, y = pixel
-    seen = chosen(_seen(subject, rows, seed), pixel, case, "image of this kernel")
-    try:
-        found = _explained(subject, seen, pixel)
-    except UncoveredError:
-        raise PixelError(_uncovered(seen, pixel)) from None
+    plan, (x, y) = _plan(subject, seed), pixel
+    kind = "image of this kernel" if is_shader(subject) else "output"
+    seen = chosen(_seen(plan, rows), pixel, case, kind)
+    found = _origin(plan, seen, pixel)
+    if found is None:
+        raise PixelError(_undrawn(seen, pixel))
     yield f"pixel {x},{y} of `{seen.name}`, by the rules of {seen.leading.route.name}"
     yield ""
-    yield from values_lines(seen, pixel, found.target)
+    yield from values_lines(seen, pixel, found.target if isinstance(found, Explanation) else 0)
     yield ""
-    yield from lines(found)
+    yield from lines(found) if isinstance(found, Explanation) else made_lines(found)
 
 
 def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int) -> list[Row]:
-    """The rows of one material, with the reasons in the source for their verdicts.
+    """The rows of one subject, with the reasons in the source for their verdicts.
 
     Rows that prove little do so for the same reason on all routes; it is worked out once. Reasons
-    concern pixels, so there are none if no picture is drawn.
+    concern pixels, so there are none if no picture is drawn. Of frames, only those are told that
+    prove little.
     """
-    weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
-    if not is_shader(subject):
-        assert is_frame(subject)
-        shared = tuple(reasons_of_frame(subject, weakest)) if weakest else ()
-        return [replace(row, reasons=shared) if _is_weak(row) else row for row in rows]
-    if not is_drawn(subject.reflection):
+    explains = ("proves little", "differs") if is_shader(subject) else ("proves little",)
+    if not _has_pictures(subject) or not any(row.status in explains for row in rows):
         return list(rows)
-    shared = tuple(_of_little(subject, weakest, seed)) if weakest else ()
+    plan = _plan(subject, seed)
+    weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
+    shared = tuple(_of_little(plan, weakest)) if weakest else ()
     return [
         replace(row, reasons=shared)
         if _is_weak(row)
-        else replace(row, reasons=tuple(_of_difference(subject, row, seed)))
-        if row.status == "differs"
+        else replace(row, reasons=tuple(_of_difference(plan, row)))
+        if row.status in explains
         else row
         for row in rows
     ]
+
+
+def _has_pictures(subject: Subject | FrameSubject) -> bool:
+    return not is_shader(subject) or is_drawn(subject.reflection)
+
+
+def _plan(subject: Subject | FrameSubject, seed: int) -> Plan:
+    """The plan of a subject. Raises ``PixelError`` for one that draws no picture."""
+    if not _has_pictures(subject):
+        raise PixelError(f"{subject.name} draws no picture, so that it has no pixel to explain")
+    (plan,) = planned([(subject.name, subject)], seed=seed)
+    if isinstance(plan, tuple):
+        raise PixelError(plan[1])
+    return plan
 
 
 def _is_weak(row: Row) -> bool:
@@ -123,80 +128,99 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """
-    every = chain.from_iterable(series.cases for series in series_of(subject.reflection))
-    case = named({one.name: one for one in every}, name)
-    if not (pixel[0] < case.state.width and pixel[1] < case.state.height):
-        raise PixelError(f"`{name}` has {case.state.width} x {case.state.height} pixels")
-    bounds = bounds_of(case.state, route, _ANY_DEVICE)[-1]
-    try:
-        return explained(drawable(subject.shader), case.state, bounds.rules, bounds.errors, *pixel)
-    except UncoveredError:
-        x, y = pixel
-        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`") from None
+    plan, (x, y) = _plan(subject, 0), pixel
+    assert isinstance(plan, ShaderPlan)
+    state = named(plan.cases(), name)
+    if not (x < state.width and y < state.height):
+        raise PixelError(f"`{name}` has {state.width} x {state.height} pixels")
+    found = plan.made(name, route, _ANY_DEVICE, "guaranteed", pixel)
+    if found is None:
+        raise PixelError(f"nothing is drawn at {x},{y} of `{name}`")
+    return found
 
 
-def _of_little(subject: Subject, row: Row, seed: int) -> list[str]:
+def _of_little(plan: Plan, row: Row) -> list[str]:
     """The places where precision is lost, in the case that proves the least.
 
     A usual pixel of the case is explained, or others if nothing is lost there.
     """
-    cases = _seen(subject, [row], seed)
-    least = max(cases, key=lambda seen: unproven(seen.result).sum(), default=None)
+    least = max(_seen(plan, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
         return []
     otherwise = []
-    for x, y in usual_pixels(least.result):
-        for found in _explained_if_covered(subject, least, (x, y)):
+    for pixel in usual_pixels(least.result):
+        found = _origin(plan, least, pixel)
+        if isinstance(found, Made):
+            return list(_carriers(found))
+        if found is not None:
             if told := list(causes(found)):
                 return told
+            x, y = pixel
             otherwise.append(small(found, float(width_of(least.result.expected)[y, x])))
     return otherwise[:1]
 
 
-def _of_difference(subject: Subject, row: Row, seed: int) -> Iterator[str]:
+def _carriers(made: Made) -> Iterator[str]:
+    """The input that has most of the error of a pixel of a frame, or else the places in its step
+    where precision is lost."""
+    worst = made.carried[0] if made.carried else None
+    if worst is not None and worst.apart < _LARGE_PART * made.apart:
+        yield f"`{made.step}` has most of the error from {_words(worst)}"
+    elif made.explanation is not None:
+        yield from (f"`{made.step}`: {cause}" for cause in causes(made.explanation))
+
+
+def _of_difference(plan: Plan, row: Row) -> Iterator[str]:
     """The operation that explains most of the error of a case's worst pixel."""
-    for seen in _seen(subject, [row], seed):
+    for seen in _seen(plan, [row]):
         comparison = seen.result.comparison
         # Rounding is to blame for a difference of its own order only.
         if comparison.wrong and comparison.worst is not None and comparison.excess < _BLAMED:
-            worst = comparison.worst
-            for found in _explained_if_covered(subject, seen, (worst.x, worst.y)):
+            found = _origin(plan, seen, (comparison.worst.x, comparison.worst.y))
+            if isinstance(found, Explanation):
                 yield from (f"{seen.name}: {text}" for text in blamed(found))
 
 
-def _explained_if_covered(subject: Subject, seen: _SeenCase, pixel: Pixel) -> Iterator[Explanation]:
-    try:
-        yield _explained(subject, seen, pixel)
-    except UncoveredError:
-        return
+def made_lines(made: Made) -> Iterator[str]:
+    """The origin of a pixel, as lines of text."""
+    yield f"the step `{made.step}` has made it, and its bounds are {short(made.apart)} apart"
+    if made.carried:
+        yield from ("", "how far apart they would be without the error of:")
+        rows = [(short(one.apart), _words(one)) for one in made.carried]
+        if len(rows) > 1:
+            rows.append((short(made.alone), "all of these"))
+        yield from table(rows)
+    if made.explanation is not None:
+        yield ""
+        yield f"what `{made.step}` makes of what it reads:"
+        yield from lines(made.explanation)
 
 
-def _seen(subject: Subject, rows: Iterable[Row], seed: int) -> list[_SeenCase]:
+def _words(carried: Carried) -> str:
+    if carried.result == BEFORE:
+        return BEFORE
+    return f"`{carried.name}`, which is `{carried.result}`"
+
+
+def _seen(plan: Plan, rows: Sequence[Row]) -> list[Seen]:
     """The cases that any of these rows has drawn."""
-    drawn = [row for row in rows if row.results]
-    found = []
-    for series in series_of(subject.reflection, seed) if drawn else ():
-        for case in series.cases:
-            results = results_of(case.name, drawn)
-            leading = leading_of(results, drawn)
-            found.append(_SeenCase(case.name, results, leading, case))
-    return found
+    found = ((case, results_of(case, rows)) for case in plan.cases())
+    return [Seen(case, results, leading_of(results, rows)) for case, results in found if results]
 
 
-def _explained(subject: Subject, seen: _SeenCase, pixel: Pixel) -> Explanation:
+def _origin(plan: Plan, seen: Seen, pixel: Pixel) -> Explanation | Made | None:
     """Explain a pixel by the bounds that decided on the verdict of the leading row."""
-    row = seen.leading
+    row, level = seen.leading, seen.result.comparison.level
     assert row.device is not None
-    level = seen.result.comparison.level
-    allowed = bounds_of(seen.case.state, row.route, row.device)
-    bounds = next(one for one in allowed if one.level == level)
-    return explained(drawable(subject.shader), seen.case.state, bounds.rules, bounds.errors, *pixel)
+    return plan.made(seen.name, row.route, row.device, level, pixel)
 
 
-def _uncovered(seen: _SeenCase, pixel: Pixel) -> str:
+def _undrawn(seen: Seen, pixel: Pixel) -> str:
     """The reason why a pixel cannot be explained, and a pixel that can be."""
     x, y = pixel
     covered = seen.result.expected.covered
+    if covered.all():
+        return f"no step draws the pixel {x},{y} of `{seen.name}`"
     text = f"nothing is drawn at {x},{y} of `{seen.name}`"
     if not covered.any():
         return f"{text}, nor elsewhere"

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.picture import Counted, Expected, RasterRules, formats
+from ...compiler.reference.picture import Counted, Expected, RasterRules
 from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
@@ -29,13 +29,13 @@ from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..toolchain import Toolchain
 from ..web_host.drawing import draw_frames
+from .bounds import Bounds, bounds_of, precise
 from .cases import Size
-from .compare import Comparison, Level, compare
+from .compare import Level
+from .contents import to_targets
+from .judging import Answer, Compared, Floats, all_covered
 from .once import Known
-from .plan import Bounds, bounds_of, precise, summed_up, to_targets
-from .rows import CaseResult
-
-Floats = NDArray[np.float64]
+from .plan import Plan
 
 MESH = "torus"
 """The mesh of all models of a frame."""
@@ -80,13 +80,13 @@ class _Pictures:
     """The rare rules on which the pictures depend."""
 
 
-class FramePlan:
-    """The pictures of one frame. Several threads use it."""
+class FramePlan(Plan):
+    """The outputs of one frame, drawn several times if one frame reads what the last one left."""
 
     def __init__(self, label: str, subject: FrameSubject, size: Size) -> None:
         """``size`` is that of the outputs, as far as the frame does not say another one."""
-        self.label = label
-        self.subject = subject
+        super().__init__(label, subject.shaders)
+        self._subject = subject
         self._meant = meant = _Meant(subject)
         self._size = size
         self._count = SEVERAL if meant.plan.kept else 1
@@ -94,15 +94,15 @@ class FramePlan:
         self._expected: Known[_Pictures] = Known()
         self._programs: Known[list[Program]] = Known()
 
-    def results(
+    def answers(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
-    ) -> Iterator[CaseResult]:
-        """A result for each output of each frame. Raises ``CodeError``, ``DriverError`` and
-        ``PlanError``."""
-        got = draw_frames(self._host(self.subject), route, runner, toolchain, self._count)
+    ) -> Iterator[Answer]:
+        """The outputs of each frame. Raises ``CodeError``, ``DriverError`` and ``PlanError``."""
+        got = draw_frames(self._host(self._subject), route, runner, toolchain, self._count)
         questions = self._questions(route, device)
         for case, (number, name) in self.cases().items():
-            yield self._judged(case, number, name, got[number][name], route, questions)
+            layers = got[number][name]
+            yield Answer(case, questions, partial(self._within, case, layers, route.profile))
 
     def cases(self) -> dict[str, tuple[int, str]]:
         """The number of the frame and the output, by the name of the case."""
@@ -138,39 +138,26 @@ class FramePlan:
         questions = tuple(bounds_of(_Sized(*self._size), route, device))
         return tuple(map(_turned_over, questions)) if route.bottom_up else questions
 
-    def _judged(
-        self,
-        case: str,
-        frame: int,
-        name: str,
-        got: Floats,
-        route: Route,
-        questions: Sequence[Bounds],
-    ) -> CaseResult:
-        found: list[tuple[Comparison, Expected]] = []
-        drawn = (_rows(got),)
-        for bounds in questions:
-            wanted = self._drawn(route.profile, bounds.rules, bounds.errors)[frame][name]
-            meant = self._drawn(None, precise(bounds.rules), None)[frame][name]
-            expected = _expected(wanted)
-            expected = replace(expected, undecided=expected.undecided | _undecided(meant))
-            (source,) = _expected(meant).targets
-            if got.shape[:3] != meant.levels[0].shape[1:4]:
-                raise PlanError(
-                    f"{case} has {_sides(got.shape)}, and should have "
-                    f"{_sides(meant.levels[0].shape[1:])}"
-                )
-            steps = [_step(meant.format, source)]
-            comparison = compare(drawn, expected, [source], steps, bounds.level)
-            if comparison.changed:
-                # In float64, too, numbers that cancel may tip a decision.
-                possible = _expected(self._drawn(None, bounds.rules, bounds.errors)[frame][name])
-                comparison = compare(drawn, expected, [source], steps, bounds.level, possible)
-            found.append((comparison, expected))
-            if not comparison.wrong:
-                break
-        summary = summed_up([comparison for comparison, _ in found])
-        return CaseResult(case, summary, drawn, found[-1][1])
+    def _within(self, case: str, got: Floats, profile: str, bounds: Bounds) -> Compared:
+        """An output beside the reference's. Raises ``PlanError`` for one of another size."""
+        number, name = self.cases()[case]
+
+        def wanted(profile: str | None, rules: RasterRules, errors: Errors | None) -> Drawn:
+            return self._drawn(profile, rules, errors)[number][name]
+
+        meant = wanted(None, precise(bounds.rules), None)
+        if got.shape[:3] != meant.levels[0].shape[1:4]:
+            raise PlanError(
+                f"{case} has {_sides(got.shape)}, and should have "
+                f"{_sides(meant.levels[0].shape[1:])}"
+            )
+        return Compared.of(
+            [_rows(got)],
+            _expected(wanted(profile, bounds.rules, bounds.errors)),
+            _expected(meant),
+            ["r32f" if meant.format.startswith(DEPTHS) else meant.format],
+            lambda: _expected(wanted(None, bounds.rules, bounds.errors)),
+        )
 
     def _drawn(
         self, profile: str | None, rules: RasterRules, errors: Errors | None
@@ -206,7 +193,7 @@ class FramePlan:
     def _programs_of(self, profile: str | None) -> list[Program]:
         """The shaders as emitted for a profile, or those of the source."""
         found = []
-        for subject in self.subject.shaders:
+        for subject in self.shaders:
             made = subject.shader if profile is None else subject.emitted(profile)
             if is_drawn(subject.reflection):
                 made = to_targets(drawable(made), exact=False)
@@ -237,16 +224,9 @@ def _rows(layers: Floats) -> Floats:
 
 def _expected(drawn: Drawn) -> Expected:
     """The first level of a texture as a picture."""
-    value, low, high = (_rows(_whole(end)) for end in drawn.levels[0])
-    everywhere = np.ones(value.shape[:2], np.bool_)
-    return Expected(
-        (value,), everywhere, _undecided(drawn), (low,), (high,), everywhere.astype(np.int64)
-    )
-
-
-def _undecided(drawn: Drawn) -> NDArray[np.bool_]:
+    value, low, high = ([_rows(_whole(end))] for end in drawn.levels[0])
     layers = drawn.undecided[0]
-    return layers.reshape(-1, layers.shape[-1])
+    return all_covered(value, low, high, layers.reshape(-1, layers.shape[-1]))
 
 
 def _whole(texels: Floats) -> Floats:
@@ -255,8 +235,3 @@ def _whole(texels: Floats) -> Floats:
         return texels
     missing = np.broadcast_to([0.0, 0.0, 1.0], (*texels.shape[:-1], 3))
     return np.concatenate([texels, missing], axis=-1)
-
-
-def _step(format_: str, values: Floats) -> Floats:
-    """The distance between neighbouring numbers of a format."""
-    return formats.step("r32f" if format_.startswith(DEPTHS) else format_, values)

@@ -1,302 +1,197 @@
-"""Plans the draws of one material with the expected pictures, which all routes share."""
+"""Plans what is compared of a material, a kernel or a frame: cases, which all routes share.
+
+``conform.py`` makes a plan of each subject, and asks it for the results of each route. All plans
+answer alike; ``frames.py`` has that of a frame, and this module that of a single shader.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from abc import ABC, abstractmethod
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Protocol
+from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from ...compiler.ir.blending import REPLACES
-from ...compiler.ir.shader import Result, Shader
+from ...compiler.ir.stages import CAPTURED, CAPTURED_EXPANDED, COMPUTED
+from ...compiler.reference.attribution import Explanation, UncoveredError
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.picture import Expected, RasterRules, formats
-from ...frozen import changed
-from ...stdlib.builtins.accuracy import Platform
-from ..runner.binding import FORMATS, pipeline
-from ..runner.codes import Codes
+from ...compiler.reference.picture import Expected, RasterRules
+from ..runner.binding import pipeline
+from ..runner.codes import compile_one
 from ..runner.drivers.device import Device
-from ..runner.drivers.draw_job import Picture
-from ..runner.drivers.readback import arrays
-from ..runner.kernels import drawable, pictures_of
-from ..runner.reference import Draw, Program, remembered
-from ..runner.reference import expected as drawn_here
+from ..runner.explanation import explained
+from ..runner.frames.following import Made
+from ..runner.kernels import UndrawableError, drawable, is_drawn
+from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
-from ..runner.store import Store
-from ..runner.subject import Subject
-from .cases import Series, Size, series_of
-from .compare import Comparison, Level, compare
-from .drivers import DRIVERS, Driver, Hardware
-from .measured import ENVELOPES
+from ..runner.subject import Subject, lacking
+from ..toolchain import Toolchain
+from .bounds import Bounds, bounds_of, precise
+from .cases import Size, series_of
+from .compare import Level
+from .contents import Content, Said
+from .judging import Answer, Compared
 from .once import Known
 from .rows import CaseResult
 
-Floats = NDArray[np.float64]
-
-_ANY: tuple[Platform, ...] = ("vulkan",)
-"""The platform for errors of functions. Errors that were not measured follow from those that were,
-on any platform. So all routes to a driver share one picture."""
-FLOATS = "rgba32f"
-"""The format that holds every float that is compared, in series that show what shaders write."""
+LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
+"""The stages whose captured vertices, or elements, the reference can compute."""
 
 
-@dataclass(frozen=True, slots=True)
-class Bounds:
-    """The tolerance for a device: its rasterisation rules, and the errors of its functions."""
+class Plan(ABC):
+    """The cases of one subject. Several threads use it."""
 
-    level: Level
-    rules: RasterRules
-    errors: Errors
+    def __init__(self, label: str, shaders: Sequence[Subject]) -> None:
+        self.label = label
+        self.shaders = shaders
+        """Everything that routes draw or run."""
+
+    def lacking(self, route: Route) -> str | None:
+        """The reason why a route has nothing to draw, or nothing to be compared with."""
+        return lacking(self.shaders, route)
+
+    @abstractmethod
+    def answers(
+        self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
+    ) -> Iterator[Answer]:
+        """An answer of a route for each case.
+
+        Raises ``CodeError``, ``DriverError``, ``PlanError`` and ``UndrawableError``.
+        """
+
+    @abstractmethod
+    def cases(self) -> Collection[str]:
+        """The names of the cases."""
+
+    @abstractmethod
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Explanation | Made | None:
+        """The origin of a pixel of a case, by the bounds of this level; ``None`` if nothing is
+        drawn there."""
+
+    def results(
+        self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
+    ) -> Iterator[CaseResult]:
+        """A result for each case by a route. Raises what ``answers`` raises."""
+        return (each.judged() for each in self.answers(route, device, runner, toolchain))
 
 
-class Plan:
-    """The cases of one material. Several threads use it."""
+class ShaderPlan(Plan):
+    """The cases of a single shader: of a material with a pass, or of a kernel."""
 
     def __init__(
         self,
         label: str,
         subject: Subject,
+        content: Content,
         seed: int,
-        store: Store,
         size: Size,
-        draw: Draw = drawn_here,
         meant: Subject | None = None,
     ) -> None:
-        """``draw`` draws with the reference, and ``store`` keeps its pictures.
+        """``content`` is what the shader leaves, and ``size`` that of all pictures.
 
-        ``size`` is that of all pictures. ``meant`` is the form of the material that the reference
-        draws, if that is another: one without stages that only some profiles have. Raises the
-        errors of ``Instance`` and ``set_up``, although a case should lack no value.
+        ``meant`` is the form of the material that the reference computes, if that is another: one
+        without stages that only some profiles have. Raises ``UndrawableError`` if such a form is
+        needed and missing, and the errors of ``Instance`` and ``set_up``, although a case should
+        lack no value.
         """
-        self.label = label
-        self.subject = subject
-        self.meant = meant or subject
+        super().__init__(label, [subject])
+        self._content = content
+        self._meant = form = _computed(subject, meant)
         self._work = [
-            (series, tuple(case.state.draw() for case in drawn.cases))
-            for series, drawn in zip(
-                series_of(self.meant.reflection, seed, size),
-                series_of(subject.reflection, seed, size, like=self.meant.reflection),
+            (series, [content.given(case.state) for case in run.cases])
+            for series, run in zip(
+                series_of(form.reflection, seed, size),
+                series_of(subject.reflection, seed, size, like=form.reflection),
                 strict=True,
             )
         ]
-        """Each series with its draws."""
-        self._expected: Known[Expected] = Known()
+        """Each series as the reference computes it, with what drivers are given for its cases."""
         self._programs: Known[Program] = Known()
-        self._store = store
-        self._draw = draw
+        self._known: Known[Any] = Known()
 
-    def results(
-        self, route: Route, device: Device, codes: Codes, runner: Runner
-    ) -> Iterator[CaseResult]:
-        """A result for each case by a route, which draws a series when its first one is asked for.
+    def lacking(self, route: Route) -> str | None:
+        """The reason why a route has nothing to draw, or nothing to be compared with."""
+        return lacking([*self.shaders, self._meant], route)
 
-        Raises ``DriverError``, and ``UndrawableError``.
-        """
-        reflection = self.subject.reflection
-        for series, draws in self._work:
+    def answers(
+        self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
+    ) -> Iterator[Answer]:
+        """An answer of a route for each case; it does a series when the first one is asked for."""
+        (subject,) = self.shaders
+        codes, reflection = compile_one(route, subject.files, toolchain), subject.reflection
+        for series, given in self._work:
             bound = pipeline(reflection, route, codes, exact=series.exact)
-            pictures = pictures_of(route, runner, reflection, bound, draws)
-            yield from self._compared(series, route, device, pictures)
+            made = self._content.answers(route, runner, reflection, bound, given)
+            for case, got in zip(series.cases, made, strict=True):
+                program, source = (
+                    self._program(profile, exact=series.exact) for profile in (route.profile, None)
+                )
+                yield Answer(
+                    case.name,
+                    bounds_of(case.state, route, device),
+                    partial(self._compared, got, case.state, program, source),
+                )
+
+    def cases(self) -> Mapping[str, SceneState]:
+        """The states of the cases, by name."""
+        return {case.name: case.state for series, _ in self._work for case in series.cases}
+
+    def made(
+        self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
+    ) -> Explanation | None:
+        """The operations that make a pixel of a picture inexact."""
+        state, shader = self.cases()[case], drawable(self._meant.shader)
+        bounds = next(one for one in bounds_of(state, route, device) if one.level == level)
+        try:
+            return explained(shader, state, bounds.rules, bounds.errors, *pixel)
+        except UncoveredError:
+            return None
 
     def _compared(
-        self, series: Series, route: Route, device: Device, pictures: Sequence[Picture]
-    ) -> Iterator[CaseResult]:
-        """A result for each case of a series, from the pictures that a route has drawn."""
-        for case, picture in zip(series.cases, pictures, strict=True):
-            questions = bounds_of(case.state, route, device)
-            got = arrays(picture)
-            found = [(c, e) for c, e in self._answers(case.state, got, route, questions, series)]
-            yield CaseResult(case.name, summed_up([c for c, _ in found]), got, found[-1][1])
-
-    def _answers(
-        self,
-        state: SceneState,
-        got: Sequence[Floats],
-        route: Route,
-        questions: Sequence[Bounds],
-        series: Series,
-    ) -> Iterator[tuple[Comparison, Expected]]:
-        """The comparisons with the first bounds, and with the next ones if these are left."""
-        program, source = (
-            self._program(profile, exact=series.exact) for profile in (route.profile, None)
+        self, got: Any, state: SceneState, program: Program, source: Program, bounds: Bounds
+    ) -> Compared:
+        rules, errors = bounds.rules, bounds.errors
+        said = Said(
+            state,
+            source,
+            partial(self._found, program, state, rules, errors),
+            partial(self._found, source, state, precise(rules), None),
+            partial(self._found, source, state, rules, errors),
         )
-        for bounds in questions:
-            expected = self._wanted(program, state, bounds.rules, bounds.errors)
-            meant = self._wanted(source, state, precise(bounds.rules), None)
-            # The text has no promises any more, nor what was written as `unguarded`: the material
-            # knows where nothing is defined.
-            expected = replace(expected, undecided=expected.undecided | meant.undecided)
-            comparison = _compared(got, expected, source, meant, bounds)
-            if comparison.changed:
-                # In float64, too, numbers that cancel may tip a decision.
-                possible = self._wanted(source, state, bounds.rules, bounds.errors)
-                comparison = _compared(got, expected, source, meant, bounds, possible)
-            yield comparison, expected
-            if not comparison.wrong:
-                return
+        return self._content.compared(got, said)
+
+    def _found(
+        self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
+    ) -> Any:
+        """What the reference says of a case, computed once for all routes whose texts are the same
+        graph."""
+        # The rules for some drivers differ in rare rules only, on which only pictures depend.
+        asked = program.text, id(state), errors
+        return self._known.shared(
+            (*asked, rules.common),
+            (*asked, rules),
+            lambda: self._content.found(program, state, rules, errors),
+            lambda found: not isinstance(found, Expected) or rules.agree_with(found.counted),
+        )
 
     def _program(self, profile: str | None, *, exact: bool) -> Program:
         """The program as emitted for a profile, or that of the source."""
 
         def made() -> Program:
-            emitted = self.meant.shader if profile is None else self.meant.emitted(profile)
-            return Program.of(to_targets(drawable(emitted), exact=exact))
+            shader = self._meant.shader if profile is None else self._meant.emitted(profile)
+            return Program.of(self._content.evaluated(shader, exact))
 
         return self._programs.value((profile, exact), made)
 
-    def _wanted(
-        self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
-    ) -> Expected:
-        # The rules for some drivers differ in rare rules only.
-        asked = program.text, id(state), errors
-        return self._expected.shared(
-            (*asked, rules.common),
-            (*asked, rules),
-            lambda: remembered(program, state, rules, self._store, errors, self._draw),
-            lambda picture: rules.agree_with(picture.counted),
-        )
 
-
-def _compared(
-    got: Sequence[Floats],
-    expected: Expected,
-    source: Program,
-    meant: Expected,
-    bounds: Bounds,
-    possible: Expected | None = None,
-) -> Comparison:
-    """The result of ``compare`` for the formats to which the source draws."""
-    targets = [result.state.format for result in source.shader.results if result.state]
-    pairs = list(zip(targets, meant.targets, strict=True))
-    return compare(
-        got,
-        expected,
-        [formats.clamped(name, values) for name, values in pairs],
-        [formats.step(name, values) for name, values in pairs],
-        bounds.level,
-        possible,
-    )
-
-
-def summed_up(found: Sequence[Comparison]) -> Comparison:
-    """The last comparison, with the tightness of the first one."""
-    first, last = found[0], found[-1]
-    if first is last:
-        return first
-    # Pixels that left the first bounds are proven by the last ones only.
-    proven = max(last.proven, first.proven - first.wrong)
-    return replace(
-        last, proven=proven, wide=first.wide + first.proven - proven, bite=first.bite,
-        beyond=None if last.wrong else first.worst,
-    )  # fmt: skip
-
-
-class Sized2d(Protocol):
-    """Anything with a width and a height in pixels."""
-
-    @property
-    def width(self) -> int:
-        """Pixels in a row."""
-
-    @property
-    def height(self) -> int:
-        """Rows."""
-
-
-def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
-    """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
-    driver = DRIVERS[route.driver]
-    ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
-    guaranteed = Bounds(
-        "guaranteed",
-        ruled(_guaranteed(driver.assumed, device)),
-        Errors(route.platforms),
-    )
-    if driver.measured is None:
-        return (guaranteed,)
-    functions = ENVELOPES[route.driver].allowed()
-    measured = Bounds(
-        "measured",
-        ruled(driver.measured),
-        Errors(_ANY, tuple(sorted(functions.items()))),
-    )
-    return measured, guaranteed
-
-
-def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
-    """The properties that a device reports, and the assumed ones for the rest."""
-    return replace(
-        assumed,
-        subtexel_bits=device.subtexel_bits or assumed.subtexel_bits,
-        mip_bits=device.mip_bits or assumed.mip_bits,
-    )
-
-
-def rules_of(
-    state: Sized2d, device: Device, driver: Driver, hardware: Hardware, *, bottom_up: bool
-) -> RasterRules:
-    """The rules by which a device rasterises a state; ``bottom_up``: if a quad's first pixel is the
-    lower left one, which matters for levels and derivatives."""
-    return RasterRules(
-        state.width,
-        state.height,
-        device.subpixel_bits,
-        interpolates_snapped=driver.interpolates_snapped,
-        clips_sides=driver.clips_sides,
-        owns_bottom=driver.owns_bottom,
-        edge_slack=driver.edge_slack,
-        subtexel_bits=hardware.subtexel_bits,
-        varying_bits=hardware.varying_bits,
-        frag_coord_bits=hardware.frag_coord_bits,
-        mip_bits=hardware.mip_bits,
-        mixing_bits=hardware.mixing_bits,
-        derivatives=hardware.derivatives,
-        euclidean_steps=hardware.euclidean_steps,
-        corner_bits=hardware.corner_bits,
-        lines=hardware.lines,
-        snaps_line_ends=driver.snaps_line_ends,
-        level_power=driver.level_power,
-        bottom_up=bottom_up,
-        projects_cubes=driver.projects_cubes,
-        mirrors_sample_depths=driver.mirrors_sample_depths,
-    )
-
-
-def precise(rules: RasterRules) -> RasterRules:
-    """The rules of a device that covers the same pixels, but rounds nothing.
-
-    Of this device, nothing is known about an operation without a guard that leaves its domain.
-    """
-    return replace(
-        rules,
-        subtexel_bits=None,
-        varying_bits=None,
-        frag_coord_bits=None,
-        mip_bits=None,
-        mixing_bits=None,
-        unguarded_is_nan=True,
-    )
-
-
-def to_targets(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to; ``exact`` ones hold every float, and have
-    one sample for each pixel."""
-    state = changed(shader.render_state, samples=1) if exact else shader.render_state
-    results = tuple(_to_target(one, exact=exact) for one in shader.results)
-    return changed(shader, results=results, render_state=state)
-
-
-def _to_target(result: Result, *, exact: bool) -> Result:
-    state = result.state
-    if state is None:
-        return result
-    if exact:
-        return changed(result, state=changed(state, format=FLOATS, blend=REPLACES, mask="rgba"))
-    drawn = FORMATS[state.format]
-    name = next(name for name, other in FORMATS.items() if other == drawn)
-    return changed(result, state=changed(state, format=name))
+def _computed(subject: Subject, meant: Subject | None) -> Subject:
+    """The form of a subject that the reference computes. Raises ``UndrawableError``."""
+    if is_drawn(subject.reflection):
+        return meant or subject
+    form = subject if subject.shader.chain in LISTED else meant
+    if form is None:
+        raise UndrawableError(subject.name, "capture")
+    return form

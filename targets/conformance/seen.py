@@ -1,6 +1,6 @@
 """The results of all routes for one case, and the choice of the case that explains a pixel.
 
-``explaining.py`` and ``frame_explaining.py`` are about pixels of these.
+``explaining.py`` is about pixels of these.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from .error_words import lanes_text
 from .rows import CaseResult, Row
 
 T = TypeVar("T")
-S = TypeVar("S", bound="Seen")
 Pixel = tuple[int, int]
 """A pixel's column and row, from the upper left corner of the picture."""
 
@@ -64,7 +63,7 @@ def leading_of(results: Mapping[str, CaseResult], rows: Iterable[Row]) -> Row:
     return next(row for row in rows if row.route.name in results)
 
 
-def chosen(seen: Sequence[S], pixel: Pixel, name: str | None, what: str) -> S:
+def chosen(seen: Sequence[Seen], pixel: Pixel, name: str | None, what: str) -> Seen:
     """The case with this name; or the one in which the pixel's bounds are widest.
 
     ``what`` names the kind of picture in the error if no case has the pixel. Raises ``PixelError``.

@@ -76,11 +76,7 @@ def counted(rows: Iterable[Row]) -> str:
 
 def devices(rows: Iterable[Row]) -> Mapping[str, str]:
     """The name and version that each driver reports."""
-    return {
-        row.route.driver: f"{row.device.name}, {row.device.version}"
-        for row in rows
-        if row.device is not None
-    }
+    return {row.route.driver: row.device.title for row in rows if row.device is not None}
 
 
 def tools(rows: Iterable[Row]) -> Mapping[str, str]:

@@ -120,6 +120,13 @@ def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
     return SceneState(width, height, {}, corners, instance, cleared)
 
 
+def elements_state(instance: Instance) -> SceneState:
+    """The run of a kernel over buffers, as a state: the elements of its longest result are pixels
+    of a single row. Raises ``MissingValuesError``."""
+    width = max(1, *instance.result_counts().values())
+    return SceneState(width, 1, {}, np.arange(CORNERS)[None], instance, ())
+
+
 def pictures_of(
     route: Route, runner: Runner, reflection: Reflection, pipeline: Pipeline,
     draws: Sequence[Draw],

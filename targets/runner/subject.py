@@ -1,13 +1,14 @@
-"""The type of everything that is drawn: a compiled material, as ``burnish.compile`` returns it."""
+"""The shaders that are drawn: compiled materials, as ``burnish.compile`` returns them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Protocol
 
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.shader import Shader
 from .codes import ShaderFile
+from .routes import Route
 
 
 class Subject(Protocol):
@@ -35,3 +36,8 @@ class Subject(Protocol):
 
     def emitted(self, profile: str) -> Shader:
         """The shader that the texts for a profile compute, which the reference bounds."""
+
+
+def lacking(shaders: Iterable[Subject], route: Route) -> str | None:
+    """The feature that a route lacks to draw something with these shaders, or ``None``."""
+    return next(filter(None, (shader.lacking.get(route.profile) for shader in shaders)), None)

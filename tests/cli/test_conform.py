@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from burnish.compiler.reference.picture import Expected
-from burnish.targets.conformance import plan
+from burnish.targets.conformance import contents
 from burnish.targets.runner import routes
 from burnish.targets.runner.reference import remembered
 from burnish.targets.toolchain import tools
@@ -192,7 +192,7 @@ def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
         found = remembered(*of)
         return replace(found, low=found.targets, high=found.targets)
 
-    monkeypatch.setattr(plan, "remembered", exactly)
+    monkeypatch.setattr(contents, "remembered", exactly)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--report", "out")
     assert result.exit_code == 1
     assert re.search(rf"^  llvmpipe:gl330  differs  {NUMBER}  ", result.stdout, re.MULTILINE)

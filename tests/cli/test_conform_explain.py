@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -117,6 +118,23 @@ def test_pixels_that_cannot_be_explained(words: str) -> None:
     )
     assert result.exit_code == code
     assert message in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "options"),
+    [
+        ("kernel Counted { result two : float[4] = 2 }", ()),
+        ("material Counted {}  pass P { capture place : vec3 = position }", ("--pass", "P")),
+    ],
+)
+def test_what_draws_no_picture_has_no_pixels(text: str, options: Sequence[str]) -> None:
+    Path("k.burnish").write_text(text)
+    result = invoke(
+        "conform", "k.burnish", "--routes", "lavapipe:glsl", "--explain", "3,0", *options
+    )
+    assert (result.exit_code, result.stderr) == (
+        1, "error: Counted draws no picture, so that it has no pixel to explain\n"
+    )  # fmt: skip
 
 
 def test_a_material_that_does_not_show_the_pixel_does_not_hide_the_others() -> None:

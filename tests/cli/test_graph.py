@@ -147,6 +147,14 @@ def test_pixels_without_an_error(
     assert result.exit_code == code and message in result.stderr
 
 
+def test_kernels_over_buffers_have_no_pixels(tmp_path: Path) -> None:
+    path = tmp_path / "counted.burnish"
+    path.write_text("kernel Counted { result two : float[4] = 2 }")
+    assert invoke("graph", path, "--error", "3,0").stderr == (
+        "error: Counted draws no picture, so that it has no pixel to explain\n"
+    )
+
+
 FRAMES = """
 import std.frames.{FullScreen}
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import burnish
 from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
-from burnish.targets.conformance.plan import to_targets
+from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.patches import pattern
 

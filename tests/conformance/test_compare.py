@@ -18,7 +18,7 @@ from burnish.targets.conformance.compare import (
     compare,
     proves_little,
 )
-from burnish.targets.conformance.plan import summed_up
+from burnish.targets.conformance.judging import summed_up
 
 HEIGHT, WIDTH = 20, 50
 CLEAR = -8.0

@@ -12,7 +12,7 @@ from dataclasses import replace
 import pytest
 
 import burnish
-from burnish.targets.conformance import plan
+from burnish.targets.conformance import bounds
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.runner.routes import ROUTES
@@ -47,7 +47,7 @@ def test_it_differs_without(
 ) -> None:
     driver = ROUTES[route].driver
     changed = {**DRIVERS, driver: replace(DRIVERS[driver], **without)}  # type: ignore[arg-type]
-    monkeypatch.setattr(plan, "DRIVERS", changed)
+    monkeypatch.setattr(bounds, "DRIVERS", changed)
     assert row(studio, material, route).status == "differs", "it does as specified: say so"
 
 

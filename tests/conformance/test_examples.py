@@ -15,8 +15,7 @@ from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
-from burnish.targets.conformance import kernels
-from burnish.targets.conformance.cases import IMAGE_CASES, SIZE
+from burnish.targets.conformance.cases import ELEMENT_CASES, IMAGE_CASES, SIZE
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
@@ -33,7 +32,7 @@ LEAST_COVERED = 0.1
 """The least share of the pixels of all cases together that an object covers."""
 LEAST_CASES = 4
 """The least number of cases of a material."""
-KERNELS_CASES = (IMAGE_CASES, kernels.CASES)
+KERNELS_CASES = (IMAGE_CASES, ELEMENT_CASES)
 """The numbers of cases of a kernel over images, and of one over buffers."""
 
 Key = tuple[Variant, str, str]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 import burnish
-from burnish.targets.conformance.frame_explaining import made_lines
+from burnish.targets.conformance.explaining import made_lines
 from burnish.targets.conformance.frames import FramePlan
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.frames.following import BEFORE, Carried, Made

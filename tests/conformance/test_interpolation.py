@@ -14,8 +14,9 @@ import pytest
 from numpy.typing import NDArray
 
 from burnish.api import CompiledMaterial
+from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import Comparison, compare
-from burnish.targets.conformance.plan import bounds_of, to_targets
+from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.draw_job import Job

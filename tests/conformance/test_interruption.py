@@ -9,9 +9,7 @@ from typing import Any
 import pytest
 
 import burnish
-from burnish.targets.conformance.captures import CapturePlan
 from burnish.targets.conformance.conform import conform
-from burnish.targets.conformance.kernels import KernelPlan
 from burnish.targets.conformance.plan import Plan
 from burnish.targets.conformance.rows import CaseResult
 from burnish.targets.runner.routes import ROUTES, Route
@@ -24,10 +22,10 @@ PROFILES = sorted({QUICK.profile, SLOW.profile})
 CASES = 3000
 
 COLOURED = "material M { color = vec3(uv, 0) }"
-SUBJECTS: dict[str, tuple[type[Any], str]] = {
-    "material": (Plan, COLOURED),
-    "captures": (CapturePlan, COLOURED + "pass P { capture place : vec2 = uv }"),
-    "kernel": (KernelPlan, "kernel K { result two : float[4] = 2 }"),
+SUBJECTS = {
+    "material": COLOURED,
+    "captures": COLOURED + "pass P { capture place : vec2 = uv }",
+    "kernel": "kernel K { result two : float[4] = 2 }",
 }
 
 
@@ -35,9 +33,8 @@ SUBJECTS: dict[str, tuple[type[Any], str]] = {
 def test_rows_under_way_end_early(
     name: str, studio: Studio, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    plan, text = SUBJECTS[name]
     compared: list[CaseResult] = []
-    judge = plan.results
+    judge = Plan.results
 
     def results(self: Any, route: Route, *rest: Any) -> Iterator[CaseResult]:
         """The results of one route; those of the other come slowly, and are many."""
@@ -51,10 +48,10 @@ def test_rows_under_way_end_early(
             compared.append(first)
             yield first
 
-    monkeypatch.setattr(plan, "results", results)
+    monkeypatch.setattr(Plan, "results", results)
     with pytest.raises(KeyboardInterrupt):
         conform(
-            [(name, _subject(text))], [QUICK, SLOW], studio.runner, studio.toolchain,
+            [(name, _subject(SUBJECTS[name]))], [QUICK, SLOW], studio.runner, studio.toolchain,
             done=_interrupt,
         )  # fmt: skip
     assert len(compared) < CASES

@@ -15,8 +15,8 @@ from burnish.compiler.documents.values import ResultRow
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
 from burnish.frozen import changed
+from burnish.targets.conformance.cases import series_of
 from burnish.targets.conformance.conform import conform
-from burnish.targets.conformance.kernels import KernelPlan
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
@@ -66,9 +66,9 @@ def _zeroed(row: ResultRow, count: int) -> bytes:
     return bytes(max(count, 1) * row.stride)
 
 
-def _one_element_less(instance: Instance) -> Dispatch:
+def _one_group_less(instance: Instance) -> Dispatch:
     made = DISPATCH(instance)
-    return replace(made, extent=(made.extent[0] - 1, 1, 1))
+    return replace(made, extent=(made.extent[0] - GROUP, 1, 1))
 
 
 def _half_the_groups(
@@ -102,15 +102,17 @@ def _last_is_left_out(self: Any, expressions: Any, extent: Any) -> str:
     return text.replace("index >=", "index + 1 >=")
 
 
+GROUP = 64
+"""The invocations in a work group of ``Fixed``."""
 DISPATCH, STORE = running.dispatch_of, stage.StagePrinter._store
 SCATTER, GUARD = stage.StagePrinter._scattered, stage.StagePrinter._guard
 PRINTER = "burnish.targets.emit.stage.StagePrinter."
-JUDGE = "burnish.targets.conformance.kernels."
+JUDGE = "burnish.targets.conformance.contents."
 REFERENCE = "burnish.compiler.reference.scattering."
 PLANTED: Mapping[str, tuple[str, str, Any]] = {
     "blocks without values": ("Structures", JUDGE + "dispatch_of", _without_values),
     "buffers without contents": ("Vectors", JUDGE + "dispatch_of", _empty_before),
-    "one element less": ("Fixed", JUDGE + "dispatch_of", _one_element_less),
+    "one work group less": ("Fixed", JUDGE + "dispatch_of", _one_group_less),
     "half the work groups": ("Fixed", JUDGE + "job_of", _half_the_groups),
     "columns in one place": ("Vectors", PRINTER + "_store", _first_column),
     "the last element is left out": ("Fixed", PRINTER + "_guard", _last_is_left_out),
@@ -167,5 +169,6 @@ def test_some_case_of_a_kernel_has_elements() -> None:
     for name in "abcdefgh":
         text = f"kernel K {{ buffer {name} : float[]  result r : float[{name}.count] = 1 }}"
         kernel = burnish.compile(text, ("glsl:vulkan",))["K"]
-        sizes = [run.count for run in KernelPlan("K", kernel, 0)._runs]
+        (series,) = series_of(kernel.reflection)
+        sizes = [case.state.instance.extent() for case in series.cases]
         assert max(sizes) > 1

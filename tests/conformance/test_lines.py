@@ -19,9 +19,10 @@ from burnish.compiled import CompiledMaterial
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture import lines as lines_module
 from burnish.compiler.reference.picture.scene import Bools, Lines
+from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import Comparison, compare
+from burnish.targets.conformance.contents import to_targets
 from burnish.targets.conformance.drivers import DRIVERS
-from burnish.targets.conformance.plan import bounds_of, to_targets
 from burnish.targets.runner.kernels import drawable
 from burnish.targets.runner.meshes import Mesh
 from burnish.targets.runner.reference import expected

@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 import burnish
 from burnish.api import CompiledMaterial
 from burnish.compiler.reference.picture import Expected
+from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import compare
-from burnish.targets.conformance.plan import bounds_of, to_targets
+from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one

@@ -336,3 +336,18 @@ def test_the_parameters_of_the_camera_are_marked() -> None:
     roles = {row.name: row.role for row in shader.reflection.parameters}
     assert roles["view_projection"] == "world_to_clip"
     assert roles["object_to_world"] == "object_to_world"
+
+
+def test_a_step_that_is_not_drawn_has_no_shader() -> None:
+    frame = of_text("""
+        import std.frames.{FullScreen}
+        pass Left : FullScreen { target value : rgba32f = vec4(uv, 0, 1) }
+        pass Drawn : FullScreen { target value : rgba32f = vec4(1) }
+        frame Seen {
+            left   = Left(screen)
+            drawn  = Drawn(screen)
+            output picture = drawn.value
+        }
+    """)
+    assert [shader.name for shader in frame.shaders] == ["Seen.Drawn"]
+    check_plan(frame.plan, [shader.reflection for shader in frame.shaders])

@@ -104,7 +104,9 @@ class _Checking:
         lights = tuple(leaves for _, leaves in self._entries)
         everything = (self._leaves, *lights)
         values, _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
-        shaders, steps = with_invariant_positions(self._shaders.made, needed)
+        used = {use.shader for step in needed for use in step.uses}
+        drawn = [shader for shader in self._shaders.made if shader in used]
+        shaders, steps = with_invariant_positions(drawn, needed)
         return Frame(
             name=self._symbol.name,
             doc=declaration.doc,

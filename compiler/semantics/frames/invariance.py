@@ -37,7 +37,7 @@ def with_invariant_positions(
 
 def _alike(depths: SharedDepths) -> Iterator[Use]:
     """The uses of shaders that have to place vertices as others do."""
-    uses = [use for step in depths.steps for drawn in step.draws for use in drawn.uses]
+    uses = [use for step in depths.steps for use in step.uses]
     if any(use.shader.shader.render_state.is_invariant for use in uses):
         yield from uses
         return

@@ -20,6 +20,11 @@ class Device:
     mip_bits: int
     """The binary places of the weights between mip levels; 0 if the API does not tell."""
 
+    @property
+    def title(self) -> str:
+        """The name and the version, for people."""
+        return f"{self.name}, {self.version}"
+
 
 class DriverError(Exception):
     """A driver could not draw; the text tells people why."""

@@ -50,19 +50,13 @@ from ..kernels import dispatch_of, full_screen_state, has_images
 from ..routes import Route
 from ..runner import Runner
 from .host import FrameDraw as HostDraw
-from .host import FrameHost, FrameSubject
+from .host import FrameHost
 from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]
 
 WORD = 4
 """The bytes of a word."""
-
-
-def lacking(subject: FrameSubject, route: Route) -> str | None:
-    """The feature that a route lacks to draw a frame, or ``None``."""
-    every = (shader.lacking.get(route.profile) for shader in subject.shaders)
-    return next(filter(None, every), None)
 
 
 def draw_frames(

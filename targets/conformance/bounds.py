@@ -1,0 +1,119 @@
+"""The bounds of a device's values: its rasterisation rules, and the errors of its functions.
+
+``plan.py`` and ``frames.py`` ask for them, for each route and the device with which it draws.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Protocol
+
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.picture import RasterRules
+from ...stdlib.builtins.accuracy import Platform
+from ..runner.drivers.device import Device
+from ..runner.routes import Route
+from .compare import Level
+from .drivers import DRIVERS, Driver, Hardware
+from .measured import ENVELOPES
+
+_ANY: tuple[Platform, ...] = ("vulkan",)
+"""The platform for errors of functions. Errors that were not measured follow from those that were,
+on any platform. So all routes to a driver share one picture."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """The tolerance for a device: its rasterisation rules, and the errors of its functions."""
+
+    level: Level
+    rules: RasterRules
+    errors: Errors
+
+
+class Sized2d(Protocol):
+    """Anything with a width and a height in pixels."""
+
+    @property
+    def width(self) -> int:
+        """Pixels in a row."""
+
+    @property
+    def height(self) -> int:
+        """Rows."""
+
+
+def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
+    """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
+    driver = DRIVERS[route.driver]
+    ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
+    guaranteed = Bounds(
+        "guaranteed",
+        ruled(_guaranteed(driver.assumed, device)),
+        Errors(route.platforms),
+    )
+    if driver.measured is None:
+        return (guaranteed,)
+    functions = ENVELOPES[route.driver].allowed()
+    measured = Bounds(
+        "measured",
+        ruled(driver.measured),
+        Errors(_ANY, tuple(sorted(functions.items()))),
+    )
+    return measured, guaranteed
+
+
+def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
+    """The properties that a device reports, and the assumed ones for the rest."""
+    return replace(
+        assumed,
+        subtexel_bits=device.subtexel_bits or assumed.subtexel_bits,
+        mip_bits=device.mip_bits or assumed.mip_bits,
+    )
+
+
+def rules_of(
+    state: Sized2d, device: Device, driver: Driver, hardware: Hardware, *, bottom_up: bool
+) -> RasterRules:
+    """The rules by which a device rasterises a state; ``bottom_up``: if a quad's first pixel is the
+    lower left one, which matters for levels and derivatives."""
+    return RasterRules(
+        state.width,
+        state.height,
+        device.subpixel_bits,
+        interpolates_snapped=driver.interpolates_snapped,
+        clips_sides=driver.clips_sides,
+        owns_bottom=driver.owns_bottom,
+        edge_slack=driver.edge_slack,
+        subtexel_bits=hardware.subtexel_bits,
+        varying_bits=hardware.varying_bits,
+        frag_coord_bits=hardware.frag_coord_bits,
+        mip_bits=hardware.mip_bits,
+        mixing_bits=hardware.mixing_bits,
+        derivatives=hardware.derivatives,
+        euclidean_steps=hardware.euclidean_steps,
+        corner_bits=hardware.corner_bits,
+        lines=hardware.lines,
+        snaps_line_ends=driver.snaps_line_ends,
+        level_power=driver.level_power,
+        bottom_up=bottom_up,
+        projects_cubes=driver.projects_cubes,
+        mirrors_sample_depths=driver.mirrors_sample_depths,
+    )
+
+
+def precise(rules: RasterRules) -> RasterRules:
+    """The rules of a device that covers the same pixels, but rounds nothing.
+
+    Of this device, nothing is known about an operation without a guard that leaves its domain.
+    """
+    return replace(
+        rules,
+        subtexel_bits=None,
+        varying_bits=None,
+        frag_coord_bits=None,
+        mip_bits=None,
+        mixing_bits=None,
+        unguarded_is_nan=True,
+    )
