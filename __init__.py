@@ -14,7 +14,7 @@ TYPE_CHECKING = False  # As in ``typing``, which takes longer to import than all
 if TYPE_CHECKING:
     from typing import Any
 
-    from .api import (
+    from .api.entry_points import (
         CompiledFrame,
         CompiledMaterial,
         CompileResult,
@@ -57,7 +57,7 @@ def __getattr__(name: str) -> Any:
 
         return getattr(diagnostic, name)
     if name in __all__:
-        from . import api
+        from .api import entry_points as api
 
         return getattr(api, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

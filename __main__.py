@@ -1,5 +1,5 @@
 """``python -m burnish`` is the command ``burnish``."""
 
-from .cli import main
+from .commands.cli import main
 
 main()

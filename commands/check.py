@@ -41,7 +41,7 @@ def check(
         burnish check plastic.burnish
         burnish check plastic.burnish --format json
     """
-    from .. import api
+    from ..api import entry_points as api
 
     found = api.check(file, rig=rig, pass_=pass_, search_path=search_path)
     if form == "json":

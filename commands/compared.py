@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from .console import remark, show
 
 if TYPE_CHECKING:
-    from ..api import CompiledFrame, CompiledMaterial, CompileResult
+    from ..api.entry_points import CompiledFrame, CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.inputs import Inputs
     from ..targets.runner.routes import Route
 
 
-class Request(NamedTuple):
+class ConformRequest(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     files: tuple[Path, ...]
@@ -38,7 +38,7 @@ Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]
 
 
 def subjects_of(
-    request: Request,
+    request: ConformRequest,
     routes: Sequence[Route],
     *,
     native_stages: bool,
@@ -78,7 +78,7 @@ def subjects_of(
 def _compiled(
     path: Path,
     variant: Variant,
-    request: Request,
+    request: ConformRequest,
     profiles: Sequence[str],
     native_stages: bool,
 ) -> list[CompileResult]:
@@ -87,7 +87,7 @@ def _compiled(
     Materials that lack a slot for the pass are left out, with a remark. Raises ``CompileError``,
     also if no material has the slot.
     """
-    from .. import api
+    from ..api import entry_points as api
     from ..compiler.diagnostics import rules
     from ..compiler.diagnostics.diagnostic import CompileError
 
@@ -122,9 +122,9 @@ Variant = tuple[str | None, str | None]
 """The names of a rig and of a pass; ``None`` means the library's."""
 
 
-def _variants(path: Path, request: Request) -> list[Variant]:
+def _variants(path: Path, request: ConformRequest) -> list[Variant]:
     """The combinations of rig and pass that the command line does not exclude."""
-    from .. import api
+    from ..api import entry_points as api
 
     found = api.variants(path, search_path=request.search_path)
     if api.has_frames(path, search_path=request.search_path):

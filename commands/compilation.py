@@ -9,19 +9,19 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .compile_options import Request
+from .compile_options import CompileRequest
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
 
 if TYPE_CHECKING:
-    from ..compiled import CompileResult
+    from ..api.compiled import CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
 
 
-def succeeds(request: Request, question: Question | None) -> bool:
+def succeeds(request: CompileRequest, question: Question | None) -> bool:
     """Compile once and report the diagnostics; True if there was any output.
 
     ``question`` is the key under which the output is kept, if it is to be kept.
@@ -45,8 +45,8 @@ def succeeds(request: Request, question: Question | None) -> bool:
     return True
 
 
-def _compiled(request: Request) -> CompileResult:
-    from .. import api
+def _compiled(request: CompileRequest) -> CompileResult:
+    from ..api import entry_points as api
     from ..targets.selection import DEFAULT
 
     return api.compile(
@@ -64,7 +64,7 @@ def _compiled(request: Request) -> CompileResult:
     )
 
 
-def _output(request: Request, result: CompileResult) -> Output:
+def _output(request: CompileRequest, result: CompileResult) -> Output:
     """The output of a command line: files in a folder, or shaders on standard output."""
     warnings = rendered(result.diagnostics)
     if request.output == STDOUT:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from .compilation import succeeds
-from .compile_options import OPTIONS, Request
+from .compile_options import OPTIONS, CompileRequest
 from .options import file_argument, option
 from .results import Question
 from .terminal import FAILED
@@ -35,7 +35,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
     """
-    request = Request(**chosen)
+    request = CompileRequest(**chosen)
     context = click.get_current_context()
     if watch:
         from .watch import watch as repeat

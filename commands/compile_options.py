@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ..frozen import frozen
+from ..support.frozen import frozen
 
 
 @frozen
@@ -20,7 +20,7 @@ class Option:
     """One option: a value, a flag, or a switch between two flags."""
 
     field: str
-    """The field of ``Request`` that the option sets."""
+    """The field of ``CompileRequest`` that the option sets."""
     names: tuple[str, ...]
     help: str
     metavar: str = ""
@@ -102,7 +102,7 @@ OPTIONS = (
 
 
 @frozen(kw_only=True)
-class Request:
+class CompileRequest:
     """A parsed command line of ``burnish compile``."""
 
     file: Path
@@ -131,7 +131,7 @@ _FLAGS = {
 }
 
 
-def plain_request(arguments: Sequence[str]) -> Request | None:
+def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
     """Parse a command line as click does; ``None`` if click has to parse it.
 
     Click has to do so if the command line asks for help, has something unusual, or has a mistake.
@@ -160,7 +160,7 @@ def plain_request(arguments: Sequence[str]) -> Request | None:
     paths = (*chosen.get("search_path", ()), *([chosen["file"]] if "file" in chosen else []))
     if not chosen.keys() >= {"file", "output"} or not all(map(_may_be_read, paths)):
         return None
-    return Request(**chosen)
+    return CompileRequest(**chosen)
 
 
 def _may_be_read(path: Path) -> bool:

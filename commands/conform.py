@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .compared import Request, Subjects, subjects_of
+from .compared import ConformRequest, Subjects, subjects_of
 from .console import Styled, remark, say
 from .failures import told
 from .options import (
@@ -100,7 +100,7 @@ def conform(**chosen: Any) -> None:
         burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
-    request = Request(**chosen)
+    request = ConformRequest(**chosen)
     _check_options(request)
     with told():
         _check_report(request.report)
@@ -117,7 +117,7 @@ def conform(**chosen: Any) -> None:
             click.get_current_context().exit(FAILED)
 
 
-def _check_options(request: Request) -> None:
+def _check_options(request: ConformRequest) -> None:
     """Raise ``UsageError`` for options that would have no effect together."""
     if request.explain is None:
         if request.case is not None:
@@ -138,7 +138,7 @@ def _check_report(folder: Path | None) -> None:
         raise unwritable(folder, reason)
 
 
-def _routes(request: Request) -> Sequence[Route]:
+def _routes(request: ConformRequest) -> Sequence[Route]:
     from ..targets.runner.routes import select
 
     routes = select([request.routes])
@@ -148,7 +148,7 @@ def _routes(request: Request) -> Sequence[Route]:
     return routes
 
 
-def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
+def _run(request: ConformRequest, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
     """Compile and draw everything; the rows of a material follow each other."""
     from ..targets.conformance.conform import conform as run
     from ..targets.runner.reference_process import References
@@ -178,7 +178,7 @@ def _run(request: Request, routes: Sequence[Route]) -> tuple[Subjects, list[Row]
     return subjects, rows
 
 
-def _check_pixel(request: Request, subjects: Subjects) -> None:
+def _check_pixel(request: ConformRequest, subjects: Subjects) -> None:
     """Raise ``BadParameter`` for a pixel that no picture has, before long drawing.
 
     Pictures of frames may be larger: their size is known when they are drawn.
@@ -201,7 +201,7 @@ def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
             runner.device(route)
 
 
-def _explain(subjects: Subjects, rows: Sequence[Row], request: Request) -> None:
+def _explain(subjects: Subjects, rows: Sequence[Row], request: ConformRequest) -> None:
     """Explain one pixel of every material; then report the materials where that failed."""
     from ..targets.conformance.explaining import explanation_lines
     from ..targets.conformance.seen import PixelError

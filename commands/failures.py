@@ -34,11 +34,11 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     """The exceptions whose texts tell people why something cannot be drawn."""
     from ..compiler.budget import BudgetError
     from ..targets.runner.codes import CodeError
-    from ..targets.runner.feeding import FeedError
     from ..targets.runner.files import FileError
     from ..targets.runner.frames.checking import PlanError
     from ..targets.runner.instances.host_values import MissingValuesError
     from ..targets.runner.instances.values import ParameterError
+    from ..targets.runner.kernel_results import FeedError
     from ..targets.runner.kernels import UndrawableError
     from ..targets.runner.meshes import MeshError
     from ..targets.runner.scenes.records import SceneError

@@ -18,7 +18,7 @@ from .failures import fail
 from .frame_files import Shown, check_kept, write_pictures
 from .panels import check_single
 from .progress import Progress
-from .subjects import Request
+from .subjects import RenderRequest
 
 if TYPE_CHECKING:
     from ..targets.runner.frames.host import FrameHost, PlannedFrame
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from ..targets.toolchain import Toolchain
 
 
-def has_frames(request: Request) -> bool:
+def has_frames(request: RenderRequest) -> bool:
     """True if a command line asks for the frames of a file, or for a plan."""
-    from .. import api
+    from ..api import entry_points as api
     from ..targets.runner.frames.plan_files import is_plan
 
     return is_plan(request.file) or api.has_frames(
@@ -39,7 +39,7 @@ def has_frames(request: Request) -> bool:
     )
 
 
-def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
+def render_frames(request: RenderRequest, chosen: Sequence[Route | None]) -> None:
     """Draw the frame of the file, or the one that ``--material`` names; the route ``None`` is the
     reference."""
     from ..targets.runner.frames.plan_files import told_contradictions
@@ -74,9 +74,9 @@ def render_frames(request: Request, chosen: Sequence[Route | None]) -> None:
     say(f"{frame.name}: {written[0]}{further}")
 
 
-def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
+def _planned(request: RenderRequest, routes: Sequence[Route | None]) -> PlannedFrame:
     """The frame of a plan, or the only one of the file, with texts for the routes."""
-    from .. import api
+    from ..api import entry_points as api
     from ..targets.runner.frames.plan_files import is_plan, read_frame
     from ..targets.runner.job_sizes import check_work
 
@@ -104,7 +104,7 @@ def _planned(request: Request, routes: Sequence[Route | None]) -> PlannedFrame:
     return frame
 
 
-def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]:
+def host_maker(frame: PlannedFrame, request: RenderRequest) -> Callable[[], FrameHost]:
     """A function that makes the host of each route, with the scene and values of a request."""
     made = partial(_host, frame, request, scenery_of(frame.plan, request.mesh, request.scene))
     _tell_unused_lamps(made())
@@ -114,7 +114,7 @@ def host_maker(frame: PlannedFrame, request: Request) -> Callable[[], FrameHost]
 def draw_by(
     route: Route | None,
     made: Callable[[], FrameHost],
-    request: Request,
+    request: RenderRequest,
     runner: Runner,
     toolchain: Toolchain,
     progress: Progress,
@@ -146,7 +146,7 @@ def those_that_have_all(
 
 
 def _by_reference(
-    host: FrameHost, request: Request, progress: Progress
+    host: FrameHost, request: RenderRequest, progress: Progress
 ) -> Iterator[dict[str, Floats]]:
     from ..targets.runner.frames.by_reference import ReferenceFrames
 
@@ -184,7 +184,7 @@ def _tell_unused_lamps(host: FrameHost) -> None:
         remark("note", note)
 
 
-def _host(frame: PlannedFrame, request: Request, scenery: Scenery) -> FrameHost:
+def _host(frame: PlannedFrame, request: RenderRequest, scenery: Scenery) -> FrameHost:
     """The frame with a scene and all values set."""
     from ..targets.runner.frames.host import FrameHost
 

@@ -9,14 +9,14 @@ from .console import remark
 from .failures import fail
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial
-    from ..targets.runner.feeding import Feeding, Kernel
+    from ..api.entry_points import CompiledMaterial
     from ..targets.runner.instances.instance import Instance
+    from ..targets.runner.kernel_results import Feeding, Kernel
 
 
 def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
     """The kernels over buffers among a file's declarations: each once, whatever the rigs are."""
-    from ..targets.runner.feeding import Kernel
+    from ..targets.runner.kernel_results import Kernel
     from ..targets.runner.kernels import is_over_buffers
 
     found = {each.name: each for each in materials if is_over_buffers(each.reflection)}
@@ -28,7 +28,7 @@ def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[st
 
     The command ends if nothing is drawn. Raises ``FeedError``.
     """
-    from ..targets.runner.feeding import Feeding
+    from ..targets.runner.kernel_results import Feeding
 
     if not drawn:
         _tell_how_to_draw(kernels)

@@ -31,7 +31,7 @@ from .options import (
     search_option,
     values_option,
 )
-from .subjects import EVERYTHING, LARGEST, Color, Request, Subject
+from .subjects import EVERYTHING, LARGEST, Color, RenderRequest, Subject
 from .terminal import FAILED
 
 if TYPE_CHECKING:
@@ -164,12 +164,12 @@ def render(**chosen: Any) -> None:
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
-    request = Request(**chosen)
+    request = RenderRequest(**chosen)
     with told():
         _render(request)
 
 
-def _render(request: Request) -> None:
+def _render(request: RenderRequest) -> None:
     from ..targets.runner.runner import Runner
     from .frames import has_frames, render_frames
     from .lacking import tell_lacking_tools

@@ -13,7 +13,7 @@ from .failures import fail
 from .kernels import feed, kernels_of
 
 if TYPE_CHECKING:
-    from ..api import CompiledMaterial
+    from ..api.entry_points import CompiledMaterial
     from ..targets.runner.instances.instance import Instance
     from ..targets.runner.meshes import Mesh
     from ..targets.runner.routes import Route
@@ -28,7 +28,7 @@ LARGEST = 4096
 Color = tuple[float, float, float, float]
 
 
-class Request(NamedTuple):
+class RenderRequest(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path
@@ -79,7 +79,7 @@ class Subject(NamedTuple):
 
 
 def subjects(
-    request: Request, routes: Iterable[Route], tell: Callable[[float], None]
+    request: RenderRequest, routes: Iterable[Route], tell: Callable[[float], None]
 ) -> list[Subject]:
     """Compile everything that the command line asks for, for some routes, and set every value.
 
@@ -120,11 +120,11 @@ def target_number(reflection: Reflection, wanted: str | None) -> int:
 
 
 def _compiled(
-    request: Request, routes: Iterable[Route]
+    request: RenderRequest, routes: Iterable[Route]
 ) -> Iterator[tuple[tuple[str, ...], CompiledMaterial]]:
     """Each material with each rig and pass that the command line does not exclude, and its titles;
     and the kernels."""
-    from .. import api
+    from ..api import entry_points as api
 
     variants = api.variants(request.file, search_path=request.search_path)
     rigs = [request.rig] if request.rig else list(dict.fromkeys(rig for rig, _ in variants))
@@ -147,10 +147,10 @@ def _compiled(
 
 
 def _all_of_file(
-    request: Request, compiled: Sequence[CompiledMaterial]
+    request: RenderRequest, compiled: Sequence[CompiledMaterial]
 ) -> Iterable[CompiledMaterial]:
     """The materials of the whole file. If one is named, the rest is only needed for its buffers."""
-    from .. import api
+    from ..api import entry_points as api
 
     if request.material is None or not any(each.reflection.buffers for each in compiled):
         return compiled
@@ -169,7 +169,7 @@ def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str |
     return [pass_ for pass_ in passes if pass_ is not None] or [None]
 
 
-def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
+def _scene_state(material: CompiledMaterial, request: RenderRequest) -> SceneState:
     """A mesh in a scene.
 
     For a kernel over images, the size of these replaces the requested one; it follows from the
@@ -185,7 +185,7 @@ def _scene_state(material: CompiledMaterial, request: Request) -> SceneState:
     return set_up(instance, mesh, scene, request.size, background=background)
 
 
-def _mesh(reflection: Reflection, request: Request, eye: Sequence[float]) -> Mesh:
+def _mesh(reflection: Reflection, request: RenderRequest, eye: Sequence[float]) -> Mesh:
     """The named mesh with all inputs that the material reads; sorted by depth if it blends."""
     from ..targets.runner.meshes import farthest_first, mesh
     from ..targets.runner.scene import with_inputs

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ..api import OutputFile
+from ..api.entry_points import OutputFile
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import Diagnostic, Label, Report
 from ..compiler.diagnostics.source import Source, Span

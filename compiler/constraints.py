@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Annotated, Any
 
-from ..frozen import frozen
+from ..support.frozen import frozen
 
 
 @frozen

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 from functools import cache
 
-from ..frozen import changed, frozen
 from ..stdlib.builtins import BUILTINS
+from ..support.frozen import changed, frozen
 from .diagnostics.diagnostic import Report
 from .diagnostics.source import Span
 from .ir.node import Formal, Node, Op, reachable

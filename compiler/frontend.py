@@ -24,7 +24,7 @@ from .semantics.names.loader import Loader
 from .semantics.names.modules import Module, Symbol
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
-from .semantics.shading.kernels import kernel_shader
+from .semantics.shading.kernels.kernel import kernel_shader
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
@@ -231,8 +231,8 @@ class Frontend:
     def check(self, module: Module, rig: str | None, pass_: str | None) -> list[Frame]:
         """Reports the errors of a file, which needs no materials: it may be for importing.
 
-        Returns its frames: ``api.py`` reports errors that only their programs show. Its materials
-        need not agree with each of its rigs, unless one is named.
+        Returns its frames: ``entry_points.py`` reports errors that only their programs show. Its
+        materials need not agree with each of its rigs, unless one is named.
         """
         if not module.declared:
             self._materials(module, None)

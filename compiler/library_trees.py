@@ -25,7 +25,7 @@ from .syntax import ast
 from .syntax.parser import parse
 
 _FOLDERS = ("compiler/syntax", "compiler/syntax/ast")
-_FILES = ("compiler/library_trees.py", "compiler/diagnostics/source.py", "frozen.py")
+_FILES = ("compiler/library_trees.py", "compiler/diagnostics/source.py", "support/frozen.py")
 """The folders and further files of the package that decide how a tree looks."""
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ..frozen import changed, frozen
+from ..support.frozen import changed, frozen
 from .ir.storage import (
     ROW,
     byte_size,

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..frozen import frozen
 from ..stdlib.builtins import BUILTINS
+from ..support.frozen import frozen
 from .formula import Formulas
 from .ir.binding import open_body
 from .ir.leaves import Parameter

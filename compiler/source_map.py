@@ -1,6 +1,6 @@
 """Finds the place in Burnish text that each statement of an emitted text comes from.
 
-``api.py`` calls ``located`` for source maps, line directives and ``--validate``.
+``entry_points.py`` calls ``located`` for source maps, line directives and ``--validate``.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Capabilities of each profile, and the advice that is given where a profile lacks one.
 
-``api.py`` and ``selection.py`` ask for the way out that is shown below an error, and ``burnish
-targets`` for the cells of the table of capabilities.
+``entry_points.py`` and ``selection.py`` ask for the way out that is shown below an error, and
+``burnish targets`` for the cells of the table of capabilities.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from ..console import say, say_finding
 
 if TYPE_CHECKING:
     from ...compiler.diagnostics.diagnostic import Diagnostic, Rule
-    from .programs import Shown
+    from .programs import ShownProgram
 
 
 @click.command()
@@ -44,7 +44,7 @@ def told(program: str, targets: str) -> tuple[Diagnostic, ...]:
 
     ``burnish check`` says it or, if ``targets`` are named, ``burnish compile``.
     """
-    from ... import api
+    from ...api import entry_points as api
     from ...compiler.diagnostics.diagnostic import CompileError
 
     if not targets:
@@ -55,7 +55,7 @@ def told(program: str, targets: str) -> tuple[Diagnostic, ...]:
         return error.diagnostics
 
 
-def _say_programs(entry: Shown) -> None:
+def _say_programs(entry: ShownProgram) -> None:
     if entry.reason:
         _say_paragraph(f"No program shows this. {entry.reason}")
         return

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 _FOLDER = Path(__file__).parent
 _TITLE = "=== "
@@ -30,7 +30,7 @@ _NONE = "--- no program: "
 
 
 @frozen
-class Shown:
+class ShownProgram:
     """The entry of one diagnostic: two programs, or a reason why there are none."""
 
     code: str
@@ -49,27 +49,27 @@ class Shown:
         return f" if it is compiled for {self.targets}" if self.targets else ""
 
 
-def shown(code: str) -> Shown:
+def shown(code: str) -> ShownProgram:
     """The programs of a code. Raises ``KeyError`` if no file has an entry for it."""
     return {entry.code: entry for entry in _section(code[:3])}[code]
 
 
-def every_shown() -> list[Shown]:
+def every_shown() -> list[ShownProgram]:
     """The entries of all files, section by section, in the order in which they are written."""
     sections = sorted(path.name[:3].upper() for path in _FOLDER.glob("b*.txt"))
     return [entry for section in sections for entry in _section(section)]
 
 
-def _section(section: str) -> list[Shown]:
+def _section(section: str) -> list[ShownProgram]:
     (path,) = _FOLDER.glob(f"{section.lower()}_*.txt")
     text = "\n" + path.read_text(encoding="utf-8")
     return [_entry(part) for part in text.split(f"\n{_TITLE}")[1:]]
 
 
-def _entry(part: str) -> Shown:
+def _entry(part: str) -> ShownProgram:
     title, _, body = part.partition("\n")
     code, _, targets = title.partition(_FOR)
     if body.startswith(_NONE):
-        return Shown(code, targets, "", "", " ".join(body.removeprefix(_NONE).split()))
+        return ShownProgram(code, targets, "", "", " ".join(body.removeprefix(_NONE).split()))
     wrong, _, right = body.partition(_RIGHT)
-    return Shown(code, targets, wrong.rstrip() + "\n", right.rstrip() + "\n", "")
+    return ShownProgram(code, targets, wrong.rstrip() + "\n", right.rstrip() + "\n", "")

@@ -33,7 +33,7 @@ LARGEST = 1024
 """The most pixels of a picture's side."""
 
 
-class Request(NamedTuple):
+class GalleryRequest(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     folder: Path
@@ -91,12 +91,12 @@ def gallery(**chosen: object) -> None:
         burnish gallery examples -o build/gallery
         burnish gallery materials -o build/materials --routes lavapipe,llvmpipe
     """
-    request = Request(**chosen)  # type: ignore[arg-type]
+    request = GalleryRequest(**chosen)  # type: ignore[arg-type]
     with told():
         _make(request)
 
 
-def _make(request: Request) -> None:
+def _make(request: GalleryRequest) -> None:
     from ...targets.runner.routes import select
     from ..catalogue import catalogue, title_of
     from ..output import obstacle, unwritable
@@ -133,15 +133,18 @@ def _make(request: Request) -> None:
 
 
 def _entries(
-    files: Sequence[Listed], routes: Sequence[Route], shown: Sequence[Route], request: Request
+    files: Sequence[Listed],
+    routes: Sequence[Route],
+    shown: Sequence[Route],
+    request: GalleryRequest,
 ) -> Iterator[tuple[Listed, Entry, bool]]:
     """Each file with its entry, as soon as it is there; and True if the entry was made anew."""
     from ...targets.toolchain.limits import WORKERS
     from ...targets.toolchain.surroundings import python_worker
     from ...targets.toolchain.workers import Pool, Worker
-    from .kept import Kept
+    from .kept import KeptEntries
 
-    kept = Kept(routes, shown, request.size)
+    kept = KeptEntries(routes, shown, request.size)
     to_make = []
     for listed in files:
         known = kept.read(listed.path.resolve()) if request.cache else None

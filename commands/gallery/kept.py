@@ -21,7 +21,7 @@ from .making import content_of, digest_of
 STORE = "gallery"
 
 
-class Kept:
+class KeptEntries:
     """The entries of earlier runs with the same options."""
 
     def __init__(self, routes: Sequence[Route], shown: Sequence[Route], size: int) -> None:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ...compiled import CompiledFrame, CompiledMaterial
+from ...api.compiled import CompiledFrame, CompiledMaterial
 from ...compiler.budget import BudgetError
 from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import CompileError, Report
@@ -107,7 +107,7 @@ class _Making:
         words = ["--routes", "all", _NAME]
         found: compared.Subjects = []
         with self._told(conform, words) as chosen:
-            request = compared.Request(**{**chosen, "files": (self._file,)})
+            request = compared.ConformRequest(**{**chosen, "files": (self._file,)})
             inputs: list[Inputs] = []
             further = [*_profiles(), *(route.profile for route in self._shown)]
             try:
@@ -182,7 +182,7 @@ class _Making:
         with self._told(render, words) as chosen:
             # With all routes, a route that lacks something is no error.
             whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
-            request = subjects.Request(**whole)
+            request = subjects.RenderRequest(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)
             drawn = [subject for _label, subject in found if isinstance(subject, CompiledFrame)]
             for frame in drawn:
@@ -213,7 +213,9 @@ class _Making:
         self._entry["command"] = shlex.join(["burnish", "render", *words])
         return options
 
-    def _draw_materials(self, request: subjects.Request, routes: Sequence[Route | None]) -> None:
+    def _draw_materials(
+        self, request: subjects.RenderRequest, routes: Sequence[Route | None]
+    ) -> None:
         usable = [route for route in self._shown if self._runner.problem(route) is None]
         found = subjects.subjects(request, usable, lambda _share: None)
         progress = Progress("drawing")
@@ -223,7 +225,7 @@ class _Making:
             self._figure(", ".join(titles), route, panel.note, images, panel.problem)
 
     def _draw_frame(
-        self, frame: CompiledFrame, request: subjects.Request, routes: Sequence[Route | None]
+        self, frame: CompiledFrame, request: subjects.RenderRequest, routes: Sequence[Route | None]
     ) -> None:
         made = frames.host_maker(frame, request)
         for route in routes:

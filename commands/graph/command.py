@@ -16,7 +16,7 @@ from ..options import file_argument, pass_option, pixel, rig_option, search_opti
 from ..terminal import FAILED, print_output
 
 if TYPE_CHECKING:
-    from ...compiled import CompiledFrame, CompiledMaterial
+    from ...api.compiled import CompiledFrame, CompiledMaterial
     from ...compiler.diagnostics.source import Span
     from .model import Picture
 
@@ -26,7 +26,7 @@ LARGEST = 600
 """The largest number of boxes in a picture; people cannot read more."""
 
 
-class Request(NamedTuple):
+class GraphRequest(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path
@@ -107,7 +107,7 @@ def graph(**chosen: Any) -> None:
     """
     from ...compiler.diagnostics.diagnostic import CompileError
 
-    request = Request(**chosen)
+    request = GraphRequest(**chosen)
     _insist_on_another_file(request)
     try:
         _deliver(request, _subjects(request))
@@ -116,14 +116,14 @@ def graph(**chosen: Any) -> None:
         click.get_current_context().exit(FAILED)
 
 
-def _insist_on_another_file(request: Request) -> None:
+def _insist_on_another_file(request: GraphRequest) -> None:
     """Raise ``BadParameter`` if the output would overwrite the file to show."""
     with suppress(OSError):
         if request.output != STDOUT and request.file.samefile(request.output):
             raise click.BadParameter("it is FILE itself", param_hint="--output")
 
 
-def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float] | None:
+def _parts(material: CompiledMaterial, request: GraphRequest) -> Mapping[Span, float] | None:
     """The parts that expressions have in the error of the pixel, if there is one."""
     if request.error is None:
         return None
@@ -137,9 +137,9 @@ def _parts(material: CompiledMaterial, request: Request) -> Mapping[Span, float]
             fail(str(error))
 
 
-def _subjects(request: Request) -> Sequence[CompiledMaterial | CompiledFrame]:
+def _subjects(request: GraphRequest) -> Sequence[CompiledMaterial | CompiledFrame]:
     """The subjects to show: the frames of the file, one shader of them, or its materials."""
-    from ... import api
+    from ...api import entry_points as api
 
     result = api.compile(
         request.file,
@@ -178,8 +178,8 @@ def _named(name: str, shaders: Sequence[CompiledMaterial]) -> CompiledMaterial:
     return shaders[names.index(name)]
 
 
-def _deliver(request: Request, subjects: Sequence[CompiledMaterial | CompiledFrame]) -> None:
-    from ...compiled import CompiledFrame
+def _deliver(request: GraphRequest, subjects: Sequence[CompiledMaterial | CompiledFrame]) -> None:
+    from ...api.compiled import CompiledFrame
 
     form = _form(request)
     if form != "text" and len(subjects) > 1:
@@ -202,7 +202,7 @@ def _deliver(request: Request, subjects: Sequence[CompiledMaterial | CompiledFra
         raise unwritable(path, error.strerror or str(error)) from error
 
 
-def _form(request: Request) -> str:
+def _form(request: GraphRequest) -> str:
     """The requested format, by name or by the ending of the file's name."""
     if request.why:
         if request.error is not None:
@@ -218,8 +218,8 @@ def _form(request: Request) -> str:
     return request.form or known.get(ending, "text")
 
 
-def _written(subject: CompiledMaterial | CompiledFrame, request: Request, form: str) -> str:
-    from ...compiled import CompiledFrame
+def _written(subject: CompiledMaterial | CompiledFrame, request: GraphRequest, form: str) -> str:
+    from ...api.compiled import CompiledFrame
 
     if request.why and not isinstance(subject, CompiledFrame):
         from .why import written
@@ -249,7 +249,7 @@ def picture_of(
 
     For the options of a material see ``material_picture``.
     """
-    from ...compiled import CompiledFrame
+    from ...api.compiled import CompiledFrame
 
     if isinstance(subject, CompiledFrame):
         from .frame import frame_picture

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...compiler.diagnostics.source import Span
 
 if TYPE_CHECKING:
-    from ...api import CompiledMaterial
+    from ...api.entry_points import CompiledMaterial
 
 ROUTE = "lavapipe:glsl"
 """The route whose rules are used: those of Vulkan, which most others have, too."""

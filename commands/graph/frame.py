@@ -31,7 +31,7 @@ from .model import Arrow, Box, Cluster, Picture, Port
 from .time_line import mark_of, time_line
 
 if TYPE_CHECKING:
-    from ...api import CompiledFrame
+    from ...api.entry_points import CompiledFrame
 
 
 EVERYWHERE = "size"

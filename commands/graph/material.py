@@ -18,7 +18,7 @@ from ...compiler.ir.types import Struct
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
 from ...compiler.passes.walks import operands_of, visible
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .kinds import ArrowKind, Kind
 from .model import Arrow, Box, Cluster, Picture
 

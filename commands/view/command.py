@@ -23,7 +23,7 @@ from ..options import (
     search_option,
     values_option,
 )
-from .request import Request
+from .request import ViewRequest
 
 
 @click.command()
@@ -66,14 +66,14 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
-    request = Request(**chosen)
+    request = ViewRequest(**chosen)
     if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
     with told():
         _serve(request, port, opens=not no_browser)
 
 
-def _serve(request: Request, port: int, *, opens: bool) -> None:
+def _serve(request: ViewRequest, port: int, *, opens: bool) -> None:
     from ...targets.toolchain.surroundings import search_path
 
     try:

@@ -14,7 +14,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ... import api
+from ...api import entry_points as api
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
@@ -27,14 +27,14 @@ from ..options import BACKGROUND, MESHES
 from ..subjects import set_pictures, tell_unmade
 from .keeping import Keeping, Shelf
 from .pictures import Pictures, Wanted
-from .request import Choice, Request
+from .request import Choice, ViewRequest
 from .uploads import MOST_BYTES
 
 if TYPE_CHECKING:
-    from ...targets.runner.feeding import Kernel
     from ...targets.runner.frames.host import FrameHost, FrameSubject
     from ...targets.runner.frames.scenery import Scenery
     from ...targets.runner.instances.instance import Instance
+    from ...targets.runner.kernel_results import Kernel
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
 """The texts that a page can ask for."""
@@ -59,7 +59,7 @@ class Documents:
     time.
     """
 
-    def __init__(self, request: Request, name: str, pictures: Pictures, made: Made) -> None:
+    def __init__(self, request: ViewRequest, name: str, pictures: Pictures, made: Made) -> None:
         """``request`` is about one file, which pages know by its ``name``."""
         self._request = request
         self._name = name

@@ -13,7 +13,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Any
 
-from ... import api
+from ...api import entry_points as api
 from ...compiler.diagnostics.diagnostic import CompileError
 from ..catalogue import ENDING, Group, catalogue, is_shown
 

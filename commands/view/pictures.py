@@ -26,7 +26,7 @@ third of that besides."""
 _SRGB = "srgb:"
 
 
-class Kept(NamedTuple):
+class KeptFile(NamedTuple):
     """A file that was given."""
 
     name: str
@@ -59,7 +59,7 @@ class Pictures:
     def __init__(self, keeping: Keeping) -> None:
         self._textures = Shelf[tuple[str, Wanted], "Texture"](keeping, _size_of)
         """The textures of the files, since each change of the source asks for them."""
-        self._files = Shelf[str, Kept](keeping, lambda kept: len(kept.data))
+        self._files = Shelf[str, KeptFile](keeping, lambda kept: len(kept.data))
 
     def keep(self, name: str, data: bytes, wanted: Wanted) -> str:
         """Keep a file for some texture; returns the word by which pages ask for it.
@@ -68,7 +68,7 @@ class Pictures:
         """
         from ...targets.runner.textures.kinds import PictureError
 
-        kept = Kept(name, data, _is_float(name))
+        kept = KeptFile(name, data, _is_float(name))
         _check_size(name, _announced(kept, wanted))
         _check_size(name, _size_of(_texture(kept, wanted, srgb=False)))
         word = blake2b(name.encode() + b"\0" + data, digest_size=16).hexdigest()
@@ -76,7 +76,7 @@ class Pictures:
             raise PictureError(f"there is no room to keep {name}: a higher `--budget memory` helps")
         return word
 
-    def get(self, asked: str) -> Kept | None:
+    def get(self, asked: str) -> KeptFile | None:
         """The file that a page asks for, if it is still kept."""
         return self._files.get(asked.removeprefix(_SRGB))
 
@@ -100,7 +100,7 @@ class Pictures:
         return found
 
 
-def _announced(kept: Kept, wanted: Wanted) -> int:
+def _announced(kept: KeptFile, wanted: Wanted) -> int:
     """The least bytes of the texture that a file makes, as far as its header tells.
 
     A file that is too large need not be decoded. Files of floats are counted when they are read.
@@ -134,7 +134,7 @@ def _is_float(name: str) -> bool:
     return format_of(PurePath(name)) is not None
 
 
-def _texture(kept: Kept, wanted: Wanted, *, srgb: bool) -> Texture:
+def _texture(kept: KeptFile, wanted: Wanted, *, srgb: bool) -> Texture:
     from ...targets.runner.textures.files import picture_given
     from ...targets.runner.textures.texture import Texture
 

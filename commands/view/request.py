@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 
-class Request(NamedTuple):
+class ViewRequest(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
     file: Path

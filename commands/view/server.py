@@ -14,6 +14,7 @@ import signal
 import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
+from importlib.resources import files
 from threading import Timer
 
 import uvicorn
@@ -24,17 +25,39 @@ from starlette.requests import Request as HttpRequest
 from starlette.responses import JSONResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 
-from ...garbage import settle
+from ...support.garbage import settle
+from ...targets.web_host.serving.modules import host_modules
 from ..failures import drawing_errors, lacking
 from ..terminal import flushed
 from .connections import MOST_HEADERS, Connection
 from .documents import choice_of
-from .files import page_files
 from .guarding import Guarded
 from .pictures import Wanted, wanted_of
-from .request import Request
+from .request import ViewRequest
 from .uploads import UploadError, Uploads
 from .watching import Watched
+
+_KINDS = {
+    ".css": "text/css",
+    ".html": "text/html",
+    ".js": "text/javascript",
+    ".svg": "image/svg+xml",
+}
+_SCRIPT = _KINDS[".js"]
+PAGE = "/web_view/index.html"
+"""The file that ``/`` shows."""
+
+
+def page_files() -> dict[str, tuple[bytes, str]]:
+    """The content and the media type of each file, by the path of its address. The folders lie as
+    they do in the tree, so that a module of the page imports one of the host as it does there."""
+    found = {f"/web_host/{name}": (text.encode(), _SCRIPT) for name, text in host_modules().items()}
+    for file in files(f"{__package__.split('.')[0]}.targets.web_view").iterdir():
+        kind = next((kind for end, kind in _KINDS.items() if file.name.endswith(end)), None)
+        if kind is not None:
+            found[f"/web_view/{file.name}"] = file.read_bytes(), kind
+    return {"/": found[PAGE], **found}
+
 
 HOST = "127.0.0.1"
 """The loopback interface: no other computer reaches it."""
@@ -53,7 +76,7 @@ _PULSE = 15.0
 class Server:
     """Shows a file, or those of a folder, until it is interrupted."""
 
-    def __init__(self, request: Request, port: int = 0) -> None:
+    def __init__(self, request: ViewRequest, port: int = 0) -> None:
         """Bind the port, or any that is free. Raises ``OSError`` if the port is in use."""
         self._loop: asyncio.AbstractEventLoop | None = None
         self._watched = Watched(request, self._changed)

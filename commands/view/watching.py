@@ -13,7 +13,7 @@ from .documents import Documents
 from .folder import Folder
 from .keeping import Keeping
 from .pictures import Pictures
-from .request import Choice, Request
+from .request import Choice, ViewRequest
 from .workshop import Workshop
 
 _MOST_OPENED = 256
@@ -27,7 +27,7 @@ Told = Callable[[str, str], None]
 class Watched:
     """The files of a server that pages show. Threads may share it."""
 
-    def __init__(self, request: Request, told: Told) -> None:
+    def __init__(self, request: ViewRequest, told: Told) -> None:
         """``told`` is called from another thread."""
         self._request = request
         self._told = told

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Lock
 
-from ...garbage import sweep
+from ...support.garbage import sweep
 
 
 class Workshop:

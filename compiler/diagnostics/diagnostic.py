@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from ...frozen import changed, frozen
+from ...support.frozen import changed, frozen
 from .file_names import readable
 from .fixes import Fix, Hint, sentence
 from .source import Span

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .source import Span
 
 Applicability = Literal["machine-applicable", "maybe-incorrect"]

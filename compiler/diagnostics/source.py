@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from ...frozen import fresh, frozen, record
+from ...support.frozen import fresh, frozen, record
 
 
 @record

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Count
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Count, Length, Pattern, Positive, Range, Spelling
 from ..ir.blending import Blend
 from ..ir.formats import TARGET_WORDS, VertexFormat

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Count, Length, Positive
 from ..ir.formats import DEPTH_WORDS, TARGET_WORDS
 from ..ir.render_state import Samples

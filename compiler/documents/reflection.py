@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import ClassVar, Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Positive
 from .backends import BackendRow
 from .drawing import (

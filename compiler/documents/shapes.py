@@ -12,7 +12,7 @@ from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from ...frozen import DEFAULTS, frozen
+from ...support.frozen import DEFAULTS, frozen
 from ..constraints import Spelling
 
 KEYS = "KEYS"

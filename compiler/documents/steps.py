@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Annotated, Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Count, Lanes, Length, Range
 
 NoArguments = tuple[()]

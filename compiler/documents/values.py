@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Count, Lanes, Range
 from ..packing import LaneKind
 from .steps import StepRow

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar, Literal, get_args
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import dashed
 
 Factor = Literal[

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .types import Type, width
 
 NUMBER_SIZE = 4

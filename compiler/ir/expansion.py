@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from itertools import accumulate
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..diagnostics.source import Span
 from .primitives import CORNERS, DrawnPrimitive
 

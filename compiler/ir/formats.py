@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Spelling
 from .types import FLOAT, VEC2, VEC4, Type
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import frozen, record
+from ...support.frozen import frozen, record
 from ..diagnostics.source import Span
 from .node import Node
 from .render_state import Samples
@@ -43,7 +43,7 @@ class Size:
 
 
 @frozen(eq=False)
-class Image:
+class StepTexture:
     """A texture that a step leaves: a target of a pass, its depths, or an image of a kernel."""
 
     name: str
@@ -90,13 +90,13 @@ class FromHost:
 class Previous:
     """The content of an image or a buffer at the end of the last frame."""
 
-    of: Image | Elements | None = None
+    of: StepTexture | Elements | None = None
     """The result; unknown while the frame is checked, as it may be made later."""
-    initially: Image | Elements | FromHost | None = None
+    initially: StepTexture | Elements | FromHost | None = None
     """The source in the first frame; ``None`` for an image without anything drawn."""
 
 
-Source = int | Image | Elements | Previous | FromHost
+Source = int | StepTexture | Elements | Previous | FromHost
 """The source of an input's value; a number is that of one of the frame's values."""
 
 
@@ -137,11 +137,11 @@ class Attachment:
     """An image that one target of a pass, or its depths, is drawn to."""
 
     target: str
-    image: Image
+    image: StepTexture
     layer: int | None
     """The layer; ``None`` for all of them."""
     level: int
-    over: Image | None
+    over: StepTexture | None
     """The content to draw over, made by another step; ``None`` if it is cleared."""
     clear: int | None = None
     """The number of the clear value; ``None`` for transparent black, or a depth of 1."""
@@ -197,7 +197,7 @@ class KernelStep:
 
     name: str
     use: Use
-    images: Mapping[str, Image]
+    images: Mapping[str, StepTexture]
     buffers: Mapping[str, Elements]
     """The buffers, by the names of the kernel's results."""
     doc: str
@@ -224,11 +224,11 @@ class Models:
 
 
 @frozen(eq=False)
-class Output:
+class FrameOutput:
     """A result of a frame, for the host."""
 
     name: str
-    source: Image | Elements
+    source: StepTexture | Elements
     doc: str
     span: Span
 
@@ -252,4 +252,4 @@ class Frame:
     """The shaders that steps use."""
     steps: tuple[Step, ...]
     """The steps that outputs need, each behind those that it needs itself."""
-    outputs: tuple[Output, ...]
+    outputs: tuple[FrameOutput, ...]

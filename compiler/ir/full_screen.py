@@ -8,7 +8,7 @@ calls ``full_screen`` behind all passes but the last one, for the profiles that 
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from . import build
 from .node import Graph, Node
 from .rewrite import rewrite

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...frozen import frozen
 from ...stdlib.builtins.facts import UNKNOWN, Fact
+from ...support.frozen import frozen
 from .meaning import Meaning
 from .stages import VERTICES, Domain
 from .types import INT, RuntimeArray, Type

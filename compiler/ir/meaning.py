@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 MeaningKind = Literal[
     "point", "vector", "direction", "normal",  # in one space

@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from operator import attrgetter
 from typing import Literal, get_args
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .types import INT, Type
 
 Op = Literal[

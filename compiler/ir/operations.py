@@ -17,9 +17,9 @@ from operator import attrgetter
 from types import NoneType
 from typing import Any, Generic, Literal, TypeVar, get_args
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
+from ...support.frozen import frozen
 from . import result_types
 from .leaves import Attribute, Buffer, Parameter, Resource
 from .meaning import Meaning

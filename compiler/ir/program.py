@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from ...support.frozen import frozen
 from .leaves import Buffer, HostPlace, Parameter, Resource
 from .node import Formal, Node
 from .operations import NATIVE, builtin_of

@@ -11,11 +11,11 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
 from ...stdlib.builtins.intervals import product
 from ...stdlib.builtins.weakest import ROUNDING
+from ...support.frozen import frozen
 from . import rulebook
 from .leaves import Buffer, Parameter
 from .node import Formal, Node

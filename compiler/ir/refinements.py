@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from ...frozen import frozen
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNKNOWN, Fact
+from ...support.frozen import frozen
 from .node import Node
 from .operations import CALL, builtin_of
 from .rulebook import ABOVE, BELOW, BOTH, DIFFERS, EQUALS, NEGATION

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal, get_args
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Range, Spelling, dashed
 
 Cull = Literal["none", "back", "front"]

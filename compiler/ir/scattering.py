@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .node import Node
 from .shader import Store
 from .stages import CONDITION, PLACE, SCATTER

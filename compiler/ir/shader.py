@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from ...frozen import fresh, frozen, record
+from ...support.frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .blending import REPLACES, Blend, Mask
 from .capture import Capture

@@ -8,27 +8,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...frozen import frozen
-from .frame import Image, RenderStep, Step
+from ...support.frozen import frozen
+from .frame import RenderStep, Step, StepTexture
 
 
 @frozen(eq=False)
 class SharedDepths:
     """Depths that belong together."""
 
-    images: tuple[Image, ...]
+    images: tuple[StepTexture, ...]
     steps: tuple[RenderStep, ...]
     """The steps that draw to them, in order."""
 
 
 def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
     """All depths that steps draw to, together with those that they are drawn over."""
-    drawing: dict[Image, list[RenderStep]] = {}
+    drawing: dict[StepTexture, list[RenderStep]] = {}
     for step in steps:
         if isinstance(step, RenderStep):
             for image in _depths_of(step):
                 drawing.setdefault(image, []).append(step)
-    seen: set[Image] = set()
+    seen: set[StepTexture] = set()
     for first in drawing:
         if first in seen:
             continue
@@ -43,7 +43,7 @@ def shared_depths(steps: Iterable[Step]) -> Iterator[SharedDepths]:
         yield SharedDepths(tuple(images), tuple(together))
 
 
-def _depths_of(step: RenderStep) -> tuple[Image, ...]:
+def _depths_of(step: RenderStep) -> tuple[StepTexture, ...]:
     """The image that a step draws its depths to, and the one that it draws them over."""
     if step.depth is None:
         return ()

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, lru_cache
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from ...support.frozen import frozen
 from .types import (
     BOOL,
     FLOAT,

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping
 from itertools import pairwise
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .types import BOOL, INT, IVEC2, UINT, VEC2, VEC3, VEC4, Type
 
 Domain = str

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .expansion import EmittedStrips
 from .node import FoldOperator, Formal, Node
 

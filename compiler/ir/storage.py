@@ -28,7 +28,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from itertools import count, filterfalse
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .types import (
     FLOAT,
     Array,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..diagnostics.source import Span
 from .primitives import CORNERS, DrawnPrimitive
 from .stages import PATCH_COORDINATE, PATCH_WEIGHTS, SystemInput

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import ClassVar, Literal, get_args
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..constraints import Spelling, dashed
 
 ScalarKind = Literal["float", "int", "uint", "bool"]

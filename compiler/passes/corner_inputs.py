@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import partial
 from operator import itemgetter
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.leaves import Attribute

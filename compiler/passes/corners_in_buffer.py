@@ -8,7 +8,7 @@ element of its instance. Profiles whose vertex stage reads no storage buffers sa
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.leaves import Attribute

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import reduce
 from itertools import takewhile
 
-from ...frozen import changed, frozen
+from ...support.frozen import changed, frozen
 from ..ir import build
 from ..ir.expansion import EmittedStrips, Expansion
 from ..ir.node import Formal, Graph, Node, reachable

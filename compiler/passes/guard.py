@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 
-from ...frozen import fresh, frozen, record
 from ...stdlib.builtins import BUILTINS, Builtin
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
+from ...support.frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from ..ir.node import Graph, Node, Op
 from ..ir.operations import BRANCH, CALL

@@ -16,8 +16,8 @@ from collections import Counter
 from collections.abc import Iterable
 from functools import lru_cache
 
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from ...support.frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BINDING, PARAMETER, builtin_of, joins_group

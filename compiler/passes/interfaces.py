@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence, Set
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir.node import AGE, Node
 from ..ir.operations import CROSS
 from ..ir.program import Interface, Varying, leaving

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import chain
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..diagnostics.source import Span
 from ..ir import build
 from ..ir.capture import NUMBER_SIZE

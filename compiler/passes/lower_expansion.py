@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from functools import reduce
 from itertools import count
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir import build
 from ..ir.expansion import Expansion
 from ..ir.leaves import Parameter

@@ -1,7 +1,7 @@
 """Rewrites geometry, tessellation and stream-output stages as stages that every target has.
 
-These are vertex, fragment and compute stages. ``api.py`` calls ``lower_stages`` before all passes
-or, if the stages themselves are wanted, ``keep_stages``.
+These are vertex, fragment and compute stages. ``entry_points.py`` calls ``lower_stages`` before all
+passes or, if the stages themselves are wanted, ``keep_stages``.
 """
 
 from __future__ import annotations

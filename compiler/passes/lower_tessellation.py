@@ -17,7 +17,7 @@ Their order is that of the tessellator: patch after patch.
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir.node import reachable
 from ..ir.shader import Result, Shader
 from ..ir.stages import CAPTURED, CLIP_POSITION, CONTROL, EMITTING, EVALUATION, RASTERISED, VERTEX

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..diagnostics.source import Span
 from ..ir.kernel import WRITTEN_GROUP
 from ..ir.leaves import Attribute, Buffer, Parameter

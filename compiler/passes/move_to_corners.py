@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import reduce
 
-from ...frozen import fresh, frozen, record
+from ...support.frozen import fresh, frozen, record
 from ..ir import build
 from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BUILTIN_OPS, CROSS, SWIZZLE

@@ -11,7 +11,7 @@ of its parts becomes an argument.
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir import build
 from ..ir.binding import open_body
 from ..ir.node import (

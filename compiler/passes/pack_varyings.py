@@ -12,7 +12,7 @@ from heapq import heappop, heappush
 from itertools import count
 from operator import itemgetter
 
-from ...frozen import record
+from ...support.frozen import record
 from ..ir.leaves import Attribute
 from ..ir.node import Node
 from ..ir.operations import CROSS

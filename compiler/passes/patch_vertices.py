@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir import build
 from ..ir.leaves import Attribute
 from ..ir.node import Graph, Node

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import islice
 
-from ...frozen import frozen
 from ...stdlib.builtins.facts import Fact
+from ...support.frozen import frozen
 from ..ir import rulebook
 from ..ir.node import Node, Roots
 from ..ir.ranges import Ranges

@@ -1,20 +1,20 @@
 """Runs every pass in order, from the shader that semantics made to a program.
 
-``api.py`` calls ``stage`` once for each shader. The architecture page has a table of the passes.
+``entry_points.py`` calls ``stage`` once for each shader. The architecture page has a table of the
+passes.
 """
 
 from __future__ import annotations
 
 from functools import partial
 
-from ...frozen import changed, frozen
+from ...support.frozen import changed, frozen
 from ..ir.full_screen import full_screen, whole_texels, writes_images
 from ..ir.node import Graph, Roots
 from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Shader
 from ..ir.stages import EXTENT, LENGTH
-from .apart import Apart
 from .checkpoint import verified, verified_results
 from .corners_in_buffer import MOST_INPUTS, corners_in_buffer
 from .expand_builtins import expand_builtins
@@ -22,6 +22,7 @@ from .fuse import fuse
 from .guard import Decisions, Guard, Guarding
 from .hoist import Derived, hoist
 from .inline import inline
+from .invariant_results import InvariantResults
 from .lift_lambdas import lift_lambdas
 from .lower_reads import lower_reads
 from .move_to_corners import move_to_corners
@@ -108,7 +109,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     # Passes keep values, so facts of a node, or of a variable, stay true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
-    apart = Apart.of(results, shader.placing)
+    apart = InvariantResults.of(results, shader.placing)
     roots = _simplified(graph, roots, notes, simplifier, apart)
     roots, decisions = _guarded(graph, roots, notes, ranges, apart)
     evidence = Evidence(
@@ -157,7 +158,7 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 
 
 def _simplified(
-    graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: Apart
+    graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: InvariantResults
 ) -> Roots:
     """Simplifies, fuses sums over lights, and inlines bodies that are used once."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
@@ -168,7 +169,7 @@ def _simplified(
 
 
 def _guarded(
-    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, apart: Apart
+    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, apart: InvariantResults
 ) -> tuple[Roots, Decisions]:
     roots = verified("expand_builtins", "flat", expand_builtins(graph, roots, notes, ranges))
     decisions = Decisions()

@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
-from ...frozen import changed, frozen
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN, Fact
+from ...support.frozen import changed, frozen
 from ..diagnostics.source import Span
 from ..formula import Formulas
 from ..ir.leaves import Attribute, Buffer, Parameter, Resource

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..diagnostics.source import Span
 from ..ir.node import Node
 from .path_conditions import PathRefinement

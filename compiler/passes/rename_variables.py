@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from ...frozen import changed
+from ...support.frozen import changed
 from ..ir.binding import Moved
 from ..ir.node import (
     Binder,

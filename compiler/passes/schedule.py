@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import groupby
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
 from ..ir.operations import BRANCH, FOLD, ITERATE, LEAVES, LOOPS, PARTS, joins_group
 from ..ir.shader import Notes
@@ -45,7 +45,7 @@ INLINE_SIZE = 12
 
 _COUNTED = frozenset({"formal", "constant"})
 """Variables of loops, and values that are known from the start."""
-BOUND = (0, 0)
+NAMED_COST = (0, 0)
 """The size and depth of a named value, or of a leaf, in an expression: its name costs nothing."""
 
 
@@ -308,7 +308,7 @@ class Scheduler:
         inside = node.op in LOOPS or node.id in self._sides
         if not inside and not self._bound(node):
             return None
-        self._size[node.id] = BOUND
+        self._size[node.id] = NAMED_COST
         if node.op == "fold":
             return self._loop(node)
         if node.op == "iterate":
@@ -371,18 +371,19 @@ class Scheduler:
     def _is_part_of_bound(self, node: Node) -> bool:
         """True if a node without a name of the user's is a part of a value that has a statement."""
         unnamed = node.id not in self._notes.names
-        return unnamed and is_part(node) and self._size.get(node.operands[0].id) == BOUND
+        return unnamed and is_part(node) and self._size.get(node.operands[0].id) == NAMED_COST
 
     def _measure(self, node: Node, own: int) -> tuple[int, int]:
         """Operations and nesting of a node printed in place."""
-        # An operand with a statement counts as a leaf (``BOUND``): only its name is printed here.
+        # An operand with a statement counts as a leaf (``NAMED_COST``): only its name is printed
+        # here.
         size, depth = own, 0
         choosing = chooses(node)
         for operand in operands_of(node):
-            part = self._size.get(operand.id, BOUND)
+            part = self._size.get(operand.id, NAMED_COST)
             size += part[0]
             depth = max(depth, part[1])
-            choosing = choosing or (operand.id in self._choosing and part != BOUND)
+            choosing = choosing or (operand.id in self._choosing and part != NAMED_COST)
         depth += own
         self._size[node.id] = (size, depth)
         if choosing:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..ir import build
 from ..ir.kernel import WRITTEN_GROUP
 from ..ir.node import Graph, Node, formals_of

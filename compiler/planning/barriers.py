@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 from ..documents.plan import (
     BarrierRow,
     BufferBarrierRow,

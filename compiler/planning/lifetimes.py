@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 from ..ir.frame import (
     Attachment,
     Elements,
     Frame,
     FromHost,
-    Image,
     KernelStep,
     Previous,
     RenderStep,
     Source,
     Step,
+    StepTexture,
 )
 
-Left = Image | Elements
+Left = StepTexture | Elements
 """A result of a step: an image or a buffer."""
 
 ALWAYS = 1 << 30
@@ -51,7 +51,7 @@ def read_by(step: Step) -> Iterator[Left]:
     """Yields the results of others in this frame that a step reads."""
     for source in sources_of(step):
         found = source.initially if isinstance(source, Previous) else source
-        if isinstance(found, Image | Elements):
+        if isinstance(found, StepTexture | Elements):
             yield found
 
 

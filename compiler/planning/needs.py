@@ -5,11 +5,11 @@
 
 from __future__ import annotations
 
-from ...frozen import fresh, record
-from ..ir.frame import Attachment, Frame, Image
+from ...support.frozen import fresh, record
+from ..ir.frame import Attachment, Frame, StepTexture
 from .lifetimes import ALWAYS, Left, Lifetimes, attachments_of, read_by
 
-DrawnPart = tuple[Image, int | None, int]
+DrawnPart = tuple[StepTexture, int | None, int]
 """A layer and a level of a result; ``None`` is all of its layers."""
 
 
@@ -39,11 +39,11 @@ class Needs:
         found.last_use.update((output.source, ALWAYS) for output in frame.outputs)
         return found
 
-    def is_needed(self, number: int, image: Image) -> bool:
+    def is_needed(self, number: int, image: StepTexture) -> bool:
         """True if somebody reads an image behind a step that draws it."""
         return image in self.lifetimes.kept or self.last_use.get(image, -1) > number
 
-    def is_resolved(self, number: int, image: Image) -> bool:
+    def is_resolved(self, number: int, image: StepTexture) -> bool:
         """True if somebody reads the means of a result's samples behind a step."""
         return not image.is_depth and self.is_needed(number, image)
 
@@ -72,7 +72,7 @@ class Needs:
             for each in attachments_of(step)
         )
 
-    def is_drawn_over(self, over: Image, image: Image, number: int) -> bool:
+    def is_drawn_over(self, over: StepTexture, image: StepTexture, number: int) -> bool:
         """True if from a step on only those need ``over`` that draw ``image`` over it.
 
         There may be a step for each of its layers.

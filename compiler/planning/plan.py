@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...frozen import changed, frozen
+from ...support.frozen import changed, frozen
 from ..documents.plan import BufferUse, TextureUse, WaitingRow
-from ..ir.frame import Attachment, Elements, Frame, Image, KernelStep, RenderStep, Step
+from ..ir.frame import Attachment, Elements, Frame, KernelStep, RenderStep, Step, StepTexture
 from .barriers import Waits
 from .lifetimes import (
     Left,
@@ -60,8 +60,8 @@ class Copy:
     It is made where others still need the image as it was, or where the new one is kept.
     """
 
-    image: Image
-    into: Image
+    image: StepTexture
+    into: StepTexture
 
 
 @frozen(eq=False)
@@ -112,7 +112,7 @@ class Plan:
 
     frame: Frame
     textures: tuple[PlannedTexture, ...]
-    texture_of: Mapping[Image, int]
+    texture_of: Mapping[StepTexture, int]
     lifetimes: Lifetimes
     stencils: Stencils
     steps: tuple[PlannedStep, ...]
@@ -139,7 +139,7 @@ class _Planning:
         self._stencils = Stencils.of(frame)
         self._waits = Waits(self._is_rare)
         self._textures = Textures(self._waits, shares=shares)
-        self._texture_of: dict[Image, int] = {}
+        self._texture_of: dict[StepTexture, int] = {}
         self._samples_of: dict[DrawnPart, int] = {}
         """The textures that steps with several samples draw to."""
         self._drawn: set[DrawnPart] = set()
@@ -194,7 +194,7 @@ class _Planning:
     # --- textures ---
 
     def _kept(self, left: Left) -> Kept:
-        if not isinstance(left, Image):
+        if not isinstance(left, StepTexture):
             return Kept(left, None, None)
         shape = self._shape(left)
         texture, previous = (self._textures.new(shape, left) for _ in range(2))
@@ -203,7 +203,7 @@ class _Planning:
         self._waits.add(previous, "sampled")
         return Kept(left, texture, previous)
 
-    def _shape(self, image: Image) -> Shape:
+    def _shape(self, image: StepTexture) -> Shape:
         return Shape.of(self._frame, self._stencils, image)
 
     def _placed(self, number: int, step: Step) -> Iterator[Copy]:
@@ -227,7 +227,7 @@ class _Planning:
                 self._texture_of[image] = self._found(step, image, self._shape(image))
                 yield Copy(over, image)
         for left in written_by(step):
-            if not isinstance(left, Image) or left in self._texture_of:
+            if not isinstance(left, StepTexture) or left in self._texture_of:
                 continue
             if left.samples == 1 or self._needs.is_resolved(number, left):
                 self._texture_of[left] = self._found(step, left, self._shape(left))
@@ -245,7 +245,7 @@ class _Planning:
             self._textures.share(texture, image)
         self._samples_of[part_of(attachment)] = texture
 
-    def _found(self, step: Step, image: Image, shape: Shape) -> int:
+    def _found(self, step: Step, image: StepTexture, shape: Shape) -> int:
         """A texture for a result of a step."""
         if step.name in self._rare:
             return self._textures.new(shape, image, lasts=True)
@@ -256,7 +256,7 @@ class _Planning:
         over = [each.over for each in attachments_of(step) if each.over is not None]
         touched = dict.fromkeys([*written_by(step), *read_by(step), *over])
         for left in touched:
-            if isinstance(left, Image) and self._lifetimes.is_over(left, number):
+            if isinstance(left, StepTexture) and self._lifetimes.is_over(left, number):
                 texture = self._texture_of.get(left)
                 if texture is not None:
                     self._textures.release(texture, left)
@@ -267,7 +267,7 @@ class _Planning:
     # --- steps ---
 
     def _copied(self, copy: Copy, *, is_rare: bool) -> PlannedStep:
-        states: tuple[tuple[TextureUse, Image], ...] = (
+        states: tuple[tuple[TextureUse, StepTexture], ...] = (
             ("copied_from", copy.image), ("copied_to", copy.into),
         )  # fmt: skip
         self._drawn |= {(copy.into, layer, level) for image, layer, level in self._drawn
@@ -296,7 +296,7 @@ class _Planning:
 
     def _used(self, step: Step, targets: Iterable[Target]) -> Iterator[tuple[int, TextureUse]]:
         for left in read_by(step):
-            if isinstance(left, Image):
+            if isinstance(left, StepTexture):
                 yield self._texture_of[left], "sampled"
         if isinstance(step, KernelStep):
             for image in step.images.values():
@@ -335,7 +335,7 @@ class _Planning:
             if isinstance(planned.step, Copy):
                 return
             for left in read_by(planned.step):
-                if isinstance(left, Image):
+                if isinstance(left, StepTexture):
                     yield self._texture_of[left]
             if not planned.continues:
                 return
@@ -345,7 +345,7 @@ class _Planning:
     def _images_left(self) -> Iterator[tuple[int, TextureUse]]:
         """The textures that the host or the next frame reads."""
         for left in self._left():
-            if isinstance(left, Image):
+            if isinstance(left, StepTexture):
                 yield self._texture_of[left], "sampled"
 
     def _buffers_left(self) -> Iterator[tuple[Elements, BufferUse]]:

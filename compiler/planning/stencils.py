@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import chain
 
-from ...frozen import record
-from ..ir.frame import Attachment, Frame, Image, RenderStep, Step
+from ...support.frozen import record
+from ..ir.frame import Attachment, Frame, RenderStep, Step, StepTexture
 from ..ir.shared_depths import shared_depths
 
 STENCIL_FORMATS: Mapping[str, str] = {"depth32f": "depth32f_stencil8"}
@@ -22,7 +22,7 @@ class Stencils:
     """The images that have stencil values, and how long steps need them."""
 
     frame: Frame
-    images: frozenset[Image]
+    images: frozenset[StepTexture]
 
     @classmethod
     def of(cls, frame: Frame) -> Stencils:
@@ -30,7 +30,7 @@ class Stencils:
         found = (d.images for d in shared_depths(frame.steps) if any(map(_uses_stencil, d.steps)))
         return cls(frame, frozenset(chain.from_iterable(found)))
 
-    def format_of(self, image: Image) -> str:
+    def format_of(self, image: StepTexture) -> str:
         """The format of the texture that holds an image."""
         return STENCIL_FORMATS[image.format] if image in self.images else image.format
 
@@ -45,7 +45,7 @@ class Stencils:
         return False
 
 
-def _place(depth: Attachment) -> tuple[Image, int | None, int]:
+def _place(depth: Attachment) -> tuple[StepTexture, int | None, int]:
     return depth.image, depth.layer, depth.level
 
 

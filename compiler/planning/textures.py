@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...frozen import frozen, record
+from ...support.frozen import frozen, record
 from ..documents.plan import TextureUse
-from ..ir.frame import Frame, Image, ImageDimension
+from ..ir.frame import Frame, ImageDimension, StepTexture
 from ..ir.node import Node
 from ..ir.render_state import Samples
 from .barriers import Waits
@@ -32,7 +32,7 @@ class Shape:
     samples: Samples = 1
 
     @classmethod
-    def of(cls, frame: Frame, stencils: Stencils, image: Image) -> Shape:
+    def of(cls, frame: Frame, stencils: Stencils, image: StepTexture) -> Shape:
         """The shape of the texture in which other steps find a result."""
         return cls(
             stencils.format_of(image), _size(frame, image), image.size.level, image.dimension,
@@ -40,13 +40,13 @@ class Shape:
         )  # fmt: skip
 
     @classmethod
-    def of_samples(cls, frame: Frame, stencils: Stencils, image: Image, level: int) -> Shape:
+    def of_samples(cls, frame: Frame, stencils: Stencils, image: StepTexture, level: int) -> Shape:
         """The shape of the texture with the samples of one layer of a result, in one level."""
         size, halved = _size(frame, image), image.size.level + level
         return cls(stencils.format_of(image), size, halved, samples=image.samples)
 
 
-def _size(frame: Frame, image: Image) -> Node | str:
+def _size(frame: Frame, image: StepTexture) -> Node | str:
     value = image.size.value
     return image.size.kernel if value is None else frame.values[value]
 
@@ -56,7 +56,7 @@ class PlannedTexture:
     """A texture that the host makes, for one result after the other."""
 
     shape: Shape
-    images: list[Image]
+    images: list[StepTexture]
     """Each once, also where several layers or levels of one are drawn here, each with samples."""
     uses: tuple[TextureUse, ...] = ()
     """All uses, also those of the texture of the last frame with which it is exchanged."""
@@ -74,10 +74,10 @@ class Textures:
         self._shares = shares
         self._free: dict[Shape, list[int]] = {}
         self._lasting: set[int] = set()
-        self._held: dict[int, Image] = {}
+        self._held: dict[int, StepTexture] = {}
         """The image that each texture holds by now."""
 
-    def new(self, shape: Shape, image: Image, *, lasts: bool = False) -> int:
+    def new(self, shape: Shape, image: StepTexture, *, lasts: bool = False) -> int:
         """A texture of its own; one that ``lasts`` is never shared."""
         self.made.append(PlannedTexture(shape, [image]))
         number = len(self.made) - 1
@@ -91,7 +91,7 @@ class Textures:
         """True if a texture is never shared, as steps of the first frame only draw to it."""
         return number in self._lasting
 
-    def allot(self, shape: Shape, image: Image) -> int:
+    def allot(self, shape: Shape, image: StepTexture) -> int:
         """A texture that is free, or else a new one."""
         free = self._free.get(shape)
         if not free or not self._shares:
@@ -100,13 +100,13 @@ class Textures:
         self.share(number, image)
         return number
 
-    def share(self, number: int, image: Image) -> None:
+    def share(self, number: int, image: StepTexture) -> None:
         """Have a texture hold a result, behind those that it held before."""
         self._held[number] = image
         if image not in self.made[number].images:
             self.made[number].images.append(image)
 
-    def release(self, number: int, image: Image) -> None:
+    def release(self, number: int, image: StepTexture) -> None:
         """Let others have a texture, unless it holds another result by now."""
         if self._held[number] is image and number not in self._lasting:
             self._free.setdefault(self.made[number].shape, []).append(number)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.frame import Elements, Frame, Image, Previous, RenderStep, Step, Use
+from ..ir.frame import Elements, Frame, Previous, RenderStep, Step, StepTexture, Use
 from ..ir.leaves import Buffer, Parameter, Resource
 from ..ir.node import Node, reachable
 from .lifetimes import Left, attachments_of, read_by, sources_of, written_by
@@ -63,7 +63,7 @@ def _is_known(frame: Frame, step: Step) -> bool:
     if any(attachment.over is not None for attachment in attachments_of(step)):
         return False
     return (
-        all(isinstance(source, int | Image) for source in given)
+        all(isinstance(source, int | StepTexture) for source in given)
         and all(_is_constant(frame.values[number]) for number in numbers)
         and all(_is_given_all(use) for use in step.uses)
     )

@@ -11,7 +11,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind

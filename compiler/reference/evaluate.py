@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 
-from ...frozen import record
+from ...support.frozen import record
 from ..ir.node import Node, bare, bodies_of, reachable
 from ..ir.operations import BOUND, FORMAL, OUTSIDE
 from . import scalars

@@ -1,7 +1,8 @@
 """The values that the host holds for a shader: parameters and storage buffers as leaves of a graph.
 
 Pictures, kernels and the attribution of errors read these leaves through ``HeldValues``. A graph
-may have them as they are declared or, after the pass ``lower_reads``, as they are stored.
+may have them as they are declared or, after the pass ``lower_reads``, as they are stored in blocks:
+``stored`` makes integers of bools, and rows of four lanes of columns and of elements of arrays.
 """
 
 from __future__ import annotations
@@ -12,11 +13,48 @@ from typing import Any
 from ..ir.leaves import Buffer, Parameter
 from ..ir.node import Node
 from ..ir.operations import BUFFER, PARAMETER
-from ..ir.types import Type
+from ..ir.storage import elements_in_row, place, stored_type
+from ..ir.types import Array, Matrix, Scalar, Struct, Type, Vector
 from .bounds.bounded import constant
 from .namespace import Lanes
 from .storage_buffers import BufferReader, Contents
-from .stored import stored
+
+_ROW = 4
+"""Lanes in a row of a block."""
+
+
+def stored(type_: Type, value: Lanes) -> Lanes:
+    """The stored form of a value whose declared type is ``type_``; numbers keep their precision."""
+    match type_:
+        case Scalar("bool") | Vector("bool"):
+            return tuple(int(lane) for lane in value)
+        case Matrix(size) if size < _ROW:
+            return tuple((*column, *[0.0] * (_ROW - size)) for column in value)
+        case Array(Scalar() | Vector() as element, _):
+            lanes = [lane for part in value for lane in _row_part(element, stored(element, part))]
+            lanes += [0] * (-len(lanes) % _ROW)
+            return tuple(tuple(lanes[at : at + _ROW]) for at in range(0, len(lanes), _ROW))
+        case Array(Matrix() as element, _):
+            return tuple(column for part in value for column in stored(element, part))
+        case Array(element, _):
+            return tuple(stored(element, part) for part in value)
+        case Struct(members=members):
+            return _with_padding(members, value)
+        case _:
+            return value
+
+
+def _row_part(element: Scalar | Vector, value: Lanes) -> Lanes:
+    """An element of an array with the lanes of its row that no other element uses."""
+    room = _ROW // elements_in_row(element)
+    return (*value, *[0] * (room - len(value)))
+
+
+def _with_padding(members: tuple[tuple[str, Type], ...], value: Lanes) -> Lanes:
+    """The members of a structure, and zeros for those that only fill gaps."""
+    parts = {name: stored(type_, v) for (name, type_), v in zip(members, value, strict=True)}
+    rows = place((name, stored_type(type_)) for name, type_ in members)
+    return tuple((0.0,) if row.padding else parts[row.name] for row in rows)
 
 
 class HeldValues:

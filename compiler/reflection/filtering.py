@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..diagnostics.source import Span
-from ..ir.frame import Frame, FrameShader, Given, Image, Previous, Use
+from ..ir.frame import Frame, FrameShader, Given, Previous, StepTexture, Use
 from ..ir.program import Program
 from .textures import TextureRows
 
@@ -39,11 +39,11 @@ def filtered_in(frame: Frame, program_of: Callable[[FrameShader], Program]) -> I
                     yield Filtered(each.name, step.name, image.format, step.span)
 
 
-def _unfilterable(use: Use) -> Iterator[tuple[Given, Image]]:
+def _unfilterable(use: Use) -> Iterator[tuple[Given, StepTexture]]:
     """Yields the inputs of a shader that cannot be filtered."""
     for given in use.given:
         source = given.source.of if isinstance(given.source, Previous) else given.source
-        if isinstance(source, Image) and source.format in UNFILTERABLE:
+        if isinstance(source, StepTexture) and source.format in UNFILTERABLE:
             yield given, source
 
 

@@ -43,11 +43,11 @@ from ..ir.frame import (
     FrameShader,
     FromHost,
     Given,
-    Image,
     KernelStep,
     Previous,
     RenderStep,
     Source,
+    StepTexture,
     Use,
 )
 from ..ir.leaves import Resource
@@ -209,8 +209,8 @@ class _Document:
                 source=_place(left.span),
             )
 
-    def _texture(self, left: Image | Elements) -> int | None:
-        return self._plan.texture_of.get(left) if isinstance(left, Image) else None
+    def _texture(self, left: StepTexture | Elements) -> int | None:
+        return self._plan.texture_of.get(left) if isinstance(left, StepTexture) else None
 
     # --- steps ---
 
@@ -264,7 +264,7 @@ class _Document:
                     source=_place(step.span),
                 )
 
-    def _copy_end(self, image: Image) -> CopyEnd:
+    def _copy_end(self, image: StepTexture) -> CopyEnd:
         return CopyEnd(result=image.name, texture=self._plan.texture_of[image])
 
     def _attachment(self, target: Target) -> AttachmentRow:
@@ -322,12 +322,12 @@ class _Document:
             initially=initially,
         )
 
-    def _read(self, source: Image | Elements | FromHost) -> ResultSource | HostSource:
+    def _read(self, source: StepTexture | Elements | FromHost) -> ResultSource | HostSource:
         if isinstance(source, FromHost):
             return HostSource(kind="host", host=source.name)
         return self._result(source)
 
-    def _result(self, left: Image | Elements) -> ResultSource:
+    def _result(self, left: StepTexture | Elements) -> ResultSource:
         return ResultSource(kind="result", result=left.name, texture=self._texture(left))
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal
 
-from ...frozen import changed
 from ...stdlib.builtins.geometry import SHORTEST
+from ...support.frozen import changed
 from ..documents.backends import BackendRow
 from ..documents.drawing import (
+    CapturedRow,
+    CaptureRow,
     DrawRow,
     InBuffer,
     LayersRow,
@@ -27,6 +29,7 @@ from ..ir.blending import REPLACES
 from ..ir.formats import VERTEX_FORMATS
 from ..ir.leaves import Parameter
 from ..ir.node import Node
+from ..ir.primitives import DrawnPrimitive
 from ..ir.program import Program
 from ..ir.render_state import RenderState
 from ..ir.shader import AttributeInfo, MeshInput, Shader
@@ -45,10 +48,49 @@ from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
-from .captures import capture_row
 from .parameters import Places, derived_rows, light_rows, parameter_row
 from .textures import TextureRows
 from .values import steps
+
+
+def capture_row(shader: Shader) -> CaptureRow:
+    """The buffer into which a pass captures, for a host."""
+    capture = shader.capture
+    assert capture is not None
+    written = next(iter(shader.written), None)
+    is_told = written is not None and written.each > capture.numbers
+    return CaptureRow(
+        topology=_primitive(shader),
+        vertices=_vertices_each(shader),
+        stride=capture.stride,
+        buffer=None if written is None else written.buffer.name,
+        there=capture.stride if is_told else None,
+        members=tuple(
+            CapturedRow(
+                name=member.name,
+                type=member.declared_type,
+                representation=str(member.type),
+                offset=member.offset,
+                doc=member.doc,
+            )
+            for member in capture.members
+        ),
+    )
+
+
+def _primitive(shader: Shader) -> DrawnPrimitive:
+    """The kind of primitives of the captured vertices."""
+    if shader.expansion is not None:
+        return shader.expansion.emits
+    return "triangle" if shader.tessellation is None else shader.tessellation.kind.drawn
+
+
+def _vertices_each(shader: Shader) -> int:
+    """The largest number of vertices for each primitive or patch that is drawn."""
+    if shader.listed:
+        return shader.listed
+    return 3 if shader.expansion is None else shader.expansion.listed
+
 
 FORMAT: Literal[2] = 2
 """Grows when a host that reads the document has to change."""

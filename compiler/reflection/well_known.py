@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..passes.rules.matching import Pattern

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 
 MOST_OPERATIONS = 500_000
 """Operations that are computed for one value, and each turn of a loop is one: about two seconds."""

@@ -6,7 +6,7 @@ others. Brackets are matched here, too, and the depth of every token is known af
 
 from __future__ import annotations
 
-from ...frozen import fresh, record
+from ...support.frozen import fresh, record
 from .ast import MEMBERS
 from .forms import DECLARATIONS
 from .tokens import RESERVED, Token

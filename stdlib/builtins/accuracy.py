@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Literal
 
-from ...frozen import EMPTY, frozen
+from ...support.frozen import EMPTY, frozen
 
 Platform = Literal["wgsl", "vulkan", "direct3d", "opengl", "es"]
 

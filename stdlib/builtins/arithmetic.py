@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from ...frozen import changed
+from ...support.frozen import changed
 from .accuracy import CORRECT, Error, Within, in_table, inherited, promised
 from .facts import SMALLEST_NORMAL, ULP, Fact
 from .intervals import around, inexact, products, quotients, rounded, squares

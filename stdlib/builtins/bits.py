@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ...frozen import changed
+from ...support.frozen import changed
 from .accuracy import CORRECT, EXACT
 from .facts import Fact
 from .row import Builtin, everywhere, nowhere

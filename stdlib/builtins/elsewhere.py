@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 TEXTURE = "albedo"
 """The name of the texture in ``Instead.written``."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 LARGEST_FLOAT = 2.0**128 - 2.0**104
 """The largest number that a float32 holds."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from .accuracy import CORRECT, EXACT, Inherited, in_table, inherited, promised, silent
 from .exponential import ROOT_ERROR
 from .facts import SMALLEST_NORMAL, UNIT, UNIT_SLACK, UNKNOWN, Fact

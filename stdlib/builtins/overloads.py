@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from . import BUILTINS, Builtin
 
 COMPUTING = tuple(

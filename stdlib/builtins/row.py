@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .accuracy import INHERITED, Accuracy
 from .facts import UNKNOWN, Fact
 

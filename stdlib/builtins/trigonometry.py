@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from ...frozen import EMPTY
+from ...support.frozen import EMPTY
 from .accuracy import (
     CORRECT,
     Accuracy,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...frozen import changed
+from ...support.frozen import changed
 from .accuracy import PLATFORMS, Accuracy, Inherited, promised, silent
 from .facts import Fact
 from .row import Builtin, OfGroup

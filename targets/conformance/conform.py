@@ -12,7 +12,7 @@ from functools import partial
 from threading import Event
 
 from ...compiler.budget import BudgetError
-from ...frozen import EMPTY
+from ...support.frozen import EMPTY
 from ..runner.codes import CodeError
 from ..runner.drivers.device import DriverError
 from ..runner.frames.checking import PlanError

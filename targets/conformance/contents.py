@@ -23,7 +23,7 @@ from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.capture import Listed, captured, captured_by_kernel
 from ...compiler.reference.kernel import Lane, computed
 from ...compiler.reference.picture import Expected, RasterRules
-from ...frozen import changed
+from ...support.frozen import changed
 from ..runner.binding import FORMATS
 from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.drivers.draw_job import Draw as Drawn

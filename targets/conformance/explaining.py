@@ -14,8 +14,8 @@ import numpy as np
 
 from ...compiler.reference.attribution import Explanation
 from ..runner.drivers.device import Device
-from ..runner.frames.following import BEFORE, Carried, Made
 from ..runner.frames.host import FrameSubject, is_shader
+from ..runner.frames.pixel_origins import BEFORE, Carried, Origin
 from ..runner.kernels import is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
@@ -150,7 +150,7 @@ def _of_little(plan: Plan, row: Row) -> list[str]:
     otherwise = []
     for pixel in usual_pixels(least.result):
         found = _origin(plan, least, pixel)
-        if isinstance(found, Made):
+        if isinstance(found, Origin):
             return list(_carriers(found))
         if found is not None:
             if told := list(causes(found)):
@@ -160,7 +160,7 @@ def _of_little(plan: Plan, row: Row) -> list[str]:
     return otherwise[:1]
 
 
-def _carriers(made: Made) -> Iterator[str]:
+def _carriers(made: Origin) -> Iterator[str]:
     """The input that has most of the error of a pixel of a frame, or else the places in its step
     where precision is lost."""
     worst = made.carried[0] if made.carried else None
@@ -181,7 +181,7 @@ def _of_difference(plan: Plan, row: Row) -> Iterator[str]:
                 yield from (f"{seen.name}: {text}" for text in blamed(found))
 
 
-def made_lines(made: Made) -> Iterator[str]:
+def made_lines(made: Origin) -> Iterator[str]:
     """The origin of a pixel, as lines of text."""
     yield f"the step `{made.step}` has made it, and its bounds are {short(made.apart)} apart"
     if made.carried:
@@ -208,7 +208,7 @@ def _seen(plan: Plan, rows: Sequence[Row]) -> list[Seen]:
     return [Seen(case, results, leading_of(results, rows)) for case, results in found if results]
 
 
-def _origin(plan: Plan, seen: Seen, pixel: Pixel) -> Explanation | Made | None:
+def _origin(plan: Plan, seen: Seen, pixel: Pixel) -> Explanation | Origin | None:
     """Explain a pixel by the bounds that decided on the verdict of the leading row."""
     row, level = seen.leading, seen.result.comparison.level
     assert row.device is not None

@@ -19,9 +19,9 @@ from ...compiler.reference.picture import Counted, Expected, RasterRules
 from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
-from ..runner.frames.drawn import DEPTHS, Drawn
-from ..runner.frames.following import FollowedFrames, Made
 from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
+from ..runner.frames.pixel_origins import FollowedFrames, Origin
+from ..runner.frames.reference_textures import DEPTHS, DrawnTexture
 from ..runner.frames.scenery import in_a_row
 from ..runner.kernels import drawable, is_drawn
 from ..runner.reference import Program
@@ -34,7 +34,7 @@ from .cases import Size
 from .compare import Level
 from .contents import to_targets
 from .judging import Answer, Compared, Floats, all_covered
-from .once import Known
+from .known_values import Known
 from .plan import Plan
 
 MESH = "torus"
@@ -74,7 +74,7 @@ def _turned_over(bounds: Bounds) -> Bounds:
 class _Pictures:
     """The pictures that the reference has drawn."""
 
-    frames: list[dict[str, Drawn]]
+    frames: list[dict[str, DrawnTexture]]
     """For each frame, the outputs by name."""
     counted: Counted
     """The rare rules on which the pictures depend."""
@@ -114,7 +114,7 @@ class FramePlan(Plan):
 
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
-    ) -> Made | None:
+    ) -> Origin | None:
         """The origin of a pixel of a case, by the bounds of this level.
 
         ``None`` if no step has made the pixel. Layers of an output stand one below the other.
@@ -142,7 +142,7 @@ class FramePlan(Plan):
         """An output beside the reference's. Raises ``PlanError`` for one of another size."""
         number, name = self.cases()[case]
 
-        def wanted(profile: str | None, rules: RasterRules, errors: Errors | None) -> Drawn:
+        def wanted(profile: str | None, rules: RasterRules, errors: Errors | None) -> DrawnTexture:
             return self._drawn(profile, rules, errors)[number][name]
 
         meant = wanted(None, precise(bounds.rules), None)
@@ -161,7 +161,7 @@ class FramePlan(Plan):
 
     def _drawn(
         self, profile: str | None, rules: RasterRules, errors: Errors | None
-    ) -> list[dict[str, Drawn]]:
+    ) -> list[dict[str, DrawnTexture]]:
         """The reference's pictures of a profile's texts, or of the source.
 
         They have bounds if there are ``errors``, and otherwise the values that are meant.
@@ -222,7 +222,7 @@ def _rows(layers: Floats) -> Floats:
     return layers.reshape(-1, width, lanes)
 
 
-def _expected(drawn: Drawn) -> Expected:
+def _expected(drawn: DrawnTexture) -> Expected:
     """The first level of a texture as a picture."""
     value, low, high = ([_rows(_whole(end))] for end in drawn.levels[0])
     layers = drawn.undecided[0]

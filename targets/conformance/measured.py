@@ -1,6 +1,7 @@
 """The largest errors that were found on each driver. ``tests/builtins/measure.py`` writes it.
 
-``envelope.py`` says what it is for, and the manual shows it beside what specifications promise.
+``driver_accuracy.py`` says what it is for, and the manual shows it beside what specifications
+promise.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...stdlib.builtins.accuracy import Error
-from .envelope import Envelope
+from .driver_accuracy import Envelope
 
 ENVELOPES: Mapping[str, Envelope] = {
     "lavapipe": Envelope(

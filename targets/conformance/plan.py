@@ -19,7 +19,7 @@ from ..runner.binding import pipeline
 from ..runner.codes import compile_one
 from ..runner.drivers.device import Device
 from ..runner.explanation import explained
-from ..runner.frames.following import Made
+from ..runner.frames.pixel_origins import Origin
 from ..runner.kernels import UndrawableError, drawable, is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route
@@ -32,7 +32,7 @@ from .cases import Size, series_of
 from .compare import Level
 from .contents import Content, Said
 from .judging import Answer, Compared
-from .once import Known
+from .known_values import Known
 from .rows import CaseResult
 
 LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
@@ -67,7 +67,7 @@ class Plan(ABC):
     @abstractmethod
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
-    ) -> Explanation | Made | None:
+    ) -> Explanation | Origin | None:
         """The origin of a pixel of a case, by the bounds of this level; ``None`` if nothing is
         drawn there."""
 

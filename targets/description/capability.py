@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Literal, get_args
 
 from ...compiler.ir.stages import StageRow
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .profile import Profile
 
 

@@ -29,7 +29,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 ACCUMULATED: Mapping[str, str] = MappingProxyType(
     {"add": "{name} += {value};", "mul": "{name} *= {value};"}

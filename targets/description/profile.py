@@ -12,8 +12,8 @@ from typing import Literal
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
 from ...compiler.ir.types import TEXTURES, Texture
-from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import Domain
+from ...support.frozen import EMPTY, frozen
 from .forms import Forms
 from .spellings import Literals, PipelineInput, Spellings, TypeNames
 

@@ -6,7 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 _NEVER = "(?!)"
 """A pattern that matches nothing."""

@@ -17,7 +17,7 @@ from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import STAGES
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import Dimension
-from ...frozen import EMPTY, changed, frozen
+from ...support.frozen import EMPTY, changed, frozen
 from .forms import Forms
 from .profile import Profile
 from .reserved import Reserved

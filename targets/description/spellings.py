@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...compiler.ir.types import Dimension, Sample, ScalarKind, Type
-from ...frozen import EMPTY, frozen
 from ...stdlib.builtins.row import SamplerUse
+from ...support.frozen import EMPTY, frozen
 
 
 @frozen

@@ -5,15 +5,46 @@ The emitter makes one ``Context`` for each program and profile, and hands it to 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import lru_cache
+
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import StageName
+from ..description.profile import Profile
+from ..description.shading_language import Language
+from ..description.spellings import PipelineInput, Spellings
 from ..legalise.legal import Legal
 from ..legalise.resource_arguments import NOTHING, Passed
-from .dialect import dialect
 from .names import Names
-from .precedence import Printed
-from .spelling import TypeSpeller
+from .precedence import Printed, Writer
+from .spelling import TypeSpeller, TypeTexts
 from .texture_declarations import TextureSpeller
+
+
+class Dialect:
+    """The rows of a language under one of its profiles."""
+
+    def __init__(self, language: Language, profile: Profile, rows_up: bool) -> None:
+        framebuffer = profile.framebuffer
+        self.natives: Spellings = {
+            **language.natives, **profile.natives, **(framebuffer.natives if rows_up else {})
+        }  # fmt: skip
+        """Spellings of builtins under the profile."""
+        self.inputs: Mapping[str, PipelineInput] = {
+            **language.inputs, **profile.inputs, **(framebuffer.inputs if rows_up else {})
+        }  # fmt: skip
+        """Spellings of the pipeline's values under the profile."""
+        self.writers: dict[str, Writer] = {}
+        """Functions that print builtins whose spelling does not depend on the operands.
+        ``natives.py`` adds those that it has found."""
+        self.types = TypeTexts({}, {}, {})
+        """Texts of scalars, vectors and matrices under the profile."""
+
+
+@lru_cache(maxsize=64)
+def dialect(language: Language, profile: Profile, rows_up: bool) -> Dialect:
+    """The dialect of a profile; ``rows_up`` if the rows of its pictures count upwards."""
+    return Dialect(language, profile, rows_up)
 
 
 class Context:

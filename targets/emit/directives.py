@@ -1,7 +1,7 @@
 """Puts ``#line`` directives into texts, so that downstream compilers name lines of the material.
 
-``api.py`` calls ``directed`` for each finished text if the user wants directives. Where a language
-numbers its files, 0 is the text itself, and a comment at its end lists the others.
+``entry_points.py`` calls ``directed`` for each finished text if the user wants directives. Where a
+language numbers its files, 0 is the text itself, and a comment at its end lists the others.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from ...compiler.diagnostics.source import Source, Span
-from ...frozen import frozen
+from ...support.frozen import frozen
 from .comments import comment_line
 
 _NEUTRAL = r"[{}\s]*(else[{}\s]*)?$"

@@ -1,4 +1,4 @@
-"""Prints a program in one language: ``api.py`` calls ``emit`` after ``legalise``.
+"""Prints a program in one language: ``entry_points.py`` calls ``emit`` after ``legalise``.
 
 The rows of the ``Language`` and its skeleton have everything that is particular to a language. The
 passes and ``legalise`` have decided where each value is computed.
@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
-from ...frozen import EMPTY, frozen
+from ...support.frozen import EMPTY, frozen
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
 from .comments import comment_line, comment_lines

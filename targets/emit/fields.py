@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from ...compiler.ir.program import Field, Output, Program, Stage
 from ...compiler.ir.stages import CAPTURE, CONTROL, EVALUATION, PATCHES, TARGET
-from ...frozen import changed
+from ...support.frozen import changed
 from ..description.shading_language import FieldRole
 from .comments import comment_line
 from .context import Context

@@ -14,7 +14,7 @@ from functools import lru_cache
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.shading_language import Language
 from .namer import Namer
 from .own_words import taken_words

@@ -21,8 +21,8 @@ from ...compiler.ir.types import (
     scalar_kind,
     width,
 )
-from ...frozen import frozen
 from ...stdlib.builtins import BUILTINS
+from ...support.frozen import frozen
 from ..description.spellings import Read, Spelling, Spellings
 from .context import Context
 from .leaves import LeafPrinter

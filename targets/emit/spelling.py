@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.spellings import TypeNames
 
 _NAME = "\0"

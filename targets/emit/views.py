@@ -7,7 +7,7 @@ the skeleton's business.
 from __future__ import annotations
 
 from ...compiler.ir.program import StageName
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..legalise.bindings import BindingSlot
 
 

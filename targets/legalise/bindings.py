@@ -16,7 +16,7 @@ from typing import Protocol
 
 from ...compiler.ir.leaves import Buffer, Resource
 from ...compiler.ir.program import Block, Program
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.profile import Profile
 from ..description.shading_language import BindingKind
 

@@ -22,9 +22,9 @@ from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.uniformity import needing_uniform_flow
 from ...compiler.passes.walks import visible
-from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN
+from ...support.frozen import changed
 from ..description.profile import Profile
 
 Use = tuple[str, tuple[Type, ...]]

@@ -15,7 +15,7 @@ from ...compiler.ir.operations import NATIVE
 from ...compiler.ir.program import Stage
 from ...compiler.ir.shader import Notes, Result, Shader
 from ...compiler.ir.stages import EMITTING, VARYING
-from ...frozen import changed
+from ...support.frozen import changed
 from .definitions import Definitions
 from .legal import Legal
 

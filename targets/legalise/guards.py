@@ -16,17 +16,17 @@ from ...compiler.ir.program import Program
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.rewrite import rewrite
 from ...compiler.ir.shader import Notes
-from ...compiler.passes.apart import Apart
 from ...compiler.passes.checkpoint import verified
 from ...compiler.passes.guard import Guard, Guarding
 from ...compiler.passes.inline import inline
+from ...compiler.passes.invariant_results import InvariantResults
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.pipeline import Undecided
 from ...compiler.passes.rename_variables import rename_variables
 from ...compiler.passes.split_stages import split_stages
-from ...frozen import changed
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Domain
+from ...support.frozen import changed
 from ..description.profile import Profile
 
 
@@ -37,7 +37,7 @@ def with_guards(program: Program, undecided: Undecided, profile: Profile) -> Pro
     graph, notes = shader.graph.copy(), shader.notes.copy()
     deciding = _Deciding(graph, notes, undecided.ranges, profile.agrees)
     roots = rewrite(graph, shader.roots, deciding.decided, notes.follow, ("call",))
-    apart = Apart.of(shader.results, shader.placing)
+    apart = InvariantResults.of(shader.results, shader.placing)
     roots = apart.each(roots, lambda some, _: inline(graph, some, notes, deciding))
     # Calls that only these guards make expensive are inlined here, with the loops in them.
     roots = rename_variables(graph, roots, notes.follow)

@@ -1,8 +1,8 @@
 """Finds the features that a program uses and a profile lacks altogether.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
-adds the way out, which follows from the table of capabilities. ``limits.py`` finds features that a
-profile has, but not as often as a program needs them.
+``entry_points.py`` asks before anything is printed, and makes errors of the answers.
+``availability.py`` adds the way out, which follows from the table of capabilities. ``limits.py``
+finds features that a profile has, but not as often as a program needs them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ...compiler.ir.shader import RenderTarget
 from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
 from ...compiler.ir.types import Texture
 from ...compiler.passes.walks import visible
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.capabilities import (
     BLENDED_APART,
     BLENDED_FLOATS,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from .bindings import Bindings

@@ -1,8 +1,8 @@
 """Finds the limits of a profile that a program exceeds.
 
-``api.py`` asks before anything is printed, and makes errors of the answers. ``availability.py``
-adds the way out where it follows from other profiles. ``lacks.py`` finds features that a profile
-lacks altogether.
+``entry_points.py`` asks before anything is printed, and makes errors of the answers.
+``availability.py`` adds the way out where it follows from other profiles. ``lacks.py`` finds
+features that a profile lacks altogether.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ...compiler.ir.stages import CAPTURE, COMPUTE, FRAGMENT, TARGET, VERTEX
 from ...compiler.ir.statements import Region
 from ...compiler.ir.types import Struct, width
 from ...compiler.passes.walks import visible
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.capabilities import (
     INSTANCES,
     SEVERAL_TARGETS,

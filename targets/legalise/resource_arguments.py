@@ -13,7 +13,7 @@ from ...compiler.ir.leaves import Buffer, Parameter, Resource
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage, StageName
 from ...compiler.passes.walks import visible
-from ...frozen import frozen
+from ...support.frozen import frozen
 from ..description.shading_language import Language
 
 

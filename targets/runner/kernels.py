@@ -18,7 +18,7 @@ from ...compiler.documents.values import ResultRow
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import RASTERISED
-from ...frozen import changed
+from ...support.frozen import changed
 from .drivers.draw_job import Draw, Job, Picture
 from .drivers.kernel_job import Dispatch, KernelJob, Written
 from .drivers.pipeline import Pipeline

@@ -1,7 +1,7 @@
 """The patches of a mesh, and the pattern into which each of them is divided.
 
-``expanding.py`` draws with them. A mesh may say which control points its patches have. Otherwise
-its triangles and edges are patches, and its grids have patches of any number of points.
+``expanded_draws.py`` draws with them. A mesh may say which control points its patches have.
+Otherwise its triangles and edges are patches, and its grids have patches of any number of points.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Finds the points, lines and triangles of a mesh, with the vertices next to them.
 
-``expanding.py`` draws with them where a material says what each of them turns into.
+``expanded_draws.py`` draws with them where a material says what each of them turns into.
 """
 
 from __future__ import annotations

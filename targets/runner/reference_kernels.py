@@ -1,7 +1,7 @@
 """Runs kernels over buffers by the reference: the results, and the bounds of a device's results.
 
-``feeding.py`` gives the bytes to drivers, and ``frames/by_reference.py`` the whole contents to
-other steps. ``compiler/reference/kernel.py`` computes the values.
+``kernel_results.py`` gives the bytes to drivers, and ``frames/by_reference.py`` the whole contents
+to other steps. ``compiler/reference/kernel.py`` computes the values.
 """
 
 from __future__ import annotations

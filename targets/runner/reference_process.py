@@ -19,7 +19,7 @@ from ...compiler.ir.node import Graph
 from ...compiler.ir.shader import Notes, Shader
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules
-from ...frozen import changed
+from ...support.frozen import changed
 from ..closing import Closing
 from ..toolchain.limits import WORKERS
 from ..toolchain.surroundings import python_worker

@@ -21,7 +21,7 @@ from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.values import LightRow, MemberRow, ParameterRow
 from ...compiler.reflection.roles import scene_names
-from ...frozen import changed
+from ...support.frozen import changed
 from .cameras import Camera, Matrix, looking
 from .instances.declared import Declared
 from .instances.host_values import HostValues

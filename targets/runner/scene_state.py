@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
 from .drivers.draw_job import Draw
-from .expanding import as_drawn
+from .expanded_draws import as_drawn
 from .instances.instance import Instance
 from .instances.shapes import stored_as
 from .mesh_buffers import give_mesh, mesh_rows

@@ -9,7 +9,7 @@ from ...compiler.constraints import Count, Nested, Positive, TypeScript
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.types import DIMENSION_WORDS, Dimension
-from ...frozen import frozen
+from ...support.frozen import frozen
 
 Value = Annotated[
     Any,

@@ -20,7 +20,7 @@ from ...compiler.budget import check
 from ...compiler.documents.drawing import VertexInputRow
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.stages import INSTANCES, VERTICES
-from ...frozen import changed
+from ...support.frozen import changed
 from ..runner.frames.host import FrameHost
 from ..runner.frames.scenery import WHOLE, Model
 from ..runner.instances.declared import Declared

@@ -8,7 +8,7 @@ from threading import Barrier
 
 import pytest
 
-from burnish.garbage import SELDOM, seldom_collected
+from burnish.support.garbage import SELDOM, seldom_collected
 
 from ..suite.processes import LIMIT, Background
 

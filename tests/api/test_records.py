@@ -10,7 +10,7 @@ from functools import cached_property
 
 import pytest
 
-from burnish.frozen import fresh, frozen, record
+from burnish.support.frozen import fresh, frozen, record
 
 
 @record

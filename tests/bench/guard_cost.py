@@ -17,12 +17,12 @@ from types import MappingProxyType
 from unittest.mock import patch
 
 import burnish
-from burnish.api import variants
+from burnish.api.entry_points import variants
 from burnish.compiler.passes import guard
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import Fact
 from burnish.stdlib.builtins.row import Domain
+from burnish.support.frozen import changed
 from burnish.targets.toolchain import Job, Toolchain, count_instructions, optimise
 
 from .table import Cell, Row, Section

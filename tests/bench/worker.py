@@ -23,8 +23,8 @@ from burnish.compiler.diagnostics.render import render_all
 HOOKS = (
     ("parse", "burnish.compiler.frontend", "Frontend.open_file"),
     ("semantics", "burnish.compiler.frontend", "Frontend.shaders"),
-    ("passes", "burnish.api", "stage"),
-    ("emission", "burnish.api", "emit"),
+    ("passes", "burnish.api.entry_points", "stage"),
+    ("emission", "burnish.api.entry_points", "emit"),
 )
 """The work of each phase: the function or method, at the place where its caller looks it up."""
 

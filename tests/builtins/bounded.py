@@ -19,7 +19,7 @@ from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.stdlib.builtins.accuracy import Platform
 from burnish.stdlib.builtins.overloads import Overload, Shape
 
-from .drawn import floats, integers
+from .on_devices import floats, integers
 from .overloads import first_map
 from .samples import SIDE, Floats
 

@@ -21,12 +21,12 @@ from burnish.compiler.reference.functions import evaluate
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.accuracy import Error
 from burnish.stdlib.builtins.overloads import Overload, Shape
-from burnish.targets.conformance.envelope import Envelope
+from burnish.targets.conformance.driver_accuracy import Envelope
 from burnish.targets.runner.routes import DRIVERS, ROUTES, Route
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 
-from .drawn import compiled, floats, returned
+from .on_devices import compiled, floats, returned
 from .overloads import programs
 from .samples import Floats
 
@@ -157,7 +157,8 @@ def _joined(samples: list[Sampled]) -> Sampled:
 HEAD = '''\
 """The largest errors that were found on each driver. ``tests/builtins/measure.py`` writes it.
 
-``envelope.py`` says what it is for, and the manual shows it beside what specifications promise.
+``driver_accuracy.py`` says what it is for, and the manual shows it beside what specifications
+promise.
 """
 
 from __future__ import annotations

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 
 from burnish.compiler.reference.functions import LaneKind, evaluate
 from burnish.compiler.reference.namespace import Lanes
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, Fact
 from burnish.stdlib.builtins.row import nowhere
+from burnish.support.frozen import changed
 
 LARGEST = 3.4028234663852886e38
 OVERFLOWING = {"exp", "exp2", "pow", "lit", "sinh", "cosh", "ldexp"}

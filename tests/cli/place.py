@@ -19,11 +19,11 @@ from ..suite import processes
 
 TOLD = """
 import sys
-from burnish.cli import main
+from burnish.commands.cli import main
 try:
     main()
 finally:
-    print("COMPILED" if "burnish.api" in sys.modules else "KNOWN", file=sys.stderr)
+    print("COMPILED" if "burnish.api.entry_points" in sys.modules else "KNOWN", file=sys.stderr)
 """
 
 

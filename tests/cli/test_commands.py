@@ -256,14 +256,14 @@ def test_a_command_that_is_misspelt() -> None:
 
 LOADED = """
 import sys
-from burnish.cli import main
+from burnish.commands.cli import main
 try:
     main()
 finally:
     print(*sys.modules, file=sys.stderr)
 """
 NEVER = {"numpy", "jsonschema", "watchfiles", "hypothesis", "lark", "burnish.targets.toolchain"}
-COMPILER = {"burnish.api", "burnish.compiler.frontend", "burnish.targets", "jinja2"}
+COMPILER = {"burnish.api.entry_points", "burnish.compiler.frontend", "burnish.targets", "jinja2"}
 
 
 def loaded(folder: Path, *arguments: str) -> set[str]:

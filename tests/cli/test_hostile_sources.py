@@ -21,7 +21,7 @@ SECONDS = 60.0
 MEASURED = """
 import resource
 from pathlib import Path
-from burnish.cli import main
+from burnish.commands.cli import main
 try:
     main()
 finally:

@@ -22,7 +22,7 @@ def unknown(_):
     raise KeyError
 
 pwd.getpwuid = unknown
-from burnish.cli import main
+from burnish.commands.cli import main
 main()
 """
 """Runs a command as a user without an entry in the password file."""
@@ -169,7 +169,7 @@ def test_a_first_process_can_be_ended(place: Path) -> None:
     """In a container, Burnish may have the number 1, for which the kernel ignores signals that
     nobody listens to: there is no number 1 to be had here, so signals are ignored beforehand.
     """
-    told = "import os, sys\nos.getpid = lambda: 1\nfrom burnish.cli import main\nmain()"
+    told = "import os, sys\nos.getpid = lambda: 1\nfrom burnish.commands.cli import main\nmain()"
     words = ["compile", "main.burnish", "-t", "wgsl", "-o", "out", "--watch"]
     line = ["/bin/sh", "-c", 'trap "" TERM; exec "$@"', "sh", sys.executable, "-c", told, *words]
 

@@ -143,7 +143,8 @@ def test_a_full_disk_leaves_the_old_output_alone(
 
 COUNTING = """
 import sys
-from burnish import api, cli
+from burnish.commands import cli
+from burnish.api import entry_points as api
 
 compile = api.compile
 

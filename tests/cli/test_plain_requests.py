@@ -11,7 +11,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from burnish.commands.compile import compile_
-from burnish.commands.compile_options import OPTIONS, Option, Request, plain_request
+from burnish.commands.compile_options import OPTIONS, CompileRequest, Option, plain_request
 
 from .kit import PLAIN, shell
 
@@ -20,12 +20,12 @@ NAMES = [name for row in OPTIONS if row.metavar for name in row.names]
 VALUES = ["m.burnish", "out", "-", "a,b", "-t", "--", "", "=", "x=y", "a b", "ü", "@file", "--rig"]
 
 
-def read_by_click(words: list[str]) -> Request | None:
+def read_by_click(words: list[str]) -> CompileRequest | None:
     """The request in a command line; ``None`` if click ends with a message."""
     try:
         with compile_.make_context("compile", list(words)) as context:
             chosen = dict(context.params)
-            return None if chosen.pop("watch") else Request(**chosen)
+            return None if chosen.pop("watch") else CompileRequest(**chosen)
     except (click.UsageError, click.exceptions.Exit):
         return None
 

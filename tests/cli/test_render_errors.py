@@ -338,7 +338,9 @@ def test_missing_packages(module: str, lack: str, command: str, folder: Path) ->
 
 def without(module: str, *arguments: str) -> CompletedProcess[str]:
     """A command where a package is not installed."""
-    code = f"import sys; sys.modules[{module!r}] = None; from burnish.cli import main; main()"
+    code = (
+        f"import sys; sys.modules[{module!r}] = None; from burnish.commands.cli import main; main()"
+    )
     return run([sys.executable, "-c", code, *arguments])
 
 

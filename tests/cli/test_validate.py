@@ -9,7 +9,7 @@ import pytest
 import burnish
 from burnish.commands.validate import validate
 from burnish.compiler.diagnostics.render import render_all
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 from .kit import PLAIN, invoke, tree
 

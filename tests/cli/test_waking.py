@@ -8,14 +8,14 @@ import threading
 
 import pytest
 
-from burnish import cli
+from burnish.commands import cli
 
 from ..suite.processes import started
 
 WAITING = """
 import signal, sys
 from threading import Event, Thread
-from burnish import cli
+from burnish.commands import cli
 from burnish.commands import compilation, group
 
 def tell():

@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.scene import Scene

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.diagnostics.source import Span
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.closing import Closing

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import burnish
-from burnish import api
-from burnish.api import CompiledMaterial
+from burnish.api import entry_points as api
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.operations import CALL
 from burnish.targets.conformance.conform import conform

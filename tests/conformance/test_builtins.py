@@ -14,13 +14,13 @@ import pytest
 
 from burnish.stdlib.builtins.accuracy import Platform
 from burnish.stdlib.builtins.overloads import COMPUTING, Overload, overloads
-from burnish.targets.conformance.envelope import MARGIN
+from burnish.targets.conformance.driver_accuracy import MARGIN
 from burnish.targets.conformance.measured import ENVELOPES
 from burnish.targets.runner.routes import DRIVERS, ROUTES, Route
 
 from ..builtins.bounded import operands_at, results
-from ..builtins.drawn import compiled, returned
 from ..builtins.measure import FUNCTIONS, measure
+from ..builtins.on_devices import compiled, returned
 from ..builtins.overloads import Program, programs
 from ..builtins.samples import Floats
 from .kit import Studio

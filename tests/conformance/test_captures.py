@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir import build
 from burnish.compiler.ir.types import BOOL, UINT
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.capturing import Vertices, capture

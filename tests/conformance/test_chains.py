@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.stages import TESSELLATED_EXPANDED
 from burnish.compiler.passes.expanded_corners import CellCorners
 from burnish.compiler.reference import tessellation as reference
-from burnish.targets.runner import expanding
+from burnish.targets.runner import expanded_draws as expanding
 from burnish.targets.runner.meshes import Indices, plane
 from burnish.targets.runner.patches import pattern
 from burnish.targets.runner.routes import ROUTES

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.documents.drawing import MeshInputRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Graph, Node
@@ -24,8 +24,8 @@ from burnish.compiler.passes import corners_in_buffer
 from burnish.compiler.passes.mesh_buffers import member_name
 from burnish.targets import registry
 from burnish.targets.description.capabilities import buffers_of
-from burnish.targets.runner import expanding
-from burnish.targets.runner.expanding import _values
+from burnish.targets.runner import expanded_draws as expanding
+from burnish.targets.runner.expanded_draws import _values
 from burnish.targets.runner.meshes import Indices, plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs

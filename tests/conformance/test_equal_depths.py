@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import burnish
-from burnish.compiled import CompiledMaterial, OutputFile
-from burnish.frozen import changed
+from burnish.api.compiled import CompiledMaterial, OutputFile
+from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.frames.host import FrameSubject

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish import api
+from burnish.api import entry_points as api
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax import ast

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.targets.conformance import frames
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row

@@ -11,7 +11,7 @@ import burnish
 from burnish.targets.conformance.explaining import made_lines
 from burnish.targets.conformance.frames import FramePlan
 from burnish.targets.runner.drivers.device import Device
-from burnish.targets.runner.frames.following import BEFORE, Carried, Made
+from burnish.targets.runner.frames.pixel_origins import BEFORE, Carried, Origin
 from burnish.targets.runner.routes import ROUTES
 
 SIZE = (8, 4)
@@ -44,7 +44,7 @@ pass Added : FullScreen blend add {
 """
 
 
-def made(frame: str, pixel: tuple[int, int] = (3, 1), case: str = "value") -> Made | None:
+def made(frame: str, pixel: tuple[int, int] = (3, 1), case: str = "value") -> Origin | None:
     """The explanation of a pixel of the output ``value``."""
     (found,) = burnish.compile(f"{PASSES}\nframe F {{ {frame} }}", "glsl:vulkan").frames
     return FramePlan("F", found, SIZE).made(case, ROUTE, DEVICE, "guaranteed", pixel)
@@ -162,7 +162,7 @@ def test_of_several_samples_the_mean_is_followed() -> None:
 
 def test_the_words() -> None:
     read = (Carried("map", "deep.color", 2e-4), Carried("", BEFORE, 0.25))
-    text = list(made_lines(Made("lit", 0.25, read, 1e-7, None)))
+    text = list(made_lines(Origin("lit", 0.25, read, 1e-7, None)))
     assert text == [
         "the step `lit` has made it, and its bounds are 0.25 apart",
         "",

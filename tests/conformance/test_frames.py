@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details

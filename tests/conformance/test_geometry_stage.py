@@ -16,14 +16,14 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.expansion import Expansion
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.primitives import CORNERS
 from burnish.compiler.passes.lower_expansion import EmittedNumbers, _Lowering
 from burnish.targets.conformance.cases import series_of
-from burnish.targets.runner import expanding
-from burnish.targets.runner.expanding import _values
+from burnish.targets.runner import expanded_draws as expanding
+from burnish.targets.runner.expanded_draws import _values
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs

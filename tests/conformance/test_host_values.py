@@ -13,7 +13,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.draw_job import Job

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import Comparison, compare
 from burnish.targets.conformance.contents import to_targets

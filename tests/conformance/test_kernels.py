@@ -14,7 +14,7 @@ from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.values import ResultRow
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.conformance.cases import series_of
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
@@ -80,7 +80,7 @@ def _half_the_groups(
 
 
 def _first_column(self: Any, expressions: Any, store: Any, value: Any) -> Any:
-    return STORE(self, expressions, burnish.frozen.changed(store, offset=0), value)
+    return STORE(self, expressions, burnish.support.frozen.changed(store, offset=0), value)
 
 
 def _joined_as(**others: Any) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.semantics.shading import rigs
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh

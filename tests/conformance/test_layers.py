@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.documents.drawing import LayersRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.types import BOOL
 from burnish.compiler.passes import lower_expansion
 from burnish.compiler.semantics.shading import elaborate
-from burnish.compiler.semantics.shading.layers import layer_of
-from burnish.frozen import changed
+from burnish.compiler.semantics.shading.passes.layers import layer_of
+from burnish.support.frozen import changed
 from burnish.targets.runner import binding, layers, runner
 from burnish.targets.runner.drivers.draw_job import Draw
 from burnish.targets.runner.meshes import plane

@@ -13,7 +13,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene

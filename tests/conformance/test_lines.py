@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.reference.picture import lines as lines_module
 from burnish.compiler.reference.picture.scene import Bools, Lines

@@ -18,17 +18,18 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.stages import TESSELLATED_CHAIN
 from burnish.compiler.ir.tessellation import PATCH_KINDS, PatchKind, Spacing
 from burnish.compiler.reference import tessellation as reference
 from burnish.compiler.reference.tessellation import patterns
 from burnish.compiler.reference.tessellation.stitching import between_rings
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.description.shading_language import Language
 from burnish.targets.emit.fields import Fields
 from burnish.targets.emit.views import TessellationView
-from burnish.targets.runner import binding, expanding
+from burnish.targets.runner import binding
+from burnish.targets.runner import expanded_draws as expanding
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.meshes import Indices, plane, sphere
 from burnish.targets.runner.patches import pattern

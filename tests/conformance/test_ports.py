@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping
 import pytest
 
 import burnish
-from burnish import api
-from burnish.api import CompiledMaterial
+from burnish.api import entry_points as api
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES, Route

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.instances.instance import Instance

@@ -12,7 +12,7 @@ import pytest
 
 import burnish
 from burnish.compiler.documents.values import MemberRow, ParameterRow
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.conformance.sample import sample_textures, sample_values
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import sphere

@@ -18,7 +18,7 @@ import pytest
 from numpy.typing import NDArray
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.stages import STAGES
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one

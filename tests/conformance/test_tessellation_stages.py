@@ -16,8 +16,8 @@ from itertools import pairwise, product
 import numpy as np
 import pytest
 
-from burnish.api import _compiled
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
+from burnish.api.entry_points import _compiled
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.shader import RenderTarget, Result, Shader

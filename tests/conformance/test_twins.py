@@ -19,7 +19,7 @@ import pytest
 from numpy.typing import NDArray
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import compare

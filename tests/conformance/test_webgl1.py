@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish import api
+from burnish.api import entry_points as api
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import EVERY_ROUTE, ROUTES, select

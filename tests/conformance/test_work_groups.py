@@ -11,8 +11,8 @@ import pytest
 
 import burnish
 from burnish.compiler.reference import in_groups
-from burnish.frozen import changed
 from burnish.stdlib.builtins.row import OfGroup
+from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.explaining import with_reasons
 from burnish.targets.conformance.summary import details

@@ -6,7 +6,7 @@ import pytest
 
 import burnish
 from burnish.commands.explain.command import told
-from burnish.commands.explain.programs import Shown, every_shown
+from burnish.commands.explain.programs import ShownProgram, every_shown
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
 from burnish.compiler.diagnostics.render import render_all
@@ -30,19 +30,19 @@ def test_every_code_is_shown_or_says_why_not() -> None:
 
 
 @pytest.mark.parametrize("entry", PROGRAMS, ids=lambda entry: entry.code)
-def test_the_wrong_program_is_told_this_and_nothing_else(entry: Shown) -> None:
+def test_the_wrong_program_is_told_this_and_nothing_else(entry: ShownProgram) -> None:
     found = told(entry.wrong, entry.targets)
     assert [one.rule.code for one in found] == [entry.code], render_all(found)
 
 
 @pytest.mark.parametrize("entry", PROGRAMS, ids=lambda entry: entry.code)
-def test_the_right_program_compiles_and_is_told_nothing(entry: Shown) -> None:
+def test_the_right_program_compiles_and_is_told_nothing(entry: ShownProgram) -> None:
     found = burnish.check(entry.right) or told(entry.right, entry.targets or DEFAULT)
     assert not found, render_all(found)
 
 
 @pytest.mark.parametrize("entry", PROGRAMS, ids=lambda entry: entry.code)
-def test_programs_can_be_read_at_a_glance(entry: Shown) -> None:
+def test_programs_can_be_read_at_a_glance(entry: ShownProgram) -> None:
     for program in (entry.wrong, entry.right):
         assert len(program.splitlines()) <= 16
         assert all(len(line) <= 100 for line in program.splitlines())

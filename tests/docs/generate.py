@@ -12,7 +12,7 @@ from itertools import groupby
 from pathlib import Path
 from textwrap import indent
 
-from burnish.commands.explain.programs import Shown, every_shown
+from burnish.commands.explain.programs import ShownProgram, every_shown
 from burnish.compiler.budget import LIMITS, amount_with_unit
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Rule
@@ -103,7 +103,7 @@ def diagnostics_page() -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _programs(entry: Shown) -> Iterator[str]:
+def _programs(entry: ShownProgram) -> Iterator[str]:
     """The programs of a diagnostic as indented code, which no snippet's test runs once more."""
     if entry.reason:
         yield f"No program shows this. {entry.reason}\n"

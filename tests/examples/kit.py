@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.ir.stages import STAGES

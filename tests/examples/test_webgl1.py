@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.toolchain import Job, Toolchain
 
 from .kit import VARIANTS, jobs_of

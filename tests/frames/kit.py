@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import burnish
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.compiler.documents.plan import InputRow, PlanStep
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.compiler.documents.plan import DrawStep, FramePlan, PlanStep, RunStep, WaitingRow
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.writing import to_json
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.runner.frames.checking import PlanError, check_plan
 
 from .changes import changes

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from burnish.compiler.documents.plan import DrawStep, FramePlan
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.compiler.documents.plan import FramePlan
 from burnish.compiler.documents.reading import ShapeError, read
 from burnish.compiler.documents.writing import to_json

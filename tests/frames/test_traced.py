@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.api import CompiledFrame
+from burnish.api.entry_points import CompiledFrame
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import burnish
-from burnish import api
-from burnish.api import CompiledMaterial
+from burnish.api import entry_points as api
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.node import Node

@@ -9,8 +9,8 @@ from contextlib import suppress
 from itertools import count
 
 import burnish
+from burnish.api.compiled import CompiledFrame, CompiledMaterial
 from burnish.commands.graph.command import as_svg
-from burnish.compiled import CompiledFrame, CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from burnish.compiler.diagnostics.render import render_all
 from burnish.targets.toolchain import Job, Toolchain

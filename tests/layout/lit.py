@@ -47,7 +47,7 @@ from burnish.compiler.ir.types import (
     Texture,
 )
 from burnish.compiler.layout import layout_blocks
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 HERE = Span(Source("lit.burnish", ""), 0, 0)
 

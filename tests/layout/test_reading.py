@@ -13,7 +13,7 @@ from burnish.compiler.documents.plan import FramePlan
 from burnish.compiler.documents.reading import MOST, ShapeError, read
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.writing import to_json
-from burnish.frozen import frozen
+from burnish.support.frozen import frozen
 
 from ..fuzz.hostile.plans import NAMES, received
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.api import variants
+from burnish.api.entry_points import variants
 from burnish.compiler.documents.values import BlockMember, StructMember
 from burnish.tests.examples.kit import EXAMPLES
 

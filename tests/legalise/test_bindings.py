@@ -8,7 +8,7 @@ import pytest
 
 import burnish
 from burnish.compiler.documents.backends import BindingRow
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.legalise.bindings import BindingSlot, assign_bindings
 from tests.targets.kit import PROFILES, Selected
 from tests.targets.programs import plastic

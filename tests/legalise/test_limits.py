@@ -7,7 +7,7 @@ import pytest
 import burnish
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.ir.stages import VERTEX
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.legalise.lacks import Lack, lacks
 from burnish.targets.legalise.limits import Excess, excesses

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.emit.emitter import Emission, emit
 from burnish.targets.legalise.forms import form_for

@@ -25,9 +25,9 @@ from pathlib import Path
 import numpy as np
 
 import burnish
-from burnish import api
-from burnish.api import CompiledMaterial
-from burnish.frozen import changed
+from burnish.api import entry_points as api
+from burnish.api.entry_points import CompiledMaterial
+from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.routes import ROUTES

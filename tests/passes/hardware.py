@@ -18,10 +18,10 @@ from burnish.compiler.ir.operations import NATIVE
 from burnish.compiler.ir.types import Matrix, Scalar, Type, Vector, scalar_kind
 from burnish.compiler.reference import operations
 from burnish.compiler.reference.namespace import Lanes, Namespace
-from burnish.frozen import EMPTY
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL, UNIT_SLACK, Fact
 from burnish.stdlib.builtins.row import Domain
+from burnish.support.frozen import EMPTY
 
 GARBAGE = 0x5EED
 """The result of an integer operation outside of its domain; that of a float operation is NaN."""

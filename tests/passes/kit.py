@@ -37,13 +37,13 @@ from burnish.compiler.passes.lower_stages import lower_stages
 from burnish.compiler.passes.pipeline import Options, Staged
 from burnish.compiler.reference import scalars
 from burnish.compiler.reference.evaluate import Evaluator
+from burnish.compiler.reference.held_values import stored
 from burnish.compiler.reference.namespace import Binary, Lanes, WorkGroups
 from burnish.compiler.reference.storage_buffers import BufferReader, Contents
-from burnish.compiler.reference.stored import stored
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact
 from burnish.stdlib.builtins.row import anything
+from burnish.support.frozen import changed
 
 TRAPS = (0.0, -0.0, 1.0, -1.0, 1e-40, -1e-30, 2.0, 0.5)
 LARGEST_INT = 2**31 - 1

@@ -1,6 +1,6 @@
 """The positions that several passes over one material compute, to be compared.
 
-``test_apart.py`` asks about all examples, and ``tests/fuzz`` about random programs.
+``test_invariant_results.py`` asks about all examples, and ``tests/fuzz`` about random programs.
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Binder, Formal, Node, formals_of
 from burnish.compiler.ir.stages import CLIP_POSITION
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 PASSES = """
 pass Early {

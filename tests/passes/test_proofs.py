@@ -13,10 +13,10 @@ from burnish.commands.graph.why import written
 from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.passes import guard
 from burnish.compiler.passes.pipeline import Options, stage
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from burnish.stdlib.builtins.row import Builtin
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise

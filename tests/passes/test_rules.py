@@ -37,9 +37,9 @@ from burnish.compiler.passes.simplify import Simplifier
 from burnish.compiler.reference.evaluate import evaluate
 from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.operations import apply, constant_lanes
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import LARGEST_FLOAT
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise

@@ -29,7 +29,7 @@ from burnish.compiler.ir.stages import (
 from burnish.compiler.ir.tessellation import PATCH_KINDS, Tessellation
 from burnish.compiler.ir.types import FLOAT, INT, VEC3, VEC4
 from burnish.compiler.ir.verify import InvalidGraphError, verify, verify_levels, verify_results
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 from .toy import HERE, Toy
 

@@ -43,7 +43,7 @@ from burnish.compiler.ir.types import FLOAT, INT, UINT, VEC2, VEC3, VEC4
 from burnish.compiler.ir.verify import InvalidGraphError, verify
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reflection import reflect
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.spellings import PipelineInput
 from burnish.targets.emit.emitter import emit

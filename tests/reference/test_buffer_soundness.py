@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import BUFFER
 from burnish.compiler.ir.scattering import scattered

@@ -19,8 +19,8 @@ from burnish.compiler.reference.picture import (
     instanced,
     stage_evaluation,
 )
-from burnish.frozen import changed
 from burnish.stdlib.builtins.accuracy import INTERPOLATED_BITS
+from burnish.support.frozen import changed
 
 from ..passes.kit import history
 from .kit import columns, few_ulps, geometry, moved, perspective, picture, shader, sphere

@@ -14,8 +14,8 @@ import pytest
 from numpy.typing import NDArray
 
 import burnish
-from burnish import api
-from burnish.api import CompiledMaterial
+from burnish.api import entry_points as api
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.ir.node import reachable
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.reference.picture import Expected, RasterRules

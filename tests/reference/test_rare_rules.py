@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from burnish.compiler.reference.picture import Expected, Geometry, RasterRules
 from burnish.compiler.reference.picture.scene import LEVEL_EDGES, LINES, RARE, ROWS
-from burnish.targets.conformance.once import Known
+from burnish.targets.conformance.known_values import Known
 
 from .kit import picture, shader
 

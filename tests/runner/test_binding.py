@@ -9,7 +9,7 @@ import pytest
 import burnish
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.ir.formats import VERTEX_FORMATS, VertexFormat
-from burnish.compiler.semantics.shading.formats import FORMATS as TARGET_FORMATS
+from burnish.compiler.semantics.shading.passes.formats import FORMATS as TARGET_FORMATS
 from burnish.targets.runner.binding import EXACT, FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers.pipeline import Code, VertexInput

@@ -18,7 +18,7 @@ from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.compiler.reflection.parameters import Places, parameter_row
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 from ..layout.declarations import parameters, values
 from ..layout.evaluate import evaluate

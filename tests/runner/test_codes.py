@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.runner.codes import CodeError, Codes, Request, compile_all, compile_one
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.toolchain import Job, Toolchain, Verdict, count_instructions, optimise

@@ -24,7 +24,7 @@ from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matri
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
-from burnish.compiler.reference.stored import stored
+from burnish.compiler.reference.held_values import stored
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
 from burnish.targets.runner.instances.derived import Inputs, compute

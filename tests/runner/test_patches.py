@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.runner.expanding import as_drawn
+from burnish.targets.runner.expanded_draws import as_drawn
 from burnish.targets.runner.instances.host_values import MissingValuesError
 from burnish.targets.runner.meshes import Mesh, MeshError, mesh
 from burnish.targets.runner.patches import patches, pattern

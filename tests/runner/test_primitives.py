@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.runner.expanding import as_drawn
+from burnish.targets.runner.expanded_draws import as_drawn
 from burnish.targets.runner.meshes import MESHES, Mesh, MeshError, mesh
 from burnish.targets.runner.primitives import PRIMITIVES, primitives
 from burnish.targets.runner.scene import vertex_data, with_inputs

@@ -13,7 +13,7 @@ COMPILE = """
 import sys
 import burnish
 burnish.compile("material M { color = vec3(1) }", targets=("wgsl",)).materials[0].reflection
-for name in ("numpy", "click", "burnish.cli", "burnish.targets.glsl"):
+for name in ("numpy", "click", "burnish.commands.cli", "burnish.targets.glsl"):
     assert name not in sys.modules, name
 for name in ("syntax_errors", "advice", "token_view", "foreign_choices", "foreign_syntax"):
     assert f"burnish.compiler.syntax.{name}" not in sys.modules, name
@@ -28,7 +28,7 @@ def test_compiling_loads_only_what_it_needs() -> None:
 
 COMMAND = """
 import sys
-from burnish.cli import main
+from burnish.commands.cli import main
 try:
     main()
 except SystemExit as ended:
@@ -39,7 +39,7 @@ for name in ("numpy", "PIL", *(f"burnish.targets.{part}" for part in drawing)):
     assert name not in sys.modules, name
 """
 STARTING = """
-for name in ("jinja2", "burnish.api", "burnish.compiler.frontend"):
+for name in ("jinja2", "burnish.api.entry_points", "burnish.compiler.frontend"):
     assert name not in sys.modules, name
 """
 

@@ -73,7 +73,7 @@ def test_content(wheel: Path) -> None:
     }
     top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")}
     top -= {"burnish/setup.py", "burnish/generate.py"}
-    assert {"burnish/__init__.py", "burnish/api.py", "burnish/cli.py"} <= top
+    assert {"burnish/__init__.py", "burnish/__main__.py"} <= top
     generated = {f"burnish/generated/{name}.py" for name in GENERATED}
     assert packed == wanted | top | generated | {"burnish/py.typed"}
 
@@ -118,7 +118,7 @@ def unknown(_):
 pwd.getpwuid = unknown
 import burnish
 assert burnish.__file__.startswith(sys.prefix), burnish.__file__
-from burnish.cli import main
+from burnish.commands.cli import main
 try:
     main()
 finally:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.stages import COMPUTE, CONTROL, GEOMETRY
 
 

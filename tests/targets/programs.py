@@ -50,7 +50,7 @@ from burnish.compiler.ir.types import (
     Texture,
     Type,
 )
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 
 SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, TallMatrix(3): 48, Matrix(4): 64}
 

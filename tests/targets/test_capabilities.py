@@ -6,7 +6,7 @@ import pytest
 from _pytest.mark import ParameterSet
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.targets.availability import way_out, with_as_many
 from burnish.targets.description.capabilities import (

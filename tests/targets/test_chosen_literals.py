@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import count
 
 import burnish
-from burnish.compiled import CompileResult
+from burnish.api.compiled import CompileResult
 from burnish.compiler.ir.types import Scalar
 from burnish.stdlib.builtins import BUILTINS
 from burnish.targets.toolchain import Job, Toolchain, Verdict

@@ -33,10 +33,10 @@ from burnish.compiler.ir.types import (
     width,
 )
 from burnish.compiler.passes.pipeline import Options, stage
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import LARGEST_FLOAT
 from burnish.stdlib.builtins.row import Builtin
+from burnish.support.frozen import changed
 from burnish.targets.emit.emitter import emit
 from burnish.targets.legalise.legalise import legalise
 from burnish.targets.toolchain import Job, Toolchain

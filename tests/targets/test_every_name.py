@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish import api
+from burnish.api import entry_points as api
 from burnish.compiler.passes.checkpoint import VARIABLE
 from burnish.targets import registry
 from burnish.targets.emit.own_words import taken_words

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from burnish.compiler.ir.stages import RASTERISED
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.description.faults import LanguageError, check, faults
 from burnish.targets.description.forms import Forms

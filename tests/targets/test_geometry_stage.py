@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.diagnostics.render import render
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.toolchain import Toolchain

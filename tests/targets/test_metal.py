@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish import api
+from burnish.api import entry_points as api
 from burnish.compiler.ir.program import Block
 from burnish.targets import registry
 from burnish.targets.emit.names import Names

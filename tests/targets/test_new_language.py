@@ -14,7 +14,7 @@ import pytest
 
 import burnish
 import burnish.targets
-from burnish import api
+from burnish.api import entry_points as api
 from burnish.targets import registry
 
 from ..cli.kit import invoke

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.api import variants
+from burnish.api.entry_points import variants
 from burnish.compiler.ir.stages import STAGES
 from burnish.targets import registry
 from burnish.targets.emit.namer import Namer

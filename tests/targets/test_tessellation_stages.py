@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.api import _compiled
-from burnish.compiled import CompiledMaterial
+from burnish.api.compiled import CompiledMaterial
+from burnish.api.entry_points import _compiled
 from burnish.compiler.diagnostics.render import render
 from burnish.compiler.ir.stages import CONTROL
 from burnish.compiler.passes.pipeline import Options, stage

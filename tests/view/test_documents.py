@@ -13,7 +13,7 @@ import pytest
 from burnish.commands.view.documents import Documents, choice_of
 from burnish.commands.view.keeping import Keeping
 from burnish.commands.view.pictures import Pictures
-from burnish.commands.view.request import Request
+from burnish.commands.view.request import ViewRequest
 
 from ..scenes.kit import triangle
 
@@ -22,7 +22,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 def document(file: Path, query: dict[str, str] | None = None, **options: Any) -> dict[str, Any]:
     """The document of a page that asks for something of a file."""
-    request = Request(
+    request = ViewRequest(
         file=file,
         mesh="cube",
         scene=options.get("scene"),

@@ -14,7 +14,8 @@ from .kit import FLAT, Viewer, viewing
 
 ENDLESS = """
 import sys
-from burnish import api, cli
+from burnish.commands import cli
+from burnish.api import entry_points as api
 
 made = api.declared
 quick = int(sys.argv.pop(1))

@@ -41,7 +41,7 @@ def test_the_page_and_its_parts(viewer: Viewer) -> None:
 def test_nothing_but_the_page_is_served(viewer: Viewer) -> None:
     for path in (
         "/flat.burnish", "/../flat.burnish", "/%2e%2e/flat.burnish", "/etc/passwd", "//etc/passwd",
-        "/web_view/../../api.py", "/web_view/controls.py", "/web_host/package.py", "/web_view/",
+        "/web_view/../../setup.py", "/web_view/controls.py", "/web_host/package.py", "/web_view/",
         "/web_host/datum.d.ts", "/web_host/generated/documents.d.ts", "/web_host/package.json",
     ):  # fmt: skip
         assert viewer.ask(path).status == 404, path

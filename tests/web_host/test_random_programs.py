@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.api import CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.sample import sample_buffers, sample_textures, sample_values
 from burnish.targets.runner.binding import pipeline

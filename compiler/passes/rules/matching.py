@@ -14,7 +14,7 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from ....frozen import changed, frozen
+from ....support.frozen import changed, frozen
 from ...ir.node import HEADS, SPECIAL, Node, Op
 from ...ir.signatures import result_type
 from ...ir.types import Type

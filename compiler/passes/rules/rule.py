@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Hashable
 from functools import cached_property
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...ir.node import Node, Op
 from ...ir.types import Type
 from .builder import Builder

@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from typing import Any
 
-from ....frozen import changed, frozen
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.facts import Fact
+from ....support.frozen import changed, frozen
 from ...ir.build import Number
 from ...ir.comparisons import HOLDS
 from ...ir.node import HEADS, SPECIAL, Node

@@ -22,7 +22,7 @@ from ..operations import apply
 from ..picture.scene import Floats
 from .jumps import Jump, by_lane, coordinates, jump_at, rule_of
 from .local_errors import LocalErrors, flat
-from .pixel import Occurrence, PixelShader, Reader
+from .pixel import AttributionReader, Occurrence, PixelShader
 
 AT_ONCE = 256
 """The number of ways evaluated at once: few, so that their values stay in the CPU's cache."""
@@ -64,7 +64,7 @@ class Site:
     @property
     def reads(self) -> bool:
         """True if it reads a texture."""
-        return bool(self.given) and isinstance(self.given[0][0], Reader)
+        return bool(self.given) and isinstance(self.given[0][0], AttributionReader)
 
     @property
     def contribution(self) -> Floats:

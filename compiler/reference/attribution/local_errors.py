@@ -20,7 +20,7 @@ from ..operations import apply
 from ..picture.quads import Barycentric
 from ..picture.scene import Derivatives
 from ..picture.stage_evaluation import DERIVATIVE_AXES
-from .pixel import Reader
+from .pixel import AttributionReader
 
 
 def flat(value: Any) -> Iterator[Lane]:
@@ -83,7 +83,7 @@ def _exact(lanes: Any) -> Any:
         _exact(lane)
         if isinstance(lane, tuple)
         else lane
-        if isinstance(lane, Reader)
+        if isinstance(lane, AttributionReader)
         else exact(lane[:1] if np.ndim(lane) else lane)
         for lane in lanes
     )

@@ -93,7 +93,7 @@ class PixelShader:
         self._targets = tuple(result.value for result in shader.results_of(TARGET))
         self._discard = next((result.value for result in shader.results_of(DISCARD)), None)
         read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
-        self._readers = {r: Reader(textures[r.name], r, rules) for r in read}
+        self._readers = {r: AttributionReader(textures[r.name], r, rules) for r in read}
         vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
         faces = faces_of(
             vertices.positions, geometry.triangles, rules, vertices.off, shader.render_state
@@ -214,7 +214,7 @@ class PixelShader:
         )
 
 
-class Reader:
+class AttributionReader:
     """Reads a texture without rounding; or, at coordinates with bounds, as a device may."""
 
     def __init__(self, texels: Texels, resource: Resource, rules: RasterRules) -> None:

@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ..transfer import decode_srgb, encode_srgb
 from .scene import Floats
 

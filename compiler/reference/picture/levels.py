@@ -25,19 +25,21 @@ _TINY = 2.0**-60
 
 
 @dataclass(frozen=True, slots=True)
-class Steps:
+class CoordinateSteps:
     """The changes of a coordinate from one pixel to the next."""
 
     across: Sequence[Bounded]
     down: Sequence[Bounded]
 
-    def at(self, part: Part) -> Steps:
+    def at(self, part: Part) -> CoordinateSteps:
         """The steps of some pixels."""
         return self.mapped(lambda lane: lane_at(part, lane))
 
-    def mapped(self, change: Callable[[Bounded], Bounded]) -> Steps:
+    def mapped(self, change: Callable[[Bounded], Bounded]) -> CoordinateSteps:
         """The steps with each lane changed."""
-        return Steps([change(lane) for lane in self.across], [change(lane) for lane in self.down])
+        return CoordinateSteps(
+            [change(lane) for lane in self.across], [change(lane) for lane in self.down]
+        )
 
 
 def named(image: Image, level: Bounded) -> Bounded:
@@ -50,13 +52,13 @@ def named(image: Image, level: Bounded) -> Bounded:
     return _limited(image, Bounded(level.value, low, high))
 
 
-def differences(coordinate: Sequence[Bounded], image: Image) -> Steps:
+def differences(coordinate: Sequence[Bounded], image: Image) -> CoordinateSteps:
     """The steps between the pixels of quads, (quads, 1, 1); the exact ones are at the first pixel.
 
     Without quads (…, 2, 2) nothing changes.
     """
     across, down = ([_difference(lane, axis, image) for lane in coordinate] for axis in (-1, -2))
-    return Steps(across, down)
+    return CoordinateSteps(across, down)
 
 
 def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
@@ -76,7 +78,7 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
     return Bounded(first_step.value, low[..., None, None], high[..., None, None])
 
 
-def of_steps(image: Image, steps: Steps) -> Bounded:
+def of_steps(image: Image, steps: CoordinateSteps) -> Bounded:
     """The level for these steps, in units of the texture or face."""
     sizes = image.first_sizes
     footprint = largest([_length(lanes, sizes, image) for lanes in (steps.across, steps.down)])
@@ -85,7 +87,7 @@ def of_steps(image: Image, steps: Steps) -> Bounded:
     return _rounded(image, level)
 
 
-def on_surface(image: Image, steps: Steps) -> Bounded:
+def on_surface(image: Image, steps: CoordinateSteps) -> Bounded:
     """The level if a point on a cube's surface moves by this much, along three axes.
 
     Vulkan does not define this. SwiftShader adds the two axes with the largest changes, takes the
@@ -116,7 +118,9 @@ def first_row(rules: RasterRules) -> slice:
     return slice(-1, None) if rules.bottom_up else slice(1)
 
 
-def scaled(direction: Sequence[Bounded], steps: Steps, rules: RasterRules) -> Steps:
+def scaled(
+    direction: Sequence[Bounded], steps: CoordinateSteps, rules: RasterRules
+) -> CoordinateSteps:
     """The steps of a direction, as a quad's first pixel scales them onto a cube's surface."""
     out = increasing(lambda x: 2 * _at_least_tiny(x), largest([abs(lane) for lane in direction]))
     if out.ndim == 3:

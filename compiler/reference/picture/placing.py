@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...ir.leaves import Attribute, Buffer, Parameter, Resource
 from ...ir.node import Binder, Formal, Node, formals_of
 from ...ir.operations import INPUT

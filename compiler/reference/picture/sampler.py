@@ -19,7 +19,7 @@ from .choices import Choice, Part, hull_of_choices, sure, with_hull
 from .cube import may_be_nowhere, met
 from .filtering import Filter, Place
 from .intervals import finite, increasing
-from .levels import Steps
+from .levels import CoordinateSteps
 from .scene import Floats, Ints
 from .texels import Image
 
@@ -53,7 +53,7 @@ class TextureReader:
 
     def _sample_grad(self, *operands: Lanes) -> Lanes:
         *where, across, down = operands
-        steps = Steps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
+        steps = CoordinateSteps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
         if self._moves_on_surface:
             coordinate = [finite(lane) for lane in where[0]]
             steps = levels.scaled(coordinate, steps, self._image.rules)
@@ -119,7 +119,7 @@ class TextureReader:
         """True if the level follows from the movement on a cube's surface, and not in its face."""
         return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
 
-    def _colours(self, where: Sequence[Lanes], level: Bounded | Steps) -> Lanes:
+    def _colours(self, where: Sequence[Lanes], level: Bounded | CoordinateSteps) -> Lanes:
         """The filtered colours at a coordinate in a level, or in the one that steps lead to."""
         image = self._image
         filter_ = Filter(image, image.state["filter"])
@@ -127,9 +127,9 @@ class TextureReader:
             return tuple(remembered(filter_.of_equal(texel)) for texel in image.only)
         if image.has_one_level:
             return self._read(filter_, where)
-        if isinstance(level, Steps) and self._moves_on_surface:
+        if isinstance(level, CoordinateSteps) and self._moves_on_surface:
             level = levels.on_surface(image, level)
-        elif isinstance(level, Steps) and image.type.dimension != "cube":
+        elif isinstance(level, CoordinateSteps) and image.type.dimension != "cube":
             level = levels.of_steps(image, level)
         return self._read(filter_, where, level)
 
@@ -137,13 +137,13 @@ class TextureReader:
         self,
         filter_: Filter,
         where: Sequence[Lanes],
-        level: Bounded | Steps | None = None,
+        level: Bounded | CoordinateSteps | None = None,
         reference: Bounded | None = None,
     ) -> Lanes:
         """A read at a coordinate and, for an array, a layer; the first level if none is given."""
         axes = [finite(lane) for lane in where[0]]
         layer = as_bounded(where[1][0] if self._image.type.layered else 0)
-        steps = [*level.across, *level.down] if isinstance(level, Steps) else []
+        steps = [*level.across, *level.down] if isinstance(level, CoordinateSteps) else []
         others = [lane for lane in (level, reference) if isinstance(lane, Bounded)]
         shape = np.broadcast_shapes(*(lane.shape for lane in (*axes, layer, *steps, *others)))
 
@@ -159,7 +159,7 @@ class TextureReader:
         )
         if self._image.type.dimension != "cube":
             return _lanes(filter_.of(place), shape)
-        flat_steps = level.mapped(flat) if isinstance(level, Steps) else None
+        flat_steps = level.mapped(flat) if isinstance(level, CoordinateSteps) else None
         (_, nominal), *further = self._in_faces(place, flat_steps)
         found = filter_.of(nominal)
         for pixels, in_face in further:
@@ -182,7 +182,9 @@ class TextureReader:
             lost = np.broadcast_to(quads, shape).ravel()
         return np.flatnonzero(lost)
 
-    def _in_faces(self, place: Place, steps: Steps | None) -> Iterator[tuple[Part, Place]]:
+    def _in_faces(
+        self, place: Place, steps: CoordinateSteps | None
+    ) -> Iterator[tuple[Part, Place]]:
         """The places in a cube's faces where directions may meet it, for the pixels that may.
 
         The first are those where the exact directions meet it, for all pixels. ``steps`` are those
@@ -195,7 +197,7 @@ class TextureReader:
             if steps is not None:
                 changes = steps.at(part)
                 across, down = where.change(changes.across), where.change(changes.down)
-                level = levels.of_steps(image, Steps(across, down))
+                level = levels.of_steps(image, CoordinateSteps(across, down))
             yield part, Place([where.across, where.down], sure(where.face), level, here.reference)
 
 

@@ -21,7 +21,7 @@ _MORE_THAN_ONE = 1 + 2**-16
 """The least level inside of a patch whose edges are divided, as otherwise there is no inside."""
 
 
-class Steps:
+class EdgeSteps:
     """The places at which an edge is divided, from one end to the other.
 
     With a fractional spacing they move on between those of two whole levels as the level rises. The
@@ -75,7 +75,7 @@ class Steps:
 
 def steps_of(
     spacing: Spacing, edges: Sequence[float], inside: Sequence[float]
-) -> tuple[list[Steps], list[Steps]] | None:
+) -> tuple[list[EdgeSteps], list[EdgeSteps]] | None:
     """The steps of the edges of a patch, and of its inside; ``None`` if it is not to be drawn.
 
     That is so if the level of an edge is not above zero, or no number.
@@ -88,7 +88,9 @@ def steps_of(
         inner = [max(level, _MORE_THAN_ONE) for level in inner]
     if spacing == "equal":
         outer, inner = ([float(math.ceil(x)) for x in levels] for levels in (outer, inner))
-    return [Steps(level, spacing) for level in outer], [Steps(level, spacing) for level in inner]
+    return [EdgeSteps(level, spacing) for level in outer], [
+        EdgeSteps(level, spacing) for level in inner
+    ]
 
 
 def _clamped(level: float, least: float, most: float) -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from ...ir.tessellation import MOST_LEVEL, Patch, Spacing
-from .levels import ONE, Steps, steps_of
+from .levels import ONE, EdgeSteps, steps_of
 from .stitching import Row, Triangle, between_levels, between_rings
 
 Place = tuple[int, int, int]
@@ -114,7 +114,7 @@ def isolines(lines: float, segments: float, spacing: Spacing) -> Pattern:
     if found is None or not lines > 0:
         return _NOTHING
     ((along,), _), count = found, math.ceil(min(max(lines, 1), MOST_LEVEL))
-    rows = Steps(count, "equal")
+    rows = EdgeSteps(count, "equal")
     places = [
         (along.place(i), rows.place(row), 0) for row in range(count) for i in range(along.count)
     ]
@@ -122,17 +122,17 @@ def isolines(lines: float, segments: float, spacing: Spacing) -> Pattern:
     return Pattern(places, [(start, start + 1) for start in starts])
 
 
-def _is_undivided(outer: Sequence[Steps], *inner: Steps) -> bool:
+def _is_undivided(outer: Sequence[EdgeSteps], *inner: EdgeSteps) -> bool:
     return all(steps.count == 2 for steps in (*outer, *inner))
 
 
-def _places(steps: Steps, ring: int, *, falls: bool = False) -> list[int]:
+def _places(steps: EdgeSteps, ring: int, *, falls: bool = False) -> list[int]:
     """The places of a row that begins and ends so many steps away from the edges."""
     places = [steps.place(number) for number in range(ring, steps.count - ring)]
     return places[::-1] if falls else places
 
 
-def _edge_of_triangle(edge: int, steps: Steps, ring: int, off: int) -> list[Place]:
+def _edge_of_triangle(edge: int, steps: EdgeSteps, ring: int, off: int) -> list[Place]:
     """A row of points that are ``off`` from an edge of a triangle.
 
     Moving away from an edge, a point comes closer to both others by half as much.
@@ -184,7 +184,10 @@ class _Patch:
         return Pattern(self._places, self.cells)
 
     def add_ring(
-        self, rows: Sequence[Sequence[Place]], outer: Sequence[Steps], inner: Sequence[Steps]
+        self,
+        rows: Sequence[Sequence[Place]],
+        outer: Sequence[EdgeSteps],
+        inner: Sequence[EdgeSteps],
     ) -> None:
         """Fill the space up to the next ring; the levels count behind the edges of the patch."""
         added = self._added(rows)

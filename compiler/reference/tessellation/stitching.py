@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...ir.tessellation import MOST_LEVEL
-from .levels import Steps
+from .levels import EdgeSteps
 
 Row = Sequence[int]
 Triangle = tuple[int, int, int]
@@ -32,7 +32,9 @@ As the level rises, steps appear as evenly as a tree grows.
 """
 
 
-def between_levels(outer: Row, inner: Row, edge: Steps, inside: Steps) -> Iterator[Triangle]:
+def between_levels(
+    outer: Row, inner: Row, edge: EdgeSteps, inside: EdgeSteps
+) -> Iterator[Triangle]:
     """Triangles between an edge of the patch and the first row inside, of another level.
 
     Both are walked along in the order in which steps appear, so that where a row has no step, the

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast

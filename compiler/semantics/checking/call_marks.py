@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...ir import build
 from ...ir.node import Node, bare
 from ...ir.types import Array, Matrix, Opaque, Scalar, Struct, Vector

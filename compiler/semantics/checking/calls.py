@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from itertools import takewhile
 from typing import TypeGuard
 
-from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.elsewhere import Instead
 from ....stdlib.builtins.row import nowhere
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ...diagnostics.source import Span

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import partial
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.fixes import Hint, fix_it
@@ -27,7 +27,7 @@ from ...syntax import ast
 from ...syntax.quoting import spanned
 from ..declarations.fitting import fit
 from ..state.context import Context
-from ..state.scope import FAILURE, Failure, Inner, Scope, Value
+from ..state.scope import FAILURE, Failure, LoopBody, Scope, Value
 from ..types.coercion import coerce
 from .loop_contents import changing, loops_within, may_stand, too_deep
 from .turns import Turns, bounds_of, turns_of
@@ -71,7 +71,7 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
     return bounds_of(e.turns) if e.initial is None else (*bounds_of(e.turns), e.initial)
 
 
-def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Inner:
+def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | LoopBody:
     """``sum i in a..b from x : e`` and its like."""
     if e.operator not in OPERATORS:
         ctx.report.add(rules.FRAMES_ONLY, e.span, what=f"`{e.operator}`")
@@ -84,7 +84,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
     if isinstance(turns, Failure):
         return FAILURE
     inner = scope.inside_loop({e.turns.variable.text: turns.index})
-    return Inner((e.body,), inner, partial(_folded, ctx, e, turns, initial))
+    return LoopBody((e.body,), inner, partial(_folded, ctx, e, turns, initial))
 
 
 def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
@@ -223,7 +223,9 @@ class _States:
     variables: tuple[Node, ...]
 
 
-def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope) -> Value | Inner:
+def iterate(
+    ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
+) -> Value | LoopBody:
     """``iterate x from e up to n while c : next``: a structure is several states."""
     if too_deep(ctx, e, scope.loops):
         return FAILURE
@@ -237,7 +239,7 @@ def iterate(ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
     whole = build.assembled(ctx.tree, initial.type, iter(states.variables))
     inner = scope.inside_loop({e.turns.variable.text: turns.index, e.state.text: whole})
     written = (e.body,) if e.condition is None else (e.condition, e.body)
-    return Inner(written, inner, partial(_iterated, ctx, e, turns, states))
+    return LoopBody(written, inner, partial(_iterated, ctx, e, turns, states))
 
 
 def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:

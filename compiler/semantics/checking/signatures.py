@@ -20,8 +20,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from ....frozen import frozen
 from ....stdlib.builtins.facts import UNIT
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span

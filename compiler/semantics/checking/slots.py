@@ -25,10 +25,10 @@ from ..state.scope import (
     FAILURE,
     OUTERMOST,
     Corner,
+    DerivedVertices,
     Failure,
     Instance,
     LightVariable,
-    MadeSlots,
     Scope,
     Value,
 )
@@ -136,7 +136,7 @@ def _settle_made(ctx: Context, instance: Instance, name: str, span: Span) -> Non
 
 
 def _in_group(
-    ctx: Context, instance: Instance, slots: MadeSlots, number: int, name: str, span: Span
+    ctx: Context, instance: Instance, slots: DerivedVertices, number: int, name: str, span: Span
 ) -> Node | Failure:
     """The value of a slot at the vertices of one group."""
     group = slots.groups[number]
@@ -156,7 +156,7 @@ def _in_group(
 def _finish_made(
     ctx: Context,
     instance: Instance,
-    slots: MadeSlots,
+    slots: DerivedVertices,
     number: int,
     equation: ast.Slot,
     value: Value,

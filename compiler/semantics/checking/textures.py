@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.nearest import respelling

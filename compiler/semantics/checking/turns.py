@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span

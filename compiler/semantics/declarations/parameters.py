@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import hypot
 
-from ....frozen import EMPTY, changed, frozen
 from ....stdlib.builtins.facts import UNKNOWN, Fact
+from ....support.frozen import EMPTY, changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.nearest import nearest, respelt

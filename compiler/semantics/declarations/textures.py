@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import get_args
 
-from ....frozen import EMPTY, frozen
+from ....support.frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
 from ...ir import default_textures

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...ir.meaning import GEOMETRY, MAPS, Meaning
 from ..state.context import Context
 from ..state.scope import Instance, Scope

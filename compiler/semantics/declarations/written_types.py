@@ -6,7 +6,7 @@ from collections.abc import Hashable, Mapping
 from functools import cache, partial
 from itertools import chain
 
-from ....frozen import EMPTY
+from ....support.frozen import EMPTY
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.frame import Image, Size
+from ...ir.frame import Size, StepTexture
 from ...ir.image_sizes import halved, misfit
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
@@ -20,7 +20,7 @@ from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import OUTERMOST, Failure, Instance, Scope
-from .around import Around
+from .step_context import StepContext
 from .values import Made, Numbers, StepValue, no_result, on_host
 
 
@@ -32,7 +32,7 @@ class Destinations:
         ctx: Context,
         frame: Instance,
         numbers: Numbers,
-        made: Callable[[ast.Expression, Around], Made],
+        made: Callable[[ast.Expression, StepContext], Made],
     ) -> None:
         """``made`` evaluates an expression about steps."""
         self._ctx = ctx
@@ -40,7 +40,7 @@ class Destinations:
         self._numbers = numbers
         self._made = made
 
-    def of(self, e: ast.Call, around: Around) -> Mapping[str, Image] | Size | None:
+    def of(self, e: ast.Call, around: StepContext) -> Mapping[str, StepTexture] | Size | None:
         """The destination of a pass: the size of new images, or results of others to draw over."""
         if len(e.arguments) == 1:
             return self._whole_size(e)
@@ -48,14 +48,14 @@ class Destinations:
         parts = written.elements if isinstance(written, ast.Array) else (written,)
         if not all(self._is_step(part, around) for part in parts):
             return self._size(written, around.scope)
-        found: dict[str, Image] = {}
+        found: dict[str, StepTexture] = {}
         for number, part in enumerate(parts):
             left = self._made(part, changed(around, name=f"{around.name}{number or ''}"))
             if isinstance(left, Failure):
                 return None
             if isinstance(left, StepValue):
-                images = {n: i for n, i in left.left.items() if isinstance(i, Image)}
-            elif isinstance(left, Image):
+                images = {n: i for n, i in left.left.items() if isinstance(i, StepTexture)}
+            elif isinstance(left, StepTexture):
                 images = {left.name.rpartition(".")[2]: left}
             else:
                 no_result(self._ctx, left, part.span)
@@ -77,7 +77,7 @@ class Destinations:
                 return None
         return found
 
-    def check_size(self, image: Image, span: Span) -> bool:
+    def check_size(self, image: StepTexture, span: Span) -> bool:
         """True if an image can have its size, as far as that is known; reported if not."""
         whole = self.known_size(image.size, 0)
         if whole is None:
@@ -99,13 +99,13 @@ class Destinations:
                 return (halved(width, level), halved(height, level)) if level else (width, height)
         return None
 
-    def _differ(self, first: Image, second: Image, reason: str, span: Span) -> None:
+    def _differ(self, first: StepTexture, second: StepTexture, reason: str, span: Span) -> None:
         """Report that two results cannot be drawn over at once."""
         self._ctx.report.add(
             rules.PLACES_DIFFER, span, first=first.name, second=second.name, reason=reason
         )
 
-    def _is_step(self, e: ast.Expression, around: Around) -> bool:
+    def _is_step(self, e: ast.Expression, around: StepContext) -> bool:
         """True if an expression is about steps, and no number."""
         if applied(e, around.scope.module) is not None:
             return True

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
-from ...ir.frame import Elements, Frame, Image, Models, Output, Step
+from ...ir.frame import Elements, Frame, FrameOutput, Models, Step, StepTexture
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..checking.slots import slot
@@ -28,11 +28,11 @@ from ..shading.rigs import entries_of
 from ..shading.room import has_room
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Instance
-from .around import Around, Owner
-from .drawn import ModelsOf
 from .invariance import with_invariant_positions
+from .pass_draws import ModelsOf
 from .samples import check_readable
 from .shaders import Shaders
+from .step_context import EquationOwner, StepContext
 from .steps import Steps
 from .values import no_result
 
@@ -76,7 +76,7 @@ class _Checking:
             around.reached,
         )  # fmt: skip
         self._shaders = shaders
-        self._own = Owner(self._instance, Dependencies(self._record, around.report))
+        self._own = EquationOwner(self._instance, Dependencies(self._record, around.report))
         for each in (self._own, *lights.values()):
             ctx.is_step[each.instance] = each.dependencies.is_step
         self._steps = Steps(ctx, self._own, lights, shaders, self._models)
@@ -99,7 +99,7 @@ class _Checking:
         return self._made(declaration, outputs, needed)
 
     def _made(
-        self, declaration: ast.Record, outputs: list[Output], needed: tuple[Step, ...]
+        self, declaration: ast.Record, outputs: list[FrameOutput], needed: tuple[Step, ...]
     ) -> Frame:
         lights = tuple(leaves for _, leaves in self._entries)
         everything = (self._leaves, *lights)
@@ -128,7 +128,7 @@ class _Checking:
 
     # --- the draws of the frame, and their lights ---
 
-    def _single_lights(self) -> Iterator[tuple[str, Owner]]:
+    def _single_lights(self) -> Iterator[tuple[str, EquationOwner]]:
         for entry, leaves in self._entries:
             if entry.kind == "single":
                 light = instance_of(self._ctx, entry.record, leaves)
@@ -139,7 +139,7 @@ class _Checking:
                     if each.definition is not None
                 }
                 dependencies = Dependencies(entry.record, self._ctx.report, overrides)
-                yield entry.short_name, Owner(light, dependencies, entry.short_name)
+                yield entry.short_name, EquationOwner(light, dependencies, entry.short_name)
 
     def _all_models(self) -> dict[str, ModelsOf]:
         return {
@@ -166,17 +166,17 @@ class _Checking:
 
     # --- steps ---
 
-    def _outputs(self) -> Iterator[Output]:
+    def _outputs(self) -> Iterator[FrameOutput]:
         """The outputs, with all steps that they need."""
         written = list(self._record.every(ast.Output))
         needs = (self._own.dependencies.needs(member.value, level) for member, _, level in written)
         self._steps.check(self._own, list(chain.from_iterable(needs)))
         for member, owner, level in written:
-            around = Around(self._own, self._own.scope(owner, level), member.name.text)
+            around = StepContext(self._own, self._own.scope(owner, level), member.name.text)
             made = self._steps.made(member.value, around)
-            if isinstance(made, Image | Elements):
+            if isinstance(made, StepTexture | Elements):
                 check_readable(self._ctx.report, made, member.value.span)
-                yield Output(member.name.text, made, member.doc, member.name.span)
+                yield FrameOutput(member.name.text, made, member.doc, member.name.span)
             else:
                 no_result(self._ctx, made, member.value.span)
 

@@ -8,19 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from ....frozen import changed
 from ....stdlib.builtins.facts import UNKNOWN
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
-from ...ir.frame import Elements, FromHost, Given, Image, Previous, Source
+from ...ir.frame import Elements, FromHost, Given, Previous, Source, StepTexture
 from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
 from ...ir.types import Texture, Type
 from ...syntax import ast
 from ..checking.unknown_names import unknown
 from ..declarations.contracts import as_declared
 from ..names.duplicates import check_once
-from ..shading.render_states import of_a_pass
+from ..shading.passes.render_states import of_a_pass
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Instance, Scope
@@ -36,7 +36,7 @@ Later = tuple[Previous, Type, Span]
 """A result of the last frame, the type by which it is read, and the span of the read."""
 
 
-def type_of(left: Image | Elements) -> Type:
+def type_of(left: StepTexture | Elements) -> Type:
     """The type of texture or of buffer by which something is read that a step leaves."""
     if isinstance(left, Elements):
         return left.info.buffer.type
@@ -166,14 +166,14 @@ class Inputs:
             return (
                 source if initial is None else self._fitting(source, initial, wanted, written, what)
             )
-        if isinstance(source, Image | Elements | FromHost):
+        if isinstance(source, StepTexture | Elements | FromHost):
             return self._fitting(source, source, wanted, written, what)
         return no_result(self._ctx, source, written.span, what)
 
     def _fitting(
         self,
         source: Source,
-        read: Image | Elements | FromHost,
+        read: StepTexture | Elements | FromHost,
         wanted: Type,
         written: ast.Expression,
         what: str,

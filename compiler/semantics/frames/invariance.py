@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...ir.frame import Drawn, FrameShader, RenderStep, Step, Use
 from ...ir.shared_depths import SharedDepths, shared_depths
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...ir import build
 from ...ir.frame import ImageDimension
@@ -17,7 +17,7 @@ from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure
-from .around import Around, Place
+from .step_context import AttachmentPoint, StepContext
 from .values import Made, no_step
 
 FACES = 6
@@ -28,12 +28,12 @@ MOST_STEPS = 256
 class Repetitions:
     """Repeats steps of one frame."""
 
-    def __init__(self, ctx: Context, made: Callable[[ast.Expression, Around], Made]) -> None:
+    def __init__(self, ctx: Context, made: Callable[[ast.Expression, StepContext], Made]) -> None:
         """``made`` evaluates an expression about steps."""
         self._ctx = ctx
         self._made = made
 
-    def repeated(self, e: ast.Fold | ast.FoldOver, around: Around) -> Made:
+    def repeated(self, e: ast.Fold | ast.FoldOver, around: StepContext) -> Made:
         if isinstance(e, ast.Fold):
             turns = self._range(e.turns, around)
             return FAILURE if turns is None else self._layers(e, "2d_array", turns, around)
@@ -54,9 +54,9 @@ class Repetitions:
         e: ast.Fold | ast.FoldOver,
         dimension: ImageDimension,
         turns: range,
-        around: Around,
+        around: StepContext,
     ) -> Made:
-        outer = around.place or Place()
+        outer = around.place or AttachmentPoint()
         if outer.layers > 1:
             return no_step(self._ctx, e.span)
         variable = e.turns.variable if isinstance(e, ast.Fold) else e.variable
@@ -71,8 +71,8 @@ class Repetitions:
                 return FAILURE
         return made
 
-    def _levels(self, e: ast.FoldOver, levels: int, around: Around) -> Made:
-        outer = around.place or Place()
+    def _levels(self, e: ast.FoldOver, levels: int, around: StepContext) -> Made:
+        outer = around.place or AttachmentPoint()
         if outer.levels > 1:
             return no_step(self._ctx, e.span)
         made: Made = FAILURE
@@ -85,13 +85,15 @@ class Repetitions:
                 return FAILURE
         return made
 
-    def _turn(self, body: ast.Expression, variable: ast.Name, turn: int, around: Around) -> Made:
+    def _turn(
+        self, body: ast.Expression, variable: ast.Name, turn: int, around: StepContext
+    ) -> Made:
         number = build.constant(self._ctx.tree, INT, turn)
         local = {**around.scope.locals, variable.text: number} if variable.text else {}
         scope = changed(around.scope, locals=local or around.scope.locals)
         return self._made(body, changed(around, scope=scope))
 
-    def iterated(self, e: ast.Iterate, around: Around) -> Made:
+    def iterated(self, e: ast.Iterate, around: StepContext) -> Made:
         """``iterate s from first up to n : Step(screen) with { before = s.value }``."""
         turns = self._range(e.turns, around)
         if turns is None:
@@ -110,7 +112,7 @@ class Repetitions:
             state = self._turn(e.body, e.turns.variable, turn, inner)
         return state
 
-    def _range(self, turns: ast.Turns, around: Around) -> range | None:
+    def _range(self, turns: ast.Turns, around: StepContext) -> range | None:
         start, end = self._integer(turns.start, around), self._integer(turns.end, around)
         if start is None or end is None:
             return None
@@ -119,7 +121,7 @@ class Repetitions:
             return None
         return range(start, end)
 
-    def _integer(self, e: ast.Expression, around: Around) -> int | None:
+    def _integer(self, e: ast.Expression, around: StepContext) -> int | None:
         """A number that is known when compiling, 1 or more where it counts levels."""
         node = fit(self._ctx, node_of(self._ctx, e, around.scope), INT, "int", e.span)
         if isinstance(node, Failure):

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Span
-from ...ir.frame import Attachment, Image
+from ...ir.frame import Attachment, StepTexture
 
 
 class SampleChecks:
@@ -18,7 +18,7 @@ class SampleChecks:
 
     def __init__(self, report: Report) -> None:
         self._report = report
-        self._over: dict[Image, Image] = {}
+        self._over: dict[StepTexture, StepTexture] = {}
         """For each result with several samples, the one that is drawn over these."""
 
     def check(self, drawn_to: Iterable[Attachment], samples: int, span: Span) -> None:
@@ -31,7 +31,7 @@ class SampleChecks:
                 self._report.add(rules.SAMPLES_DIFFER, span, name=name, reason=reason)
                 return
 
-    def _misfit(self, image: Image, over: Image | None, samples: int) -> str:
+    def _misfit(self, image: StepTexture, over: StepTexture | None, samples: int) -> str:
         """The reason why a step cannot draw to ``image``, or ``over`` the result of another one."""
         if image.samples != samples:
             return f"this step draws with {samples}, another one with {image.samples}"
@@ -48,7 +48,7 @@ def _counted(samples: int) -> str:
     return "is 1" if samples == 1 else f"are {samples}"
 
 
-def _has_samples_only(image: Image) -> bool:
+def _has_samples_only(image: StepTexture) -> bool:
     """True if nobody joins the samples of a result to one value, which others can read."""
     return image.is_depth and image.samples > 1
 
@@ -58,7 +58,7 @@ def check_readable(report: Report, left: object, span: Span) -> bool:
 
     If not, this is reported.
     """
-    if isinstance(left, Image) and _has_samples_only(left):
+    if isinstance(left, StepTexture) and _has_samples_only(left):
         report.add(rules.DEPTHS_OF_SAMPLES, span, name=left.name, samples=left.samples)
         return False
     return True

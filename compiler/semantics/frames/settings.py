@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ....frozen import fresh, record
+from ....support.frozen import fresh, record
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
@@ -24,7 +24,7 @@ from ..checking.step_needs import BLEND_CONSTANT, SCISSOR, VIEWPORT
 from ..checking.unknown_names import unknown
 from ..declarations.fitting import typed
 from ..names.duplicates import check_once
-from ..shading.formats import cleared_depth, cleared_value
+from ..shading.passes.formats import cleared_depth, cleared_value
 from ..state.context import Context
 from ..state.scope import Failure, Scope
 from .inputs import Replacements

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from ....frozen import changed, fresh, frozen, record
+from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.diagnostic import Report
 from ...ir.frame import FrameShader
 from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
@@ -17,7 +17,7 @@ from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..shading.assembly import Parts, set_up
 from ..shading.elaborate import elaborate
-from ..shading.kernels import kernel_shader
+from ..shading.kernels.kernel import kernel_shader
 from ..shading.room import has_room
 
 Input = ParameterInfo | ResourceInfo | BufferInfo

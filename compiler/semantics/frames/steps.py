@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import count
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.fixes import write
 from ...diagnostics.source import Span
@@ -21,12 +21,12 @@ from ...ir.frame import (
     Elements,
     FrameShader,
     FromHost,
-    Image,
     KernelStep,
     Previous,
     RenderStep,
     Size,
     Step,
+    StepTexture,
     Use,
 )
 from ...ir.leaves import Parameter, Resource
@@ -43,16 +43,16 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, OUTERMOST, Failure
-from .around import WHOLE, Around, Owner, Place
-from .bringing import Bringing
 from .destinations import Destinations
-from .drawn import Draws, ModelsOf
 from .extents import SIZE, in_frame
 from .inputs import Inputs, Later, Replacements, check_previous
+from .light_textures import Bringing
+from .pass_draws import Draws, ModelsOf
 from .repetitions import FACES, Repetitions
 from .samples import SampleChecks
 from .settings import AREAS, Settings
 from .shaders import Shaders
+from .step_context import WHOLE, AttachmentPoint, EquationOwner, StepContext
 from .values import Made, Numbers, StepValue, no_result, no_step
 
 DEEPEST = 48
@@ -80,8 +80,8 @@ class Steps:
     def __init__(
         self,
         ctx: Context,
-        frame: Owner,
-        lights: Mapping[str, Owner],
+        frame: EquationOwner,
+        lights: Mapping[str, EquationOwner],
         shaders: Shaders,
         models: Mapping[str, ModelsOf],
     ) -> None:
@@ -97,11 +97,11 @@ class Steps:
         self._drawn = Draws(ctx, shaders, models, self.numbers, bringing)
         self.steps: list[Step] = []
         self._names: set[str] = set()
-        self._previous: list[tuple[Previous, ast.Call, Around]] = []
+        self._previous: list[tuple[Previous, ast.Call, StepContext]] = []
         self._later: list[Later] = []
         self._samples = SampleChecks(ctx.report)
 
-    def check(self, owner: Owner, needs: list[Need]) -> None:
+    def check(self, owner: EquationOwner, needs: list[Need]) -> None:
         """Check steps that nobody has asked for yet, each behind those that it needs."""
         for key in owner.dependencies.ordered(needs):
             if key in owner.values:
@@ -112,11 +112,11 @@ class Steps:
             assert written is not None
             scope = owner.scope(definition.owner, definition.level)
             name = f"{owner.name}.{key[0]}" if owner.name else key[0]
-            owner.values[key] = self.made(written, Around(owner, scope, name))
+            owner.values[key] = self.made(written, StepContext(owner, scope, name))
 
     # --- expressions ---
 
-    def made(self, e: ast.Expression, around: Around) -> Made:
+    def made(self, e: ast.Expression, around: StepContext) -> Made:
         """The value of an expression about steps; errors have been reported."""
         if around.depth > DEEPEST:
             return no_step(self._ctx, e.span)
@@ -146,14 +146,14 @@ class Steps:
                 return self._repetitions.iterated(e, inside)
         return no_step(self._ctx, e.span)
 
-    def _named(self, e: ast.Reference, around: Around) -> Made:
+    def _named(self, e: ast.Reference, around: StepContext) -> Made:
         if e.name in around.states:
             return around.states[e.name]
         if around.owner is self._frame and e.name in self._frame.instance.resources:
             return FromHost(e.name)
         return self._slot((e.name, OUTERMOST), e.span, around.owner)
 
-    def _slot(self, key: Key, span: Span, owner: Owner) -> Made:
+    def _slot(self, key: Key, span: Span, owner: EquationOwner) -> Made:
         if key in owner.values:
             return owner.values[key]
         definitions = owner.instance.record.definitions
@@ -169,7 +169,7 @@ class Steps:
         self._unknown_step(key[0], span, owner)
         return FAILURE
 
-    def _unknown_step(self, name: str, span: Span, owner: Owner) -> None:
+    def _unknown_step(self, name: str, span: Span, owner: EquationOwner) -> None:
         """Report a name that is neither a step nor something that the frame's host binds."""
         is_step = owner.dependencies.is_step
         known = [n for n in owner.instance.record.definitions if is_step((n, OUTERMOST))]
@@ -194,7 +194,7 @@ class Steps:
             return FAILURE
         return found
 
-    def _previously(self, e: ast.Call, around: Around) -> Made:
+    def _previously(self, e: ast.Call, around: StepContext) -> Made:
         """``previous(step.target)``, which may be made later: it is looked up at the end."""
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
@@ -207,7 +207,7 @@ class Steps:
         self._previous.append((found, e, around))
         if len(e.arguments) == 2:
             initial = self.made(e.arguments[1], changed(around, name=f"{around.name}.first"))
-            if not isinstance(initial, Image | Elements | FromHost):
+            if not isinstance(initial, StepTexture | Elements | FromHost):
                 return no_result(self._ctx, initial, e.arguments[1].span)
             found.initially = initial
         return found
@@ -216,13 +216,13 @@ class Steps:
         """Finds the values of all ``previous(…)``, once every step is there."""
         for found, e, around in self._previous:
             left = self.made(e.arguments[0], around)
-            if isinstance(left, Image | Elements):
+            if isinstance(left, StepTexture | Elements):
                 found.of = left
             else:
                 no_result(self._ctx, left, e.arguments[0].span)
         check_previous(self._ctx, self._later)
 
-    def _chosen(self, e: ast.Conditional, around: Around) -> Made:
+    def _chosen(self, e: ast.Conditional, around: StepContext) -> Made:
         """``if`` between steps is decided when compiling."""
         condition = node_of(self._ctx, e.condition, around.scope)
         if isinstance(condition, Failure):
@@ -243,7 +243,7 @@ class Steps:
         symbol: Symbol,
         e: ast.Call,
         given: Replacements,
-        around: Around,
+        around: StepContext,
     ) -> Made:
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
@@ -261,7 +261,7 @@ class Steps:
         symbol: Symbol,
         e: ast.Call,
         given: Replacements,
-        around: Around,
+        around: StepContext,
     ) -> Made:
         if e.arguments:
             self._ctx.report.add(
@@ -306,8 +306,8 @@ class Steps:
                 read = self._frame.instance.resources[source.name]
                 level = build.constant(tree, INT, 0)
                 return tree.node("call", IVEC2, (read, level), SIZE)
-            is_whole = isinstance(source, Image) and not source.size.level
-            value = source.size.value if isinstance(source, Image) and is_whole else None
+            is_whole = isinstance(source, StepTexture) and not source.size.level
+            value = source.size.value if isinstance(source, StepTexture) and is_whole else None
             return None if value is None else nodes[value]
 
         (extent,) = shader.shader.results_of(EXTENT)
@@ -319,15 +319,17 @@ class Steps:
         number = self.numbers.number(found)
         return Size(None, name) if isinstance(number, Failure) else Size(number)
 
-    def _image(self, name: str, state: RenderTarget, size: Size, doc: str, e: ast.Call) -> Image:
-        return Image(name, state.format, size, "2d", 1, 1, doc, e.span)
+    def _image(
+        self, name: str, state: RenderTarget, size: Size, doc: str, e: ast.Call
+    ) -> StepTexture:
+        return StepTexture(name, state.format, size, "2d", 1, 1, doc, e.span)
 
     def _draw(
         self,
         symbol: Symbol,
         e: ast.Call,
         given: Replacements,
-        around: Around,
+        around: StepContext,
     ) -> Made:
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
@@ -336,7 +338,7 @@ class Steps:
             )  # fmt: skip
             return FAILURE
         what = self._drawn.what(e.arguments[0], around.scope)
-        place = around.place or Place()
+        place = around.place or AttachmentPoint()
         name = self._unique(around.name + place.suffix)
         within = changed(around, name=name, place=None, light=False)
         settings, given = Settings.parted(self._ctx, self.numbers, given, around.scope)
@@ -374,10 +376,10 @@ class Steps:
         return False
 
     @staticmethod
-    def _all_left(step: RenderStep) -> dict[str, Image]:
+    def _all_left(step: RenderStep) -> dict[str, StepTexture]:
         return {each.target: each.image for each in step.drawn_to}
 
-    def _inputs(self, given: Replacements, around: Around) -> Inputs:
+    def _inputs(self, given: Replacements, around: StepContext) -> Inputs:
         def made(e: ast.Expression, name: str) -> Made:
             return self.made(
                 e, changed(around, name=f"{around.name}.{name}", depth=around.depth + 1)
@@ -392,9 +394,9 @@ class Steps:
         name: str,
         shader: FrameShader,
         draws: Sequence[Drawn],
-        over: Mapping[str, Image] | Size,
+        over: Mapping[str, StepTexture] | Size,
         settings: Settings,
-        around: Around,
+        around: StepContext,
         e: ast.Call,
     ) -> RenderStep:
         place = around.place or WHOLE
@@ -413,7 +415,7 @@ class Steps:
             behind = given.get(target)
             image = place.images.get(target)
             if image is None:
-                image = Image(
+                image = StepTexture(
                     f"{around.name}.{target}", format_, size, place.dimension, place.layers,
                     place.levels, doc, e.span, samples,
                 )  # fmt: skip

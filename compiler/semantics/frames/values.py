@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ....frozen import fresh, frozen, record
+from ....support.frozen import fresh, frozen, record
 from ...diagnostics import rules
 from ...diagnostics.source import Span
-from ...ir.frame import Elements, FromHost, Image, Previous
+from ...ir.frame import Elements, FromHost, Previous, StepTexture
 from ...ir.host import KNOWN_IN_TREES
 from ...ir.node import Node, reachable
-from ..shading.images import reads_only_sizes
+from ..shading.kernels.images import reads_only_sizes
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 
@@ -26,10 +26,10 @@ class StepValue:
     """The results of a step, by name: images, and the buffers of a kernel."""
 
     name: str
-    left: Mapping[str, Image | Elements]
+    left: Mapping[str, StepTexture | Elements]
 
 
-Made = StepValue | Image | Elements | Previous | FromHost | Failure
+Made = StepValue | StepTexture | Elements | Previous | FromHost | Failure
 """The value of an expression about steps."""
 
 

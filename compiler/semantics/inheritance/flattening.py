@@ -7,7 +7,7 @@ nearest to the derived record. ``inherited.x`` is what the rest of the chain say
 
 from __future__ import annotations
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import fix_it

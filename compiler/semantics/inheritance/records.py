@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
-from ....frozen import fresh, frozen, record
+from ....support.frozen import fresh, frozen, record
 from ...syntax import ast
 from ..names.modules import Symbol
 

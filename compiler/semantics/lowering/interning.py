@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...ir.node import Graph, Node, reachable
 from ...ir.shader import Notes
 from ..checking.call_marks import Callee

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import TypeAlias
 
-from ....frozen import record
+from ....support.frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Buffer, Resource

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from ....frozen import fresh, frozen, record
+from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Hint
 from ...diagnostics.nearest import respelling
 from ...syntax import ast

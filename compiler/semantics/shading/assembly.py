@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache, partial
 from typing import TypeVar
 
-from ....frozen import changed, frozen
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...ir.leaves import Buffer, Parameter, Resource
@@ -20,12 +20,12 @@ from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
 from ..state.context import Context, Twin
 from ..state.scope import Instance, Replacement
-from .expanding import expanded, expands
 from .host_names import Entry, names_taken
 from .instances import instance_of
 from .placeholders import stand_in
 from .rigs import entries_of
-from .tessellating import tessellated
+from .vertices.expansion import expanded, expands
+from .vertices.tessellation import tessellated
 
 
 @frozen

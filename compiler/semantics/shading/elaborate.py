@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
 from ...ir.node import Node
+from ...ir.render_state import RenderState
 from ...ir.shader import (
     PatchPattern,
     RenderTarget,
@@ -32,20 +35,62 @@ from ..inheritance.records import Record
 from ..lowering.outlining import lowered
 from ..names.modules import Symbol
 from ..state.context import Context
-from ..state.scope import Failure, Instance, MadeSlots
+from ..state.scope import DerivedVertices, Failure, Instance
 from .assembly import Setting, is_declared_abstract
-from .blending import blending_of
-from .captures import capture_of, captures, captures_of
-from .clears import clears_of
-from .formats import texel_value
-from .group_results import check_no_groups
 from .host_names import check_host_names
 from .instances import pass_scope
 from .intents import with_intents
-from .layers import layer_count, layer_of
-from .render_states import render_state_of
-from .samples import check_samples, check_samples_of_lines
+from .kernels.group_results import check_no_groups
+from .passes.blending import blending_of
+from .passes.captures import capture_of, captures, captures_of
+from .passes.clears import clears_of
+from .passes.formats import texel_value
+from .passes.layers import layer_count, layer_of
+from .passes.render_states import render_state_of
 from .slot_checks import check_rig, check_slots
+
+UNRESOLVED = frozenset(("r32f", "rg32f", "rgba32f"))
+"""The formats of which WebGPU makes no means of samples."""
+
+
+def check_samples(ctx: Context, drawn: Record, state: RenderState) -> None:
+    """Reports settings of a pass that need a single sample, if it asks for several."""
+    if state.samples == 1:
+        return
+    for target, *_ in drawn.every(ast.Target):
+        if target.format.text in UNRESOLVED:
+            reason = f"`{target.name.text}` holds floats of 32 bits"
+            _report(ctx, drawn, reason, target.format.span)
+    for layers, *_ in drawn.every(ast.Layers):
+        _report(ctx, drawn, "its targets have layers", layers.span)
+    if state.fill == "lines":
+        filled = [written.span for name, written in _settings(drawn) if name.text == "fill"]
+        _report(ctx, drawn, "it draws lines", filled[0])
+
+
+def check_samples_of_lines(ctx: Context, drawn: Record, step: DerivedVertices) -> None:
+    """Report that a step of the material makes lines, if the pass asks for several samples."""
+    lines = None
+    if step.expansion is not None and step.expansion.emits == "line":
+        lines = step.expansion.span
+    if step.tessellation is not None and step.tessellation.kind.drawn == "line":
+        lines = step.tessellation.span
+    if lines is not None and render_state_of(ctx, drawn).samples > 1:
+        _report(ctx, drawn, "this draws lines", lines)
+
+
+def _report(ctx: Context, drawn: Record, reason: str, span: Span) -> None:
+    said = [written.span for name, written in _settings(drawn) if name.text == "samples"]
+    ctx.report.add(
+        rules.ONE_SAMPLE, said[0], name=drawn.name, reason=reason,
+        labels=[Label(span, "goes with one sample only")],
+    )  # fmt: skip
+
+
+def _settings(drawn: Record) -> Iterator[tuple[ast.Name, ast.Expression]]:
+    """The settings of a pass, those that count first."""
+    for member, *_ in reversed(list(drawn.every(ast.Raster))):
+        yield from member.settings
 
 
 def results_of(setting: Setting) -> tuple[Result, ...]:
@@ -130,7 +175,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     )
 
 
-def _of_pattern(steps: Iterable[MadeSlots]) -> list[Node]:
+def _of_pattern(steps: Iterable[DerivedVertices]) -> list[Node]:
     """The values that tell the vertices of patches apart where no stage divides them."""
     patterns = (step.pattern for step in steps if step.pattern is not None)
     return [node for pattern in patterns for node in (pattern.place, pattern.is_there)]

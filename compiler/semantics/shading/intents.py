@@ -1,15 +1,15 @@
 """Finds out which textures hold colours: those whose texels become colours in a shader.
 
-``elaborate.py`` and ``kernels.py`` ask when they make a shader, while values still have meanings.
-By this a host binds pictures of colours in a format that decodes sRGB, and no others.
+``elaborate.py`` and ``kernels/kernel.py`` ask when they make a shader, while values still have
+meanings. By this a host binds pictures of colours in a format that decodes sRGB, and no others.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ....frozen import changed
 from ....stdlib.builtins import BUILTINS
+from ....support.frozen import changed
 from ...ir.leaves import Resource
 from ...ir.meaning import COLORS, Meaning
 from ...ir.node import Node, reachable

@@ -12,7 +12,7 @@ from contextlib import suppress
 from functools import cached_property, partial
 from itertools import chain, islice, product
 
-from ....frozen import changed, frozen
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node
@@ -38,12 +38,12 @@ from .assembly import (
     with_made_vertices,
 )
 from .elaborate import delivers_vertices, results_of, written_results
-from .expanding import expanded, expands
 from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
 from .room import has_room
 from .slot_checks import check_instance, check_rig
+from .vertices.expansion import expanded, expands
 
 MOST_EXAMPLES = 256
 """The number of ways to fill in type parameters that are tried."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
-from ....frozen import fresh, frozen, record
+from ....support.frozen import fresh, frozen, record
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...diagnostics.source import Span
 from ...ir.meaning import Meaning
@@ -27,7 +27,7 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .deferred import Deferred
 from .places import Places
-from .scope import Application, Failure, Inner, Instance, RigEntry, Scope, Value
+from .scope import Application, Failure, Instance, LoopBody, RigEntry, Scope, Value
 from .tree import Tree
 
 
@@ -250,7 +250,7 @@ class Rule:
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     """The parts that are checked first, in the expression's own scope and in this order."""
-    value: Callable[[Context, Any, Sequence[Node], Scope], Value | Inner]
+    value: Callable[[Context, Any, Sequence[Node], Scope], Value | LoopBody]
     """The expression's value, given those of its operands.
 
     Nobody asks for it where one of them is wrong, or is no value: that has been reported.

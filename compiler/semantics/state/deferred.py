@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ....frozen import changed
+from ....support.frozen import changed
 from ...diagnostics.diagnostic import Diagnostic, Label, Report
 from ...ir.node import Folding, Iterating, Node, bare
 from .conditions import Conditions

@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import TypeAlias
 
-from ....frozen import EMPTY, frozen
+from ....support.frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
 from .context import Context, OpenRule, Rule
-from .scope import FAILURE, Failure, Inner, Scope, Value
+from .scope import FAILURE, Failure, LoopBody, Scope, Value
 
 DEEPEST = 16
 """The number of demands that may wait for each other on Python's stack.
@@ -57,22 +57,22 @@ class Unsettled(Exception):  # noqa: N818
 
 
 @frozen
-class _Finish:
+class _EndDemand:
     """A demand, to be finished with the value that its expression will have."""
 
     demand: Demand
 
 
 @frozen
-class _Leave:
+class _EndLoop:
     """A loop whose inner expressions have been evaluated, and where their values start."""
 
     written: ast.Expression
-    inner: Inner
+    inner: LoopBody
     start: int
 
 
-_Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _Finish | _Leave | _Again"
+_Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _EndDemand | _EndLoop | _Retry"
 """A task that is left to do.
 
 An expression comes with the place of its first operand's value, or with ``_NEW`` as long as its
@@ -82,7 +82,7 @@ _NEW = -1
 
 
 @frozen
-class _Again:
+class _Retry:
     """Work that was left for a demand, and the nodes that were made until then."""
 
     work: _Work
@@ -113,7 +113,7 @@ def _value(
     written: ast.Expression,
     operands: Sequence[Value],
     scope: Scope,
-) -> Value | Inner:
+) -> Value | LoopBody:
     """The value of an expression, given those of its operands."""
     if isinstance(rule, OpenRule):
         return rule.value(ctx, written, operands, scope)
@@ -123,7 +123,7 @@ def _value(
     return rule.value(ctx, written, nodes, scope)
 
 
-def _value_after(ctx: Context, inner: Inner, values: Sequence[Value]) -> Value:
+def _value_after(ctx: Context, inner: LoopBody, values: Sequence[Value]) -> Value:
     """The value of a loop, given those of its inner expressions."""
     nodes = _nodes(values)
     return _wrong(ctx, values, inner.expressions) if nodes is None else inner.then(nodes)
@@ -158,7 +158,7 @@ def settle(ctx: Context, demand: Demand) -> None:
 
 def _begun(ctx: Context, demand: Demand) -> list[_Work]:
     ctx.progress.active[demand.key] = (demand.name, demand.span)
-    return [_Finish(demand), (demand.expression, demand.scope, _NEW)]
+    return [_EndDemand(demand), (demand.expression, demand.scope, _NEW)]
 
 
 def _run(ctx: Context, work: list[_Work]) -> Value:
@@ -179,15 +179,15 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                         work += [(operand, scope, _NEW) for operand in reversed(operands)]
                         continue
                 found = _value(ctx, rule, written, values[start:], scope)
-                if isinstance(found, Inner):
+                if isinstance(found, LoopBody):
                     del values[start:]
-                    work.append(_Leave(written, found, start))
+                    work.append(_EndLoop(written, found, start))
                     work += [(e, found.scope, _NEW) for e in reversed(found.expressions)]
                     continue
-            elif isinstance(top, _Leave):
+            elif isinstance(top, _EndLoop):
                 written, start = top.written, top.start
                 found = _value_after(ctx, top.inner, values[start:])
-            elif isinstance(top, _Again):
+            elif isinstance(top, _Retry):
                 tree.again = top.made
                 work.append(top.work)
                 continue
@@ -199,7 +199,7 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                 values.pop()
                 continue
         except Unsettled as unsettled:
-            work.append(_Again(top, {**tree.again, **tree.made_since(first)}))
+            work.append(_Retry(top, {**tree.again, **tree.made_since(first)}))
             work += _begun(ctx, unsettled.demand)
             tree.again = EMPTY
             continue

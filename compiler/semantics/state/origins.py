@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...ir import build
 from ...ir.node import Graph, Node
 from ...ir.stages import CONTROL_POINT, CORNER, OF_PATCH, Crossing

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
-from ....frozen import changed, fresh, frozen, record
+from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
 from ...ir.leaves import Buffer, Parameter, Resource
@@ -53,7 +53,7 @@ class Instance:
     """The textures and buffers."""
     attributes: Mapping[str, Node] = fresh(factory=dict)
     replaced: dict[str, Replacement] = fresh(factory=dict)
-    made: MadeSlots | None = None
+    made: DerivedVertices | None = None
     """The slots at vertices that are made of those of a mesh, of the surface and the pass."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
 
@@ -63,7 +63,7 @@ class Instance:
         return None if self.made is None else self.made.origin
 
     @property
-    def steps(self) -> tuple[MadeSlots, ...]:
+    def steps(self) -> tuple[DerivedVertices, ...]:
         """The steps that make its vertices of those of a mesh, in pipeline order."""
         return () if self.made is None else (*self.made.base.steps, self.made)
 
@@ -103,7 +103,7 @@ class Replacement:
 
 
 @frozen(eq=False)
-class MadeGroup:
+class VertexGroup:
     """Vertices that are made alike: a group of strips of an expansion, or all of a patch."""
 
     equations: Mapping[str, ast.Slot]
@@ -113,7 +113,7 @@ class MadeGroup:
 
 
 @record
-class MadeSlots:
+class DerivedVertices:
     """A surface whose vertices are made of those of a mesh, and the slots of it and its pass."""
 
     base: Instance
@@ -131,7 +131,7 @@ class MadeSlots:
     """The inputs that the pipeline supplies, by their names in expressions."""
     origin: Origin | None = None
     """The origin of the vertex inputs at the vertices that are made."""
-    groups: tuple[MadeGroup, ...] = ()
+    groups: tuple[VertexGroup, ...] = ()
     unset: Instance | None = None
     """In a tessellation, the surface at these vertices if nothing is set anew."""
     passing_unset: Instance | None = None
@@ -253,7 +253,7 @@ class Scope:
 
 
 @frozen
-class Inner:
+class LoopBody:
     """The part of a loop to evaluate under names of its own, and what to make of it then."""
 
     expressions: tuple[ast.Expression, ...]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 
-from ....frozen import EMPTY
+from ....support.frozen import EMPTY
 from ...ir.node import Graph, Node, Op, key_of
 from ...ir.types import Type
 from ..work import Work

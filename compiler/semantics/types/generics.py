@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...ir.meaning import Meaning
 from ...ir.signatures import Family
 from ...ir.types import TEXTURES as ALL_TEXTURES

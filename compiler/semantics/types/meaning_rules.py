@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Rule
 from ...ir.meaning import ANGLE, ARROWS, COLORS, GEOMETRY, MAPS, Meaning

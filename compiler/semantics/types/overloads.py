@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
-from ....frozen import frozen
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
+from ....support.frozen import frozen
 from ...ir.node import Node
 from ...ir.signatures import (
     DEPENDENT,

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
-from ....frozen import changed, frozen
 from ....stdlib.builtins.facts import UNIT, UNKNOWN, Fact
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...diagnostics.fixes import Hint, fix_it

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics.source import Source, Span
 from .expressions import Expression, Name, Number, TypeName
 from .members import Member, RecordKind, Slot

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics.source import Span
 
 

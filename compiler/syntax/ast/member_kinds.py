@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Literal, TypeGuard
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics.source import Span
 from . import members
 from .expressions import Expression, Name, TypeName

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal, Protocol, get_args
 
-from ....frozen import frozen
+from ....support.frozen import frozen
 from ...diagnostics.source import Span
 from .expressions import Expression, Field, Name, Reference, Turns, TypeName
 

@@ -49,7 +49,7 @@ Groups = list[dict[int, Bound]]
 
 
 @dataclass(frozen=True, slots=True)
-class Buffer:
+class VertexBuffer:
     """A vertex buffer: all attributes that advance at the same time."""
 
     step: str
@@ -127,7 +127,7 @@ def sampler(slot: TextureSlot) -> Mapping[str, Any]:
     return state if slot.compare is None else {**state, "compare": COMPARE_WORDS[slot.compare]}
 
 
-def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
+def vertex_buffers(inputs: Sequence[VertexInput]) -> list[VertexBuffer]:
     """One buffer for the attributes of vertices and one for those of instances.
 
     WebGPU guarantees 16 attributes, but only 8 buffers.
@@ -140,11 +140,11 @@ def vertex_buffers(inputs: Sequence[VertexInput]) -> list[Buffer]:
                 members.append((number, each, offset))
                 offset += 4 * lane_count(each.format)
         if members:
-            found.append(Buffer(step, offset, tuple(members)))
+            found.append(VertexBuffer(step, offset, tuple(members)))
     return found
 
 
-def buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
+def buffer_layout(buffer: VertexBuffer) -> Mapping[str, Any]:
     attributes = [
         {"format": each.format, "offset": offset, "shader_location": each.location}
         for _, each, offset in buffer.members
@@ -152,7 +152,7 @@ def buffer_layout(buffer: Buffer) -> Mapping[str, Any]:
     return {"array_stride": buffer.stride, "step_mode": buffer.step, "attributes": attributes}
 
 
-def interleaved(buffer: Buffer, vertices: Sequence[bytes]) -> bytes:
+def interleaved(buffer: VertexBuffer, vertices: Sequence[bytes]) -> bytes:
     """The attributes of one buffer, one vertex, or instance, after the other. ``vertices`` has the
     values of each attribute of the pipeline."""
     columns = [

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, TypeVar
 
-from ....frozen import DEFAULTS
+from ....support.frozen import DEFAULTS
 
 T = TypeVar("T")
 

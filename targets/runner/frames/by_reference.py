@@ -44,14 +44,14 @@ from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from .drawn import Drawn, load, size_of_drawn, store
-from .host import FrameDraw, FrameHost
+from .host import FrameHost, StepDraw
+from .reference_textures import DrawnTexture, load, size_of_drawn, store
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
 
 
-class Inputs(NamedTuple):
+class ReferenceInputs(NamedTuple):
     """The values that the reference draws with."""
 
     shader: Shader
@@ -72,7 +72,7 @@ class ReferenceFrames:
     """The shader of a number as it is computed, if that is not the meant one: a profile's text."""
     frames: int = 0
     """The number of frames that have been drawn."""
-    textures: dict[int, Drawn] = field(default_factory=dict)
+    textures: dict[int, DrawnTexture] = field(default_factory=dict)
     places: Places = field(default_factory=Places)
     buffers: dict[str, Contents] = field(default_factory=dict)
     """The buffers, by the name of the result."""
@@ -113,7 +113,7 @@ class ReferenceFrames:
             self._exchange(row)
         self.frames += 1
 
-    def output(self, name: str) -> Drawn:
+    def output(self, name: str) -> DrawnTexture:
         """The texture that an output of the last frame shows."""
         texture = self.host.plan.output_texture(name)
         assert texture is not None, "it is no buffer"
@@ -136,9 +136,9 @@ class ReferenceFrames:
         if one in self.textures:
             self.textures[one], self.textures[other] = self.textures[other], self.textures[one]
 
-    def _make(self, texture: int) -> Drawn:
+    def _make(self, texture: int) -> DrawnTexture:
         row = self.host.plan.textures[texture]
-        made = Drawn.empty(row, self.host.size_of(texture))
+        made = DrawnTexture.empty(row, self.host.size_of(texture))
         self.textures[texture] = made
         return made
 
@@ -171,7 +171,7 @@ class ReferenceFrames:
             self.told = _part_of(whole, layer, layers)
             self._draw_layer(step, draws, layer)
 
-    def _draw_layer(self, step: DrawStep, draws: list[FrameDraw], layer: int) -> None:
+    def _draw_layer(self, step: DrawStep, draws: list[StepDraw], layer: int) -> None:
         shader = drawable(self._shader(step.draws[0].uses[0].shader))
         rules = self._rules_of(step, shader)
         size = canvas_size(rules.sample_count, len(step.targets))
@@ -179,7 +179,7 @@ class ReferenceFrames:
             self._draw_on_canvas(step, draws, layer, shader, rules)
 
     def _draw_on_canvas(
-        self, step: DrawStep, draws: list[FrameDraw], layer: int, shader: Shader, rules: RasterRules
+        self, step: DrawStep, draws: list[StepDraw], layer: int, shader: Shader, rules: RasterRules
     ) -> None:
         depth = step.depth
         canvas = Canvas(
@@ -212,7 +212,7 @@ class ReferenceFrames:
         return self.host.shaders[number].shader
 
     def _onto(
-        self, canvas: Canvas, hulls: Hulls, draw: FrameDraw, rules: RasterRules, layer: int
+        self, canvas: Canvas, hulls: Hulls, draw: StepDraw, rules: RasterRules, layer: int
     ) -> None:
         """Draw on a canvas; ``layer`` is for shaders that draw each layer by itself."""
         drawn = self._drawn_of(draw, layer)
@@ -221,24 +221,24 @@ class ReferenceFrames:
             self.told, hulls=None if self.errors is None else hulls,
         )  # fmt: skip
 
-    def _drawn_of(self, draw: FrameDraw, layer: int) -> Inputs:
+    def _drawn_of(self, draw: StepDraw, layer: int) -> ReferenceInputs:
         """The inputs of a draw; ``layer`` is for shaders that draw each layer by itself."""
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         shader = drawable(self._shader(draw.shader))
         written = self._give_buffers(state.instance, draw)
-        return Inputs(
+        return ReferenceInputs(
             shader, values_for(shader, state.instance, written), self._texels(draw),
             geometry_for(shader, state.geometry()),
         )  # fmt: skip
 
-    def _texels(self, draw: FrameDraw) -> Mapping[str, Texels]:
+    def _texels(self, draw: StepDraw) -> Mapping[str, Texels]:
         found = texels_of(draw.state.instance)
         for name, read in draw.reads.items():
             if read.texture is not None:
                 found[name] = self.textures[read.texture].texels()
         return found
 
-    def _give_buffers(self, instance: Instance, draw: FrameDraw) -> Mapping[str, Contents]:
+    def _give_buffers(self, instance: Instance, draw: StepDraw) -> Mapping[str, Contents]:
         """Give an instance the buffers that steps have written; returns their contents."""
         written = {
             name: self.buffers[read.result]
@@ -251,7 +251,7 @@ class ReferenceFrames:
 
     # --- kernels ---------------------------------------------------------------------------------
 
-    def _run(self, step: RunStep, draw: FrameDraw) -> None:
+    def _run(self, step: RunStep, draw: StepDraw) -> None:
         instance = draw.state.instance
         given = self._give_buffers(instance, draw)
         if not has_images(instance.reflection):

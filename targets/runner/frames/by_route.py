@@ -49,8 +49,8 @@ from ..drivers.pipeline import Pipeline
 from ..kernels import dispatch_of, full_screen_state, has_images
 from ..routes import Route
 from ..runner import Runner
-from .host import FrameDraw as HostDraw
 from .host import FrameHost
+from .host import StepDraw as HostDraw
 from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]

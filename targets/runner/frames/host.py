@@ -1,6 +1,6 @@
 """The host's side of a plan: values that are set by name, sizes, and the draws of every step.
 
-The reference and the drivers execute the same ``FrameDraw`` records, so that a plan is read in one
+The reference and the drivers execute the same ``StepDraw`` records, so that a plan is read in one
 place.
 """
 
@@ -97,7 +97,7 @@ class Read:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class FrameDraw:
+class StepDraw:
     """One draw of a step, or the run of a kernel."""
 
     shader: int
@@ -274,7 +274,7 @@ class FrameHost:
 
     # --- draws -----------------------------------------------------------------------------------
 
-    def draws(self, step: DrawStep, *, is_first: bool) -> Iterator[FrameDraw]:
+    def draws(self, step: DrawStep, *, is_first: bool) -> Iterator[StepDraw]:
         """All draws of a step, in order."""
         state = self.state_of(step)
         size = self.drawn_size(step)
@@ -283,14 +283,14 @@ class FrameHost:
             for light in self._lights(drawn.light):
                 yield from self._drawn(drawn, light, onto, is_first)
 
-    def kernel(self, step: RunStep, *, is_first: bool) -> FrameDraw:
+    def kernel(self, step: RunStep, *, is_first: bool) -> StepDraw:
         """The run of a kernel."""
         shader = step.use.shader
         self._steps.add(self._costs[shader])
         instance = self.instances[shader].copied()
         reads = self._give(instance, step.use, is_first)
         self._kernels[step.name] = instance
-        return FrameDraw(shader, SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads)
+        return StepDraw(shader, SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads)
 
     def _lights(self, entry: str | None) -> Sequence[tuple[str, int | None] | None]:
         """Each light of an entry of the rig, by its name and number."""
@@ -318,7 +318,7 @@ class FrameHost:
         light: tuple[str, int | None] | None,
         onto: _Onto,
         is_first: bool,
-    ) -> Iterator[FrameDraw]:
+    ) -> Iterator[StepDraw]:
         uses = {use.material: use for use in drawn.uses}
         self._steps.add(sum(self._costs[use.shader] for use in drawn.uses))
         if drawn.models is None:
@@ -357,7 +357,7 @@ class FrameHost:
         light: tuple[str, int | None] | None,
         onto: _Onto,
         is_first: bool,
-    ) -> FrameDraw:
+    ) -> StepDraw:
         instance = self.instances[use.shader].copied()
         scene = self.scenery.scene
         if model is not None:
@@ -367,7 +367,7 @@ class FrameHost:
         scene.apply(instance, onto.seen[0] / onto.seen[1], self.given)
         self._shine(instance, light)
         reads = self._give(instance, use, is_first)
-        return FrameDraw(use.shader, drawn_state(instance, mesh, onto.size), reads)
+        return StepDraw(use.shader, drawn_state(instance, mesh, onto.size), reads)
 
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; or the single light of an entry."""

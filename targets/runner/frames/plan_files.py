@@ -22,7 +22,7 @@ from ....compiler.documents.reading import ShapeError, read, shown
 from ....compiler.documents.reflection import Reflection
 from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
-from ....garbage import seldom_collected
+from ....support.garbage import seldom_collected
 from ...toolchain.directives import foreign_directive
 from ..documents import Quota, read_json
 from ..files import read_file

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from ....compiler.documents.plan import FramePlan
 from ....compiler.documents.reflection import Reflection
 from ....compiler.ir.shader import Shader
-from ....frozen import changed
+from ....support.frozen import changed
 from ..capturing import give_elements
 from ..codes import ShaderFile
 from ..meshes import MESHES, farthest_first

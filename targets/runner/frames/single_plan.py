@@ -39,7 +39,7 @@ from ....compiler.documents.reflection import Reflection
 from ....compiler.documents.steps import ComposedStep, ConstantStep, ParameterStep, StepRow
 from ....compiler.documents.values import LayoutRow, LightRow, ParameterRow
 from ....compiler.reflection.plan import VERSION
-from ....frozen import changed
+from ....support.frozen import changed
 from ..scene import declared_as
 from ..scene_state import Color
 from .scenery import WHOLE

@@ -27,7 +27,7 @@ from ....compiler.documents.steps import (
 )
 from ....compiler.documents.values import DerivedRow
 from ....compiler.reference.functions import evaluate
-from ....frozen import EMPTY, fresh, record
+from ....support.frozen import EMPTY, fresh, record
 from .shapes import MOST_LANES, Elements, Kind, Members, Numbers, Shape, kind_of, lanes_of, shape_of
 
 Named = Any

@@ -10,9 +10,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from copy import copy
 from typing import TYPE_CHECKING, Any, Self
 
-from ....arguments import expect
 from ....compiler.documents.steps import ParameterStep, ResourceStep, StepRow
-from ....frozen import EMPTY
+from ....support.arguments import expect
+from ....support.frozen import EMPTY
 from . import derived
 from .buffers import packed
 from .contents import Contents, empty, layout_of

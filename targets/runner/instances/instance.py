@@ -11,10 +11,10 @@ from collections.abc import Mapping
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from ....arguments import expect
 from ....compiler.budget import check
 from ....compiler.documents.reflection import Reflection
 from ....compiler.documents.values import DerivedRow, ParameterRow
+from ....support.arguments import expect
 from . import derived
 from .blocks import write
 from .host_values import HostValues

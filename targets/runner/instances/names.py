@@ -21,7 +21,7 @@ _STEP = re.compile(r"\w+|\[\d+\]")
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ValuePlace:
     """A parameter or a part of one."""
 
     parameter: str
@@ -70,7 +70,7 @@ class Names:
         """The parameters of a single light, without its own name; empty for any other name."""
         return self._lights.get(name, ())
 
-    def place(self, name: str) -> Place:
+    def place(self, name: str) -> ValuePlace:
         """The parameter, or the part of one, with a name. Raises ``ParameterError`` if there is
         none."""
         steps = _STEP.findall(name) if _NAME.fullmatch(name) else []
@@ -89,14 +89,14 @@ class Names:
                 name, f"`{buffer}` is a storage buffer, which is set and read as a whole"
             )
 
-    def _inside(self, parameter: str, steps: list[str], name: str) -> Place:
+    def _inside(self, parameter: str, steps: list[str], name: str) -> ValuePlace:
         owner, shape, path = parameter, self.shapes[parameter], []
         for step in steps:
             position = _position(shape, step, owner, name)
             text, _, shape = part(shape, position)
             owner += text
             path.append(position)
-        return Place(parameter, tuple(path), shape)
+        return ValuePlace(parameter, tuple(path), shape)
 
     def _unknown(self, name: str) -> str:
         if name in self._lights:

@@ -18,8 +18,8 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from ....arguments import expect, expect_all
 from ....compiler.ir.default_textures import OF_SAMPLES
+from ....support.arguments import expect, expect_all
 from ..drivers.texels import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
 from .kinds import FACES, Kind, PictureError

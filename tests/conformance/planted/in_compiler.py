@@ -22,10 +22,10 @@ from burnish.compiler.passes.rules import table
 from burnish.compiler.passes.rules.rule import Rule
 from burnish.compiler.passes.rules.terms import Term, Variable
 from burnish.compiler.passes.rules.vocabulary import a, x
-from burnish.frozen import changed
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.facts import UNIT, Fact
 from burnish.stdlib.builtins.row import RangeRule, everywhere
+from burnish.support.frozen import changed
 
 from .planting import QUICKEST, Plant, Planted, promised, replaced
 

@@ -11,7 +11,7 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import IVEC2
 from burnish.compiler.passes import pipeline
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.runner import binding, kernels
 from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
 

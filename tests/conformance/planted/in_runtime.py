@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.drivers.draw_job import Draw, Job
 from burnish.targets.runner.drivers.texels import Image

@@ -11,10 +11,10 @@ import pytest
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import SWIZZLE
 from burnish.compiler.ir.program import Varying
-from burnish.frozen import changed
+from burnish.support.frozen import changed
 from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import context, leaves, precedence
-from burnish.targets.emit.dialect import Dialect
+from burnish.targets.emit.context import Dialect
 from burnish.targets.emit.expressions import Expressions
 from burnish.targets.emit.precedence import POSTFIX, Printed, within
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from burnish.frozen import changed
 from burnish.stdlib.builtins.row import everywhere
+from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.conformance.rows import Status
 from burnish.targets.description.forms import Forms

@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from urllib.parse import quote, quote_from_bytes, unquote
 
-from burnish.commands.view.request import Request
+from burnish.commands.view.request import ViewRequest
 from burnish.commands.view.server import Server
 
 from .names import hostile_names
@@ -84,7 +84,7 @@ class Asked:
 
     def __init__(self, folder: Path) -> None:
         shown = _filled(folder)
-        request = Request(
+        request = ViewRequest(
             file=shown, mesh="sphere", scene=None, instances=1, values=(), material=None, rig=None,
             pass_=None, search_path=(), hoist=True,
         )  # fmt: skip

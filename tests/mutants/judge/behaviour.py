@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from burnish.api import CompiledFrame, CompiledMaterial
+    from burnish.api.entry_points import CompiledFrame, CompiledMaterial
     from burnish.targets.runner.codes import Codes
     from burnish.targets.runner.routes import Route
 
@@ -38,7 +38,7 @@ def label(name: Name) -> str:
 
 def names(folders: Iterable[str]) -> Iterator[Name]:
     """All materials of some folders; of files with frames, these."""
-    from burnish import api
+    from burnish.api import entry_points as api
 
     for folder in folders:
         for path in sorted(Path(folder).glob("*.burnish")):
@@ -66,14 +66,14 @@ def compiled(name: Name) -> Judged:
 
 def shaders_of(subject: Judged) -> Sequence[CompiledMaterial]:
     """The shaders of a frame; of a material, itself."""
-    from burnish.api import CompiledFrame
+    from burnish.api.entry_points import CompiledFrame
 
     return subject.shaders if isinstance(subject, CompiledFrame) else (subject,)
 
 
 def description(subject: Judged) -> object:
     """The host's description of a subject: the reflection, or the plan and the reference's plan."""
-    from burnish.api import CompiledFrame
+    from burnish.api.entry_points import CompiledFrame
 
     if isinstance(subject, CompiledFrame):
         return subject.plan, subject.plan_of_reference, [s.reflection for s in subject.shaders]
@@ -112,7 +112,7 @@ def texts(subject: Judged) -> Iterator[tuple[str, object]]:
 
 def told_to_drivers(subject: Judged) -> Iterator[tuple[str, object]]:
     """The data that each route's driver is told, without the code."""
-    from burnish.api import CompiledFrame
+    from burnish.api.entry_points import CompiledFrame
 
     if isinstance(subject, CompiledFrame):
         return _told_of_frame(subject)

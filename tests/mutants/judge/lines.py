@@ -19,7 +19,7 @@ from .studio import Studio
 def import_drawing() -> None:
     """Import what compiles, draws and compares."""
     import_module("burnish.targets.conformance.conform")
-    import_module("burnish.api")
+    import_module("burnish.api.entry_points")
 
 
 def reached(folders: Sequence[str], limit: float, *, drawn: bool) -> dict[str, list[str]]:

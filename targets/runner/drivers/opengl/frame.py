@@ -16,7 +16,6 @@ from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, 
 from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
 from .bindings import Linked, bound, bound_at
-from .blending import set_blending, write_all_lanes
 from .capture import captured
 from .context import (
     GL_COLOR,
@@ -31,7 +30,7 @@ from .context import (
 from .formats import clear_depths
 from .frame_textures import make_frame_texture
 from .program import link, link_kernel
-from .state import set_state
+from .state import set_blending, set_state, write_all_lanes
 from .vertices import MODES, vertices
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import vulkan as vk
 
+from .....compiler.ir.blending import REPLACES, Factor, Operation
 from .....compiler.ir.render_state import (
     Cull,
     Fill,
@@ -17,11 +18,59 @@ from .....compiler.ir.render_state import (
 )
 from ..checks import lane_count
 from ..pipeline import Code, Pipeline, Primitive, StepMode, VertexInput
-from ..render_state import Winding
-from .blending import blend_state
+from ..render_state import RenderTarget, Winding
 from .device import Gpu
 from .formats import VERTICES
 from .texture_images import COMPARES
+
+FACTORS: dict[Factor, int] = {
+    "zero": vk.VK_BLEND_FACTOR_ZERO,
+    "one": vk.VK_BLEND_FACTOR_ONE,
+    "src": vk.VK_BLEND_FACTOR_SRC_COLOR,
+    "one_minus_src": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR,
+    "src_alpha": vk.VK_BLEND_FACTOR_SRC_ALPHA,
+    "one_minus_src_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+    "dst": vk.VK_BLEND_FACTOR_DST_COLOR,
+    "one_minus_dst": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR,
+    "dst_alpha": vk.VK_BLEND_FACTOR_DST_ALPHA,
+    "one_minus_dst_alpha": vk.VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+    "src_alpha_saturated": vk.VK_BLEND_FACTOR_SRC_ALPHA_SATURATE,
+    "constant": vk.VK_BLEND_FACTOR_CONSTANT_COLOR,
+    "one_minus_constant": vk.VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR,
+}
+"""Vulkan's blend factors. In the equation of alpha, a factor with a colour means the colour's
+alpha."""
+
+BLEND_OPERATIONS: dict[Operation, int] = {
+    "add": vk.VK_BLEND_OP_ADD,
+    "subtract": vk.VK_BLEND_OP_SUBTRACT,
+    "reverse_subtract": vk.VK_BLEND_OP_REVERSE_SUBTRACT,
+    "min": vk.VK_BLEND_OP_MIN,
+    "max": vk.VK_BLEND_OP_MAX,
+}
+
+LANES: dict[str, int] = {
+    "r": vk.VK_COLOR_COMPONENT_R_BIT,
+    "g": vk.VK_COLOR_COMPONENT_G_BIT,
+    "b": vk.VK_COLOR_COMPONENT_B_BIT,
+    "a": vk.VK_COLOR_COMPONENT_A_BIT,
+}
+
+
+def blend_state(target: RenderTarget) -> Any:
+    """The state of one target of a pipeline."""
+    blend = target.blend or REPLACES
+    return vk.VkPipelineColorBlendAttachmentState(
+        blendEnable=target.blend is not None,
+        srcColorBlendFactor=FACTORS[blend.color.source],
+        dstColorBlendFactor=FACTORS[blend.color.destination],
+        colorBlendOp=BLEND_OPERATIONS[blend.color.operation],
+        srcAlphaBlendFactor=FACTORS[blend.alpha.source],
+        dstAlphaBlendFactor=FACTORS[blend.alpha.destination],
+        alphaBlendOp=BLEND_OPERATIONS[blend.alpha.operation],
+        colorWriteMask=sum(bit for lane, bit in LANES.items() if target.writes(lane)),
+    )
+
 
 CULL: dict[Cull, int] = {
     "none": vk.VK_CULL_MODE_NONE,

@@ -12,12 +12,12 @@ from ..slots import BlockSlot, BufferSlot, ImageSlot
 from ..texels import Image
 from ..webgpu import Bound
 from .device import Gpu
-from .pipeline import Made
+from .pipeline import MadePipeline
 from .textures import make_sampler, make_view
 
 
 @dataclass(slots=True)
-class Uploads:
+class DrawnData:
     """Buffers and textures with the data that draws carry; equal bytes are uploaded once."""
 
     gpu: Gpu
@@ -39,8 +39,8 @@ class Uploads:
 
 
 def bind_groups(
-    uploads: Uploads,
-    made: Made,
+    uploads: DrawnData,
+    made: MadePipeline,
     blocks: Sequence[bytes],
     views: Sequence[Any],
     storage: Sequence[Any],

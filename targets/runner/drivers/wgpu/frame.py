@@ -13,10 +13,10 @@ from ..draw_job import Draw
 from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
 from ..kernel_job import Dispatch
 from ..webgpu import interleaved
-from .bindings import Uploads, bind_groups
+from .bindings import DrawnData, bind_groups
 from .device import Gpu, explained
 from .frame_textures import MadeTexture, make_frame_texture
-from .pipeline import Made, make_kernel, make_pipeline
+from .pipeline import MadePipeline, make_kernel, make_pipeline
 
 _STORES = {True: "store", False: "discard"}
 _LOADS = {True: "load", False: "clear"}
@@ -41,12 +41,12 @@ class _Frame:
             self._textures.append(made)
             owned.callback(made.texture.destroy)
         usage = wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC
-        self._uploads = Uploads(gpu)
+        self._uploads = DrawnData(gpu)
         self._buffers = [
             gpu.device.create_buffer_with_data(data=each.contents, usage=usage)
             for each in job.buffers
         ]
-        self._pipelines: dict[tuple[int, str | None], Made] = {}
+        self._pipelines: dict[tuple[int, str | None], MadePipeline] = {}
 
     def found(self) -> Found:
         """Do all steps."""
@@ -162,7 +162,7 @@ class _Frame:
 
     def _bound(
         self,
-        made: Made,
+        made: MadePipeline,
         drawn: FrameDraw,
         given: Draw | Dispatch,
         images: Sequence[int],

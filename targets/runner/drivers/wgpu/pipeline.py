@@ -13,8 +13,8 @@ from ..webgpu import (
     COMPUTED,
     DRAWN,
     FLOAT32_TARGETS,
-    Buffer,
     Groups,
+    VertexBuffer,
     bound,
     buffer_layout,
     color_target,
@@ -27,16 +27,16 @@ from .device import Gpu
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class MadePipeline:
     """A pipeline, and the data that drawing with it needs."""
 
     handle: Any
     groups: Groups
     layouts: Sequence[Any]
-    buffers: Sequence[Buffer]
+    buffers: Sequence[VertexBuffer]
 
 
-def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> Made:
+def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> MadePipeline:
     """A pipeline that draws with depths of a format, or without any. Raises ``DriverError``."""
     device, stages = gpu.device, pipeline.stages
     groups, buffers = bound(pipeline), vertex_buffers(pipeline.inputs)
@@ -60,10 +60,10 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> Made:
         multisample={"count": pipeline.samples},
         depth_stencil=depths and {"format": depths, **depth_stencil(pipeline)},
     )
-    return Made(handle, groups, layouts, buffers)
+    return MadePipeline(handle, groups, layouts, buffers)
 
 
-def make_kernel(gpu: Gpu, pipeline: Pipeline) -> Made:
+def make_kernel(gpu: Gpu, pipeline: Pipeline) -> MadePipeline:
     """The pipeline of a kernel."""
     device, groups = gpu.device, bound(pipeline)
     (code,) = pipeline.stages.values()
@@ -77,7 +77,7 @@ def make_kernel(gpu: Gpu, pipeline: Pipeline) -> Made:
             "entry_point": code.entry,
         },
     )
-    return Made(handle, groups, layouts, ())
+    return MadePipeline(handle, groups, layouts, ())
 
 
 def _target(gpu: Gpu, target: RenderTarget) -> Mapping[str, Any]:

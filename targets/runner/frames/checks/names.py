@@ -26,7 +26,7 @@ from .....compiler.documents.plan import (
 )
 from .....compiler.documents.steps import ParameterStep, ResourceStep
 from .....compiler.ir.formats import DEPTH_WORDS
-from .....frozen import changed
+from .....support.frozen import changed
 from .reflections import Values
 from .rows import Named, drawn_to, fail, inputs, places_of_waiting
 from .steps import check_steps

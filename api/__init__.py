@@ -1,0 +1,1 @@
+"""The library: its entry points, and the records that they return."""
