@@ -14,6 +14,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from burnish.compiler.constraints import Length, Nested, Pattern, Range
 from burnish.compiler.documents.shapes import (
+    Field,
     alternatives_of,
     bare,
     constraints_of,
@@ -112,7 +113,7 @@ def _sample(type_: Any) -> Any:
     """The least value of a type."""
     constraints, inner = constraints_of(type_), bare(type_)
     if is_record(inner):
-        return {each.key: _sample(each.type) for each in fields_of(inner) if not each.is_optional}
+        return {each.key: _of_field(each) for each in fields_of(inner) if not each.is_optional}
     if may_be_null(inner):
         return None
     if get_origin(inner) is Literal:
@@ -131,6 +132,12 @@ def _sample(type_: Any) -> Any:
     if inner is bool:
         return False
     return next((each.least or 0 for each in constraints if isinstance(each, Range)), 0)
+
+
+def _of_field(field: Field) -> Any:
+    """The least value of a field, in the words of documents."""
+    sample = _sample(field.type)
+    return field.spelling.get(sample, sample) if field.spelling and sample is not None else sample
 
 
 # --- values --------------------------------------------------------------------------------------

@@ -153,7 +153,7 @@ def test_the_reflection_says_that_the_stage_is_there() -> None:
     (material,) = burnish.compile(TENT, "glsl:vulkan", native_stages=True).materials
     assert to_json(material.reflection.draw) == {
         "primitive": "triangle", "corners": 3, "expanded_by": "geometry", "vertices": 18,
-        "topology": "triangle", "tessellation": None, "layers": None,
+        "topology": "triangle-list", "tessellation": None, "layers": None,
     }  # fmt: skip
     rows = material.reflection.vertex_inputs
     assert {(row.name, row.step, row.mesh) for row in rows} == {
