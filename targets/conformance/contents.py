@@ -26,8 +26,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...support.frozen import changed
 from ..runner.binding import FORMATS
 from ..runner.capturing import Vertices, captured_by, give_elements
-from ..runner.drivers.draw_job import Draw as Drawn
-from ..runner.drivers.kernel_job import Written
+from ..runner.drivers.draws import Draw as Drawn
 from ..runner.drivers.pipeline import Pipeline
 from ..runner.drivers.readback import arrays
 from ..runner.kernels import (
@@ -39,6 +38,7 @@ from ..runner.kernels import (
     job_of,
     pictures_of,
 )
+from ..runner.pipeline_jobs import Written
 from ..runner.reference import Draw, Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
 from ..runner.routes import Route

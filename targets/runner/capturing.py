@@ -19,14 +19,14 @@ from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
-from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import DriverError
-from .drivers.kernel_job import Written
+from .drivers.frame_job import Captured
 from .drivers.pipeline import Pipeline
 from .instances.shapes import lanes_of, stored_as
 from .kernels import dispatch_of, elements_of, job_of
 from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
+from .pipeline_jobs import Written, capture_job
 from .routes import Route
 from .runner import Runner
 from .scene_state import SceneState
@@ -86,8 +86,9 @@ def captured_by(
     """
     reflection = states[0].instance.reflection
     if _capture(reflection).buffer is None:
-        draws = tuple(state.draw() for state in states)
-        answers = runner.capture(route, CaptureJob(bound, draws, tuple(map(most, states))))
+        draws = [state.draw() for state in states]
+        job = capture_job(bound, draws, list(map(most, states)))
+        answers = runner.capture(route, job)
         return [vertices(reflection, answer) for answer in answers]
     for state in states:
         give_elements(state)

@@ -12,9 +12,7 @@ from ...compiler.budget import check
 from ...compiler.ir.shader import Shader
 from ...compiler.reference.cost import check_operations
 from ...compiler.reference.picture import PIXELS_AT_ONCE
-from .drivers.capture_job import CaptureJob
-from .drivers.draw_job import Draw, Job
-from .drivers.kernel_job import KernelJob
+from .drivers.frame_job import FrameDraw, FrameJob, FrameStep
 from .drivers.texels import Image
 
 TEXEL = 16
@@ -32,40 +30,31 @@ def check_work(shader: Shader) -> None:
     check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
 
 
-def check_draws(job: Job) -> None:
-    """Raise ``BudgetError`` if a job of draws sends and reads back too much."""
-    of_pixel = TEXEL * len(job.pipeline.targets) * max(job.pipeline.layers, 1)
-    back = sum(draw.width * draw.height * max(len(draw.layers), 1) for draw in job.draws)
-    _check(back * of_pixel + sum(map(_sent, job.draws)))
-
-
-def check_dispatches(job: KernelJob) -> None:
-    """Raise ``BudgetError`` if a kernel job, with its buffers, sends and reads back too much."""
-    of_texel = TEXEL * len(job.pipeline.images)
-    size = 0
-    for dispatch in job.dispatches:
-        width, height, depth = dispatch.extent
-        size += width * height * depth * of_texel + 2 * _lengths(dispatch.buffers)
-        size += _lengths(dispatch.blocks) + sum(map(_texels, dispatch.textures))
-    _check(size)
-
-
-def check_captures(job: CaptureJob) -> None:
-    """Raise ``BudgetError`` if a job of captures sends and reads back too much."""
-    output = job.pipeline.stream_output
-    back = 0 if output is None else output.stride * sum(job.most)
-    _check(back + sum(map(_sent, job.draws)))
-
-
-def _check(size: int) -> None:
+def check_job(job: FrameJob) -> None:
+    """Raise ``BudgetError`` if a job sends and reads back too much."""
+    size = sum(each.size for each in job.buffers)
+    for step in job.steps:
+        size += _read_back(job, step) + sum(map(_sent, step.draws))
     check("memory", size * COPIES, "what a driver is sent and sends back needs")
 
 
-def _sent(draw: Draw) -> int:
-    """The bytes of a draw."""
-    parts = (*draw.vertices, draw.indices, *draw.blocks, *draw.buffers)
-    layers = sum(map(_lengths, draw.layers))
-    return _lengths(parts) + layers + sum(map(_texels, draw.textures))
+def _read_back(job: FrameJob, step: FrameStep) -> int:
+    textures = (job.textures[number] for number in step.read)
+    size = sum(TEXEL * each.width * each.height * each.layers for each in textures)
+    size += sum(job.buffers[number].size for number in step.read_buffers)
+    if step.captures is not None:
+        outputs = (job.pipelines[each.pipeline].stream_output for each in step.draws)
+        size += sum(step.captures * output.stride for output in outputs if output is not None)
+    return size
+
+
+def _sent(drawn: FrameDraw) -> int:
+    """The bytes of a draw or a dispatch."""
+    values, draw = drawn.values, drawn.draw
+    parts = [*values.blocks, *values.buffers]
+    if draw is not None:
+        parts += [*draw.vertices, draw.indices]
+    return _lengths(parts) + sum(map(_texels, values.textures))
 
 
 def _texels(image: Image) -> int:

@@ -19,10 +19,11 @@ from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import RASTERISED
 from ...support.frozen import changed
-from .drivers.draw_job import Draw, Job, Picture
-from .drivers.kernel_job import Dispatch, KernelJob, Written
+from .drivers.draws import Dispatch, Draw
+from .drivers.frame_job import FrameJob, Picture
 from .drivers.pipeline import Pipeline
 from .instances.instance import Instance
+from .pipeline_jobs import Written, kernel_job
 from .routes import Route
 from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
@@ -65,10 +66,10 @@ def is_drawn(reflection: Reflection) -> bool:
     return reflection.capture is None and not is_over_buffers(reflection)
 
 
-def job_of(reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]) -> KernelJob:
+def job_of(reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]) -> FrameJob:
     """The job that runs a kernel's pipeline for some dispatches."""
     assert reflection.work_group is not None, "it is a kernel"
-    return KernelJob(pipeline, reflection.work_group, tuple(dispatches))
+    return kernel_job(pipeline, reflection.work_group, dispatches)
 
 
 def dispatch_of(instance: Instance) -> Dispatch:
@@ -136,16 +137,13 @@ def pictures_of(
     Raises ``DriverError``.
     """
     if not pipeline.images:
-        return runner.draw(route, Job(pipeline, tuple(draws)))
+        return runner.draw(route, pipeline, draws)
     dispatches = [
         Dispatch((draw.width, draw.height, 1), draw.blocks, draw.textures, draw.buffers)
         for draw in draws
     ]
     written = runner.compute(route, job_of(reflection, pipeline, dispatches))
-    return [
-        Picture(draw.width, draw.height, one.images)
-        for draw, one in zip(draws, written, strict=True)
-    ]
+    return [each.images for each in written]
 
 
 def drawable(shader: Shader) -> Shader:

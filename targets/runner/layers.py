@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.reference.picture import Expected
-from .drivers.draw_job import Draw, Picture
+from .drivers.draws import Draw
+from .drivers.frame_job import Picture
 
 Floats = NDArray[np.float64]
 
@@ -25,12 +26,14 @@ def single_draws(draw: Draw) -> tuple[Draw, ...]:
 
 
 def stacked(pictures: Sequence[Picture]) -> Picture:
-    """The layers as one picture, the rows of the first one on top."""
-    targets = zip(*(picture.targets for picture in pictures), strict=True)
-    return Picture(
-        pictures[0].width,
-        sum(picture.height for picture in pictures),
-        tuple(map(b"".join, targets)),
+    """One picture of the layers."""
+    return tuple(
+        replace(
+            layers[0],
+            layers=sum(each.layers for each in layers),
+            texels=b"".join(each.texels for each in layers),
+        )
+        for layers in zip(*pictures, strict=True)
     )
 
 

@@ -1,4 +1,4 @@
-"""Sends jobs to the drivers' worker processes, and keeps the pictures in a store.
+"""Sends jobs to the drivers' worker processes, and keeps their results in a store.
 
 ``render`` and ``conform`` draw through one ``Runner``.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-import struct
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from itertools import chain
@@ -18,19 +17,19 @@ from typing import Any
 from ..closing import Closing
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
-from .drivers.capture_job import Captured, CaptureJob
 from .drivers.device import Device, DriverError
-from .drivers.draw_job import Job, Picture
-from .drivers.frame_job import Found, FrameJob, FrameTexels
-from .drivers.kernel_job import KernelJob, Written
-from .drivers.wire import from_json, to_json
-from .job_sizes import check_captures, check_dispatches, check_draws
+from .drivers.draws import Draw
+from .drivers.frame_job import Captured, Found, FrameJob, FrameTexels, Picture
+from .drivers.pipeline import Pipeline
+from .drivers.wire import from_json, packed, to_json, unpacked
+from .job_sizes import check_job
 from .layers import single_draws, stacked
+from .pipeline_jobs import Written, draw_job, pictures, written
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
 STORE = "pictures"
-"""The name of the store that keeps pictures."""
+"""The name of the store that keeps the results of jobs."""
 
 TIME_LIMIT = 120.0
 """The seconds that one job may take, including the start of its driver."""
@@ -91,50 +90,47 @@ class Runner(Closing):
             raise found
         return found
 
-    def draw(self, route: Route, job: Job) -> tuple[Picture, ...]:
-        """A picture for each draw of the job, from the store if it was drawn before.
+    def draw_frame(self, route: Route, job: FrameJob) -> Found:
+        """Do a frame job: returns what it reads back, from the store if it was done before.
+
+        Raises ``DriverError``.
+        """
+        request = {"frame": to_json(job)}
+        if self._store is None:
+            return self._found(route, request)
+        name = self._digest(route, request)
+        kept = self._store.read(name)
+        if kept is not None:
+            return unpacked(Found, kept)
+        found = self._found(route, request)
+        self._store.write(name, packed(found))
+        return found
+
+    def draw(self, route: Route, pipeline: Pipeline, draws: Sequence[Draw]) -> list[Picture]:
+        """A picture for each draw with a pipeline.
 
         Layers that are draws of their own come together in one picture. Raises ``DriverError``, and
         ``BudgetError`` for pictures that are too large.
         """
-        check_draws(job)
-        singles = [single_draws(draw) for draw in job.draws]
-        drawn = iter(self._drawn(route, Job(job.pipeline, tuple(chain.from_iterable(singles)))))
-        return tuple(stacked([next(drawn) for _ in draws]) for draws in singles)
+        singles = [single_draws(draw) for draw in draws]
+        job = draw_job(pipeline, list(chain.from_iterable(singles)))
+        check_job(job)
+        drawn = iter(pictures(job, self.draw_frame(route, job)))
+        return [stacked([next(drawn) for _ in layers]) for layers in singles]
 
-    def _drawn(self, route: Route, job: Job) -> tuple[Picture, ...]:
-        """A picture for each draw of a job whose draws have no layers."""
-        request = {"job": to_json(job)}
-        name = self._digest(route, request)
-        kept = self._store.read(name) if self._store else None
-        if kept is not None:
-            return _unpacked(kept)
-        pictures = self._ask(route.driver, request)["pictures"]
-        made = tuple(from_json(Picture, picture) for picture in pictures)
-        if self._store:
-            self._store.write(name, _packed(made))
-        return made
-
-    def compute(self, route: Route, job: KernelJob) -> tuple[Written, ...]:
-        """Run a kernel job: returns what each dispatch writes.
+    def compute(self, route: Route, job: FrameJob) -> list[Written]:
+        """Run a job of dispatches: returns what each of them writes.
 
         Raises ``DriverError`` and ``BudgetError``.
         """
-        check_dispatches(job)
-        answer = self._ask(route.driver, {"kernel": to_json(job)})
-        return tuple(from_json(Written, written) for written in answer["written"])
+        check_job(job)
+        return written(job, self.draw_frame(route, job))
 
-    def capture(self, route: Route, job: CaptureJob) -> tuple[Captured, ...]:
-        """The vertices that each draw of the job captures. Raises ``DriverError`` and
+    def capture(self, route: Route, job: FrameJob) -> tuple[Captured, ...]:
+        """The vertices that each draw of a job captures. Raises ``DriverError`` and
         ``BudgetError``."""
-        check_captures(job)
-        answer = self._ask(route.driver, {"capture": to_json(job)})
-        return tuple(from_json(Captured, captured) for captured in answer["captured"])
-
-    def draw_frame(self, route: Route, job: FrameJob) -> Found:
-        """Do a frame job: returns what it reads back. Raises ``DriverError``."""
-        answer = self._ask(route.driver, {"frame": to_json(job)})
-        return from_json(Found, answer["found"])
+        check_job(job)
+        return self.draw_frame(route, job).captured
 
     def draw_package(
         self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
@@ -152,6 +148,9 @@ class Runner(Closing):
             1 if row.one_worker else count,
             lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
         )
+
+    def _found(self, route: Route, request: Mapping[str, Any]) -> Found:
+        return from_json(Found, self._ask(route.driver, request)["found"])
 
     def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:
         with self._pools[driver].borrow() as worker:
@@ -174,30 +173,3 @@ def _runner_digest() -> str:
     pages, with which browsers draw."""
     host = chain.from_iterable(host_modules().items())
     return digest(digest_of_sources(Path(__file__).parent), *host)
-
-
-_SIZES = struct.Struct("<III")
-
-
-def _packed(pictures: Sequence[Picture]) -> bytes:
-    """Pictures as bytes: width, height, number of targets, and the targets."""
-    return b"".join(
-        part
-        for picture in pictures
-        for part in (
-            _SIZES.pack(picture.width, picture.height, len(picture.targets)),
-            *picture.targets,
-        )
-    )
-
-
-def _unpacked(data: bytes) -> tuple[Picture, ...]:
-    pictures, at = [], 0
-    while at < len(data):
-        width, height, count = _SIZES.unpack_from(data, at)
-        at += _SIZES.size
-        size = width * height * 16
-        targets = tuple(data[at + i * size : at + (i + 1) * size] for i in range(count))
-        at += count * size
-        pictures.append(Picture(width, height, targets))
-    return tuple(pictures)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...compiler.ir.stages import INSTANCES, VERTICES
 from ...compiler.reference.picture import Geometry, instanced
-from .drivers.draw_job import Draw
+from .drivers.draws import Draw
 from .expanded_draws import as_drawn
 from .instances.instance import Instance
 from .instances.shapes import stored_as

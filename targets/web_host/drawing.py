@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from ...compiler.documents.writing import to_json
+from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
 from ..runner.frames.counting import check_textures
@@ -30,4 +31,4 @@ def draw_frames(
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
     found = iter(runner.draw_package(route, to_json(package), names, count))
-    return [{name: by_route.array_of(next(found)) for name in names} for _ in range(count)]
+    return [{name: layers_of(next(found)) for name in names} for _ in range(count)]

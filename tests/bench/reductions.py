@@ -15,7 +15,7 @@ from burnish.api.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.kernel_job import KernelJob
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.kernels import dispatch_of, job_of
 from burnish.targets.runner.routes import ROUTES
@@ -58,7 +58,7 @@ def measure() -> Iterator[Section]:
         rows: list[Row] = []
         for pair in PAIRS:
             serial, grouped = (_job(kernels[name], toolchain) for name in pair)
-            first, second = (driver.compute(job)[0].buffers[0] for job in (serial, grouped))
+            first, second = (driver.draw_frame(job).buffers[0] for job in (serial, grouped))
             kind = "<f4" if "Total" in pair[0] else "<u4"
             one, other = np.frombuffer(first, kind), np.frombuffer(second, kind)
             assert np.allclose(one, other, rtol=1e-5), "the two compute something else"
@@ -73,7 +73,7 @@ def _row(what: str, taken: float, plain: float) -> Row:
     return {"kernel": what, "ms": round(taken, 2), "beside the first": round(taken / plain, 2)}
 
 
-def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
+def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> FrameJob:
     route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
     random = np.random.default_rng(1)
     for row in kernel.reflection.buffers:

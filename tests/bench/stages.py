@@ -19,9 +19,11 @@ import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.meshes import Mesh
+from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES, inspect_tools
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import set_up
@@ -47,35 +49,35 @@ FORMS: Mapping[str, Mapping[str, Any]] = {"native": {"native_stages": True}, "lo
 
 def measure() -> Iterator[Section]:
     """One row for each material that has two forms."""
-    jobs = {form: _sprites(options) for form, options in FORMS.items()}
+    drawn = {form: _sprites(options) for form, options in FORMS.items()}
     with _driver() as driver:
         yield Section(
             "stages", "Milliseconds of a draw on lavapipe, without a stage and with it",
-            [_row(f"{SPRITES} sprites", driver, jobs)],
+            [_row(f"{SPRITES} sprites", driver, drawn)],
         )  # fmt: skip
 
 
-def _row(what: str, driver: VulkanDriver, jobs: Mapping[str, Job]) -> Row:
+def _row(what: str, driver: VulkanDriver, drawn: Mapping[str, tuple[Pipeline, Draw]]) -> Row:
     """The forms in turn, so that what else the machine does spoils both alike."""
-    best = dict.fromkeys(jobs, float("inf"))
+    best = dict.fromkeys(drawn, float("inf"))
     for _ in range(ROUNDS):
-        for form, job in jobs.items():
-            best[form] = min(best[form], _milliseconds(driver, job))
+        for form, each in drawn.items():
+            best[form] = min(best[form], _milliseconds(driver, *each))
     ratio = best["lowered"] / best["native"]
     return {"what": what, **best, "ratio": ratio, f"at most {LIMIT}": ratio <= LIMIT}
 
 
-def _milliseconds(driver: VulkanDriver, job: Job) -> float:
-    """The time of one draw of a job by a pipeline that is there already."""
+def _milliseconds(driver: VulkanDriver, made: Pipeline, draw: Draw) -> float:
+    """The time of one draw by a pipeline that is there already."""
     times = []
     for count in (1, 1 + DRAWS):
         start = perf_counter()
-        driver.draw(Job(job.pipeline, job.draws * count))
+        driver.draw_frame(draw_job(made, [draw] * count))
         times.append(perf_counter() - start)
     return 1000 * (times[1] - times[0]) / DRAWS
 
 
-def _sprites(options: Mapping[str, Any]) -> Job:
+def _sprites(options: Mapping[str, Any]) -> tuple[Pipeline, Draw]:
     """Many small sprites: each vertex of a mesh turns into a square that faces the viewer."""
     path = EXAMPLES / "sprites.burnish"
     (material,) = burnish.compile(path, ROUTE.profile, **options).materials
@@ -85,7 +87,7 @@ def _sprites(options: Mapping[str, Any]) -> Job:
     state = set_up(instance, with_inputs(material.reflection, _cloud()), Scene(), SIZE)
     with Toolchain() as toolchain:
         codes = compile_one(ROUTE, material.files, toolchain)
-    return Job(pipeline(material.reflection, ROUTE, codes, exact=False), (state.draw(),))
+    return pipeline(material.reflection, ROUTE, codes, exact=False), state.draw()
 
 
 def _cloud() -> Mesh:

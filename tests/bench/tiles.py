@@ -22,8 +22,10 @@ from burnish.api.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
+from burnish.targets.runner.drivers.draws import Dispatch
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Code
+from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.vulkan import frame
 from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
@@ -61,9 +63,9 @@ def measure() -> Iterator[Section]:
         )
         assert verdict.spirv, verdict.report()
         stages = {"compute": Code("main", spirv=verdict.spirv)}
-        twin = replace(own, pipeline=replace(own.pipeline, stages=stages))
-        images = [driver.compute(job)[0].images[0] for job in (own, twin)]
-        first, second = (np.frombuffer(image, "<f4") for image in images)
+        (pipeline_,) = own.pipelines
+        twin = replace(own, pipelines=(replace(pipeline_, stages=stages),))
+        first, second = (layers_of(driver.draw_frame(job).texels[0]) for job in (own, twin))
         assert np.abs(first - second).max() < 1e-2, "the twin computes something else"
         plain = milliseconds(driver, own)
         rows: list[Row] = [
@@ -79,7 +81,7 @@ def _row(what: str, taken: float, plain: float) -> Row:
     return {"what": what, "ms": round(taken, 1), "beside the first": round(taken / plain, 2)}
 
 
-def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
+def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> FrameJob:
     route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
     texels = np.random.default_rng(1).integers(0, 256, (SIZE, SIZE, 4)).astype(np.uint8)
     instance.set("source", burnish.Texture.of_array(texels))
@@ -90,12 +92,12 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> KernelJob:
     return job_of(kernel.reflection, bound, [dispatch])
 
 
-def milliseconds(driver: VulkanDriver, job: KernelJob) -> float:
+def milliseconds(driver: VulkanDriver, job: FrameJob) -> float:
     """The best time of the commands alone, without the transfers before and after them."""
     taken: list[float] = []
     with patch.object(frame, "recording", lambda gpu: _Timed(gpu, taken)):
         for _ in range(RUNS):
-            driver.compute(job)
+            driver.draw_frame(job)
     return 1000 * min(taken)
 
 

@@ -12,7 +12,6 @@ import burnish
 from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES, Route
@@ -71,5 +70,5 @@ def returned(
     state = set_up(instance, plane(1), Scene(), (SIDE, SIDE))
     codes = compile_one(route, material.files, toolchain)
     made = pipeline(material.reflection, route, codes, exact=True)
-    (picture,) = runner.draw(route, Job(made, (state.draw(),)))
+    (picture,) = runner.draw(route, made, [state.draw()])
     return [target[..., lane] for target in arrays(picture) for lane in range(4)]

@@ -20,7 +20,6 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -87,7 +86,7 @@ class Studio(Closing):
         assert problem is None, f"{where} cannot be drawn: {problem}"
         codes = compile_one(route, material.files, self.toolchain)
         made = pipeline(material.reflection, route, codes, exact=True)
-        (picture,) = self.runner.draw(route, Job(made, (state.draw(),)))
+        (picture,) = self.runner.draw(route, made, [state.draw()])
         return arrays(picture)
 
     def judged(self, route: str, name: str, subject: CompiledMaterial) -> Row:

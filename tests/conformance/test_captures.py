@@ -24,10 +24,10 @@ from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.capturing import Vertices, capture
-from burnish.targets.runner.drivers.capture_job import Captured
-from burnish.targets.runner.drivers.kernel_job import Written
+from burnish.targets.runner.drivers.frame_job import Captured
 from burnish.targets.runner.kernels import elements_of
 from burnish.targets.runner.meshes import MeshError, cube, plane
+from burnish.targets.runner.pipeline_jobs import Written
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up

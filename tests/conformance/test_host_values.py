@@ -16,7 +16,6 @@ import pytest
 from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.routes import ROUTES
@@ -92,7 +91,7 @@ def drawn(
     route = ROUTES[where]
     codes = compile_one(route, material().files, studio.toolchain)
     made = pipeline(material().reflection, route, codes, exact=True)
-    (picture,) = studio.runner.draw(route, Job(made, (draw,)))
+    (picture,) = studio.runner.draw(route, made, [draw])
     return arrays(picture)
 
 

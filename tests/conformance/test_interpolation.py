@@ -19,7 +19,6 @@ from burnish.targets.conformance.compare import Comparison, compare
 from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -85,7 +84,7 @@ def comparisons(name: str, studio: Studio, factor: float = 1.0) -> Iterator[Comp
     codes = compile_one(route, material().files, studio.toolchain)
     made = pipeline(material().reflection, route, codes, exact=True)
     drawn = list(states())
-    pictures = studio.runner.draw(route, Job(made, tuple(state.draw() for state in drawn)))
+    pictures = studio.runner.draw(route, made, [state.draw() for state in drawn])
     program = to_targets(material().emitted(route.profile), exact=True)
     for state, picture in zip(drawn, pictures, strict=True):
         bounds = bounds_of(state, route, studio.runner.device(route))[0]

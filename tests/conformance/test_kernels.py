@@ -20,7 +20,8 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
-from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
+from burnish.targets.runner.drivers.draws import Dispatch
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
@@ -73,10 +74,11 @@ def _one_group_less(instance: Instance) -> Dispatch:
 
 def _half_the_groups(
     reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]
-) -> KernelJob:
-    made = running.job_of(reflection, pipeline, dispatches)
-    x, y, z = made.work_group
-    return replace(made, work_group=(2 * x, y, z))
+) -> FrameJob:
+    assert reflection.work_group is not None
+    x, y, z = reflection.work_group
+    larger = changed(reflection, work_group=(2 * x, y, z))
+    return running.job_of(larger, pipeline, dispatches)
 
 
 def _first_column(self: Any, expressions: Any, store: Any, value: Any) -> Any:

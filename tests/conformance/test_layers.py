@@ -21,7 +21,7 @@ from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.passes.layers import layer_of
 from burnish.support.frozen import changed
 from burnish.targets.runner import binding, layers, runner
-from burnish.targets.runner.drivers.draw_job import Draw
+from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.render import by_reference
 from burnish.targets.runner.routes import ROUTES

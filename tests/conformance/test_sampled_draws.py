@@ -42,8 +42,8 @@ def test_a_single_sample_is_found(studio: Studio, monkeypatch: pytest.MonkeyPatc
     """A driver that ignores them differs at the edges of what it draws."""
     draw = Runner.draw
 
-    def with_one(runner: Runner, route: Any, job: Any) -> Any:
-        return draw(runner, route, replace(job, pipeline=replace(job.pipeline, samples=1)))
+    def with_one(runner: Runner, route: Any, pipeline: Any, draws: Any) -> Any:
+        return draw(runner, route, replace(pipeline, samples=1), draws)
 
     monkeypatch.setattr(Runner, "draw", with_one)
     assert {row.status for row in rows(studio)} == {"differs"}

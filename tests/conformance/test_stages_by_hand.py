@@ -22,7 +22,6 @@ from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.ir.stages import STAGES
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.instances.instance import Instance
@@ -91,7 +90,7 @@ def ours(studio: Studio, name: str) -> Pipeline:
 
 def drawn(studio: Studio, made: Pipeline, name: str, values: Values) -> Floats:
     """A pipeline's picture of a plane."""
-    (picture,) = studio.runner.draw(ROUTE, Job(made, (state_of(name, values).draw(),)))
+    (picture,) = studio.runner.draw(ROUTE, made, [state_of(name, values).draw()])
     return arrays(picture)[0]
 
 

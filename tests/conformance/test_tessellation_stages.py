@@ -50,7 +50,6 @@ from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import Pipeline, Primitive
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.meshes import Indices
@@ -256,7 +255,7 @@ def drawn(
     made: Pipeline = pipeline(material.reflection, where, codes, exact=True)
     if primitive is not None:
         made = replace(made, primitive=primitive)
-    pictures = studio.runner.draw(where, Job(made, tuple(each.draw() for each in states)))
+    pictures = studio.runner.draw(where, made, [each.draw() for each in states])
     return [arrays(picture) for picture in pictures]
 
 

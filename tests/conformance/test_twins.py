@@ -27,8 +27,9 @@ from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draw_job import Job
+from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.pipeline import Pipeline, VertexInput
+from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
@@ -202,18 +203,17 @@ def by_hand(route: Route, codes: Codes) -> Pipeline:
     )
 
 
-def drawn(studio: Studio, route: Route, job: Job) -> Floats:
+def drawn(studio: Studio, route: Route, made: Pipeline, draw: Draw) -> Floats:
     """The only target of the only draw."""
     assert studio.runner.problem(route) is None
-    (picture,) = studio.runner.draw(route, job)
-    pixels = np.frombuffer(picture.targets[0], "<f4").reshape(SIZE[1], SIZE[0], 4)
-    return pixels.astype(np.float64)
+    (picture,) = studio.runner.draw(route, made, [draw])
+    return arrays(picture)[0]
 
 
 def drawn_by_burnish(studio: Studio, route: Route, taken: SceneState) -> Floats:
     codes = compile_one(route, material().files, studio.toolchain)
     made = pipeline(material().reflection, route, codes, exact=True)
-    return drawn(studio, route, Job(made, (taken.draw(),)))
+    return drawn(studio, route, made, taken.draw())
 
 
 def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
@@ -224,7 +224,7 @@ def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
         for name in ("vertex_position", "vertex_normal")
     )
     filled = replace(taken.draw(), vertices=vertices, blocks=(block(SCENES[scene][1]),))
-    return drawn(studio, route, Job(by_hand(route, codes), (filled,)))
+    return drawn(studio, route, by_hand(route, codes), filled)
 
 
 def drawn_by_reference(

@@ -27,9 +27,10 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "scenes": ("targets/runner/scene*.py", "targets/runner/binding.py"),
     "frames": ("targets/runner/frames/by_route.py", "targets/runner/frames/memory.py"),
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py",
-                "targets/runner/drivers/by_frames.py"),
+                "targets/runner/pipeline_jobs.py"),
     "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py",
-                  "targets/runner/frames/by_reference.py", "targets/runner/frames/reference_textures.py"),
+                  "targets/runner/frames/by_reference.py",
+                  "targets/runner/frames/reference_textures.py"),
     "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
 """The files of the package that each part has."""

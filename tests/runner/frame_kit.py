@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.draw_job import Draw
+from burnish.targets.runner.drivers.draws import Dispatch, Draw
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
@@ -26,7 +26,6 @@ from burnish.targets.runner.drivers.frame_job import (
     FrameTexels,
     FrameTexture,
 )
-from burnish.targets.runner.drivers.kernel_job import Dispatch
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import (

@@ -14,11 +14,12 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets.runner.drivers.draw_job import Draw, Job
+from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import Place, TextureSlot
 from burnish.targets.runner.drivers.texels import TEXELS, Dimension, Image, Sample, TextureFormat
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_kit, vulkan_kit
 
@@ -102,7 +103,7 @@ def _shown(
         return _vulkan(driver).one(made, draw)
     made = _textual_pipeline(driver, placed, glsl, wgsl)
     painted: Draw = textual_kit.mesh(corners, [(*each, 0, 0) for each in at])
-    job = Job(made, (replace(painted, textures=tuple(images)),))
+    job = draw_job(made, (replace(painted, textures=tuple(images)),))
     return textual_kit.shoot(driver, job)
 
 

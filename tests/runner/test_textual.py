@@ -11,8 +11,8 @@ import pytest
 
 from burnish.compiler.ir.blending import NAMED, Blend, BlendEquation, Factor, Operation
 from burnish.compiler.ir.render_state import Compare, Cull, DepthState
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders
@@ -48,7 +48,7 @@ def test_device(api: str) -> None:
 
 
 def test_first_row_is_the_top(api: str) -> None:
-    picture = shoot(api, Job(pipeline(api), (mesh(TOP_LEFT, RED),)))
+    picture = shoot(api, draw_job(pipeline(api), (mesh(TOP_LEFT, RED),)))
     assert (picture[0, 0] == RED).all()
     covered = picture[..., 3] == 1
     assert covered[: SIZE // 2, : SIZE // 2].sum() == covered.sum() > 0
@@ -57,11 +57,11 @@ def test_first_row_is_the_top(api: str) -> None:
 
 def test_a_turned_text_is_not_turned_back(api: str) -> None:
     turned = replace(pipeline(api), first_row="bottom" if api == "webgpu" else "top")
-    assert (shoot(api, Job(turned, (mesh(TOP_LEFT, RED),)))[-1, 0] == RED).all()
+    assert (shoot(api, draw_job(turned, (mesh(TOP_LEFT, RED),)))[-1, 0] == RED).all()
 
 
 def test_interpolates(api: str) -> None:
-    picture = shoot(api, Job(pipeline(api), (mesh(CORNERS, [(0, 0, 0, 1), RED, GREEN]),)))
+    picture = shoot(api, draw_job(pipeline(api), (mesh(CORNERS, [(0, 0, 0, 1), RED, GREEN]),)))
     centres = (np.arange(SIZE) + 0.5) / SIZE / 2
     expected = np.zeros((SIZE, SIZE, 4))
     expected[..., 0] = centres
@@ -75,7 +75,9 @@ def test_interpolates(api: str) -> None:
 def test_culling(api: str, cull: Cull, front: Literal["ccw", "cw"]) -> None:
     chosen = replace(pipeline(api), cull=cull, front_face=front)
     counter, clockwise = full(RED), mesh(CORNERS[::-1], RED)
-    drawn = [kit.pixels(p).any() for p in kit.asker(api).draw(Job(chosen, (counter, clockwise)))]
+    drawn = [
+        kit.pixels(p).any() for p in kit.asker(api).draw(draw_job(chosen, (counter, clockwise)))
+    ]
     faces = ["front", "back"] if front == "ccw" else ["back", "front"]
     assert drawn == [face != cull for face in faces]
 
@@ -84,7 +86,7 @@ def test_nearer_wins_in_any_order(api: str) -> None:
     near, far = [(x, y, 0.25) for x, y in CORNERS], [(x, y, 0.75) for x, y in CORNERS]
     paints = np.repeat([GREEN, RED], 3, axis=0)
     draws = (mesh(near + far, paints), mesh(far + near, paints[::-1]))
-    for picture in kit.asker(api).draw(Job(pipeline(api), draws)):
+    for picture in kit.asker(api).draw(draw_job(pipeline(api), draws)):
         assert (kit.pixels(picture) == GREEN).all()
 
 
@@ -98,7 +100,7 @@ AT_ONE = ("equal", "less_equal", "greater_equal", "always")
 def test_depths_are_compared(api: str, compare: Compare) -> None:
     chosen = replace(pipeline(api), depth=DepthState(compare))
     draws = tuple(mesh([(x, y, z) for x, y in CORNERS], RED) for z in (0.5, 1.0))
-    drawn = [kit.pixels(p).any() for p in kit.asker(api).draw(Job(chosen, draws))]
+    drawn = [kit.pixels(p).any() for p in kit.asker(api).draw(draw_job(chosen, draws))]
     assert drawn == [compare in AT_HALF, compare in AT_ONE]
 
 
@@ -107,13 +109,13 @@ def test_depths_that_are_not_written_hide_nothing(api: str) -> None:
     draw = mesh(near + far, np.repeat([GREEN, RED], 3, axis=0))
     for writes, seen in ((False, RED), (True, GREEN), (False, RED)):
         chosen = replace(pipeline(api), depth=DepthState(write=writes))
-        for picture in kit.asker(api).draw(Job(chosen, (draw, draw))):
+        for picture in kit.asker(api).draw(draw_job(chosen, (draw, draw))):
             assert (kit.pixels(picture) == seen).all()
 
 
 def test_equal_depth_keeps_the_first(api: str) -> None:
     twice = mesh(CORNERS * 2, np.repeat([GREEN, RED], 3, axis=0))
-    assert (shoot(api, Job(pipeline(api), (twice,))) == GREEN).all()
+    assert (shoot(api, draw_job(pipeline(api), (twice,))) == GREEN).all()
 
 
 def test_depth_has_32_bits(api: str) -> None:
@@ -125,13 +127,13 @@ def test_depth_has_32_bits(api: str) -> None:
     near, far = (2.0**-26, 2.0**-25) if api == "webgpu" else (-1 + 2.0**-24, -1 + 2.0**-23)
     places = [(x, y, z) for z in (far, near) for x, y in CORNERS]
     draw = mesh(places, np.repeat([RED, GREEN], 3, axis=0))
-    assert (shoot(api, Job(pipeline(api, glsl), (draw,))) == GREEN).all()
+    assert (shoot(api, draw_job(pipeline(api, glsl), (draw,))) == GREEN).all()
 
 
 def test_beyond_the_clip_volume(api: str) -> None:
     for z in (-0.5, 1.5):
         outside = mesh([(x, y, z) for x, y in CORNERS], RED)
-        assert not shoot(api, Job(pipeline(api), (outside,))).any()
+        assert not shoot(api, draw_job(pipeline(api), (outside,))).any()
 
 
 Floats = npt.NDArray[np.float64]
@@ -162,7 +164,7 @@ def with_words(mode: str) -> Floats:
 def test_blending(api: str, mode: str, format: TargetFormat) -> None:
     chosen = pipeline(api, targets=[RenderTarget(format, named(mode))])
     draw = replace(full(SOURCE), clear=(tuple(TARGET),))
-    assert (shoot(api, Job(chosen, (draw,))) == with_words(mode)).all()
+    assert (shoot(api, draw_job(chosen, (draw,))) == with_words(mode)).all()
 
 
 def test_every_factor(api: str) -> None:
@@ -170,7 +172,7 @@ def test_every_factor(api: str) -> None:
         for state in (both(factor, "one"), both("one", factor)):
             chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
             draw = replace(full(SOURCE), clear=(tuple(TARGET),), blend_constant=CONSTANT)
-            found = shoot(api, Job(chosen, (draw,)))
+            found = shoot(api, draw_job(chosen, (draw,)))
             expected = blended(state, SOURCE.tolist(), TARGET.tolist(), CONSTANT)
             assert (found == np.array(expected)).all(), state
 
@@ -180,7 +182,7 @@ def test_every_operation(api: str) -> None:
         state = Blend(BlendEquation("one", "one", operation), BlendEquation("one", "zero"))
         chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
         draw = replace(full(SOURCE), clear=(tuple(TARGET),))
-        found = shoot(api, Job(chosen, (draw,)))
+        found = shoot(api, draw_job(chosen, (draw,)))
         assert (found == np.array(blended(state, SOURCE.tolist(), TARGET.tolist()))).all(), state
 
 
@@ -190,7 +192,7 @@ def test_lanes_that_are_masked_keep_what_they_have(api: str, mask: str) -> None:
     draw = replace(full(SOURCE), clear=(tuple(TARGET),))
     written = [mask != "none" and lane in mask for lane in "rgba"]
     # Twice, as what clears the second picture must not obey the first one's mask.
-    pictures = kit.asker(api).draw(Job(chosen, (draw, draw)))
+    pictures = kit.asker(api).draw(draw_job(chosen, (draw, draw)))
     for picture in pictures:
         assert (kit.pixels(picture, 0) == np.where(written, SOURCE, TARGET)).all()
 
@@ -199,13 +201,13 @@ def test_depths_are_cleared_as_asked(api: str) -> None:
     chosen = replace(pipeline(api), depth=DepthState("greater"))
     for depth, drawn in ((0.25, True), (0.75, False)):
         draw = replace(mesh([(x, y, 0.5) for x, y in CORNERS], RED), clear_depth=depth)
-        assert (shoot(api, Job(chosen, (draw,))) == RED).all() == drawn
+        assert (shoot(api, draw_job(chosen, (draw,))) == RED).all() == drawn
 
 
 @pytest.mark.parametrize("format", get_args(TargetFormat))
 def test_target_formats(api: str, format: TargetFormat) -> None:
     paint = np.array([0.2, 0.4, 0.6, 0.8], np.float32)
-    picture = shoot(api, Job(pipeline(api, targets=[RenderTarget(format)]), (full(paint),)))
+    picture = shoot(api, draw_job(pipeline(api, targets=[RenderTarget(format)]), (full(paint),)))
     lanes = next(n for n, letter in enumerate(format) if letter.isdigit())
     expected = np.array([0, 0, 0, 1], np.float32)
     expected[:lanes] = paint[:lanes]
@@ -221,7 +223,8 @@ def test_target_formats(api: str, format: TargetFormat) -> None:
 def test_srgb_target_is_encoded(api: str) -> None:
     """Near black a step of sRGB is 1/(255 · 12.92), far below one of linear 8 bits."""
     dark = shoot(
-        api, Job(pipeline(api, targets=[RenderTarget("rgba8unorm-srgb")]), (full((0.001,) * 4),))
+        api,
+        draw_job(pipeline(api, targets=[RenderTarget("rgba8unorm-srgb")]), (full((0.001,) * 4),)),
     )
     np.testing.assert_allclose(dark[..., :3], 0.001, atol=0.5 / 255 / 12.92 + 1e-6)
     assert (dark[..., 3] == 0).all()
@@ -233,7 +236,7 @@ def test_two_targets_each_with_its_own(api: str) -> None:
     draw = mesh(TOP_LEFT, (1, 0, 0.25, 1))
     draw = replace(draw, clear=((0, 1, 0, 1), (0.5, 8, 0, 0)))
     (picture,) = kit.asker(api).draw(
-        Job(pipeline(api, shaders.TWO_GLSL, shaders.TWO_WGSL, targets=targets), (draw,))
+        draw_job(pipeline(api, shaders.TWO_GLSL, shaders.TWO_WGSL, targets=targets), (draw,))
     )
     first, second = kit.pixels(picture, 0), kit.pixels(picture, 1)
     assert np.allclose(first[0, 0], (1, 0, 0.25, 1), atol=0.5 / 255)
@@ -246,18 +249,18 @@ def test_two_targets_each_with_its_own(api: str) -> None:
 def test_flat_varyings_come_from_the_first_index(api: str, first: int) -> None:
     order = [(first + n) % 3 for n in range(3)]
     draw = replace(mesh(CORNERS, [RED, GREEN, BLUE]), indices=kit.indices(*order))
-    picture = shoot(api, Job(pipeline(api, shaders.FLAT_GLSL, shaders.FLAT_WGSL), (draw,)))
+    picture = shoot(api, draw_job(pipeline(api, shaders.FLAT_GLSL, shaders.FLAT_WGSL), (draw,)))
     assert (picture == (RED, GREEN, BLUE)[first]).all()
 
 
 def test_integers_and_blocks(api: str) -> None:
     draw = kit.with_blocks(mesh(CORNERS, (-5, 3, 2**20), "<i4"), NUMBERS_DATA)
-    picture = shoot(api, Job(numbers(api), (draw,)))
+    picture = shoot(api, draw_job(numbers(api), (draw,)))
     assert (picture == (-12, 3 + 2**20, 2**20 + 3, 16777213)).all()
 
 
 def test_many_draws_are_apart(api: str) -> None:
     draws = [replace(full((n, 0, 0, 1)), width=n + 1, height=2 * n + 1) for n in range(5)]
-    for n, picture in enumerate(kit.asker(api).draw(Job(pipeline(api), tuple(draws)))):
+    for n, picture in enumerate(kit.asker(api).draw(draw_job(pipeline(api), tuple(draws)))):
         assert kit.pixels(picture).shape == (2 * n + 1, n + 1, 4)
         assert (kit.pixels(picture) == (n, 0, 0, 1)).all()

@@ -11,9 +11,9 @@ import pytest
 import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
+from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
@@ -47,7 +47,7 @@ def pictures() -> dict[str, Floats]:
     for api, route in ROUTE_OF.items():
         codes = compile_one(ROUTES[route], plastic.files, Toolchain())
         made = pipeline(plastic.reflection, ROUTES[route], codes, exact=True)
-        shown[api] = shoot(api, Job(made, (draw,)))
+        shown[api] = shoot(api, draw_job(made, (draw,)))
     return shown
 
 

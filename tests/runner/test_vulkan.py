@@ -12,11 +12,11 @@ import pytest
 from burnish.compiler.ir.blending import Factor, Operation
 from burnish.compiler.ir.formats import VertexFormat
 from burnish.compiler.ir.render_state import Compare, DepthState
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import VertexInput
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from .blends import blended, both, named
 from .vulkan_kit import (
@@ -252,7 +252,7 @@ def test_two_targets_with_blend_modes_of_their_own(vulkan: Asker) -> None:
     targets = (RenderTarget("rgba32float"), RenderTarget("rg16float", named("add")))
     pipeline = flat_pipeline(both, targets=targets)
     draw = draw_of(TOP_LEFT, clear=([1.0] * 4, [0.5, 0.125, 0.0, 0.0]))
-    (picture,) = vulkan.draw(Job(pipeline, (draw,)))
+    (picture,) = vulkan.draw(draw_job(pipeline, (draw,)))
     assert pixels(picture, 0)[0, 0].tolist() == [0.5] * 4
     assert pixels(picture, 0)[-1, -1].tolist() == [1.0] * 4
     assert pixels(picture, 1)[0, 0].tolist() == [0.75, 0.875, 0.0, 1.0]
@@ -263,7 +263,7 @@ def test_draws_of_a_job_do_not_disturb_each_other(vulkan: Asker) -> None:
     pipeline = painted_pipeline()
     first = draw_of(TOP_LEFT, [RED] * 6)
     larger = draw_of(WHOLE, [GREEN] * 6, size=(32, 16))
-    pictures = [pixels(each) for each in vulkan.draw(Job(pipeline, (first, larger, first)))]
+    pictures = [pixels(each) for each in vulkan.draw(draw_job(pipeline, (first, larger, first)))]
     assert pictures[1].shape == (16, 32, 4)
     assert np.all(pictures[1] == GREEN)
     assert np.array_equal(pictures[0], pictures[2])
@@ -351,5 +351,5 @@ def test_each_draw_has_its_own_bytes(vulkan: Asker) -> None:
     """
     pipeline = flat_pipeline(fragment, blocks=(BlockSlot(Place("Paint", 0, 0), 16),))
     draws = tuple(draw_of(WHOLE, blocks=[floats(*[float(n)] * 4)]) for n in range(5))
-    found = [pixels(picture)[0, 0, 0] for picture in vulkan.draw(Job(pipeline, draws))]
+    found = [pixels(picture)[0, 0, 0] for picture in vulkan.draw(draw_job(pipeline, draws))]
     assert found == [0.0, 1.0, 2.0, 3.0, 4.0]

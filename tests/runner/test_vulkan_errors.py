@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import to_json
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from ..suite.processes import Background, run
 from .vulkan_kit import (
@@ -263,8 +263,8 @@ def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
 
 
 def request(pipeline: Pipeline, **draw: Any) -> str:
-    job = Job(pipeline, (replace(draw_of(WHOLE), **draw),))
-    return json.dumps({"job": to_json(job)}) + "\n"
+    job = draw_job(pipeline, (replace(draw_of(WHOLE), **draw),))
+    return json.dumps({"frame": to_json(job)}) + "\n"
 
 
 def test_a_worker_leaves_nothing_behind(vulkan: Asker) -> None:
@@ -273,7 +273,7 @@ def test_a_worker_leaves_nothing_behind(vulkan: Asker) -> None:
     bad = request(flat_pipeline(PAINTED))
     worker = run(vulkan.command, text=good + bad + good)
     answers = [json.loads(line) for line in worker.stdout.splitlines()]
-    assert [list(answer) for answer in answers] == [["pictures"], ["error"], ["pictures"]]
+    assert [list(answer) for answer in answers] == [["found"], ["error"], ["found"]]
     assert (worker.returncode, worker.stderr) == (0, "")
 
 
@@ -315,7 +315,7 @@ def test_a_worker_that_is_killed_is_replaced(vulkan: Asker) -> None:
 
 def test_jobs_do_not_pile_up_in_memory(vulkan: Asker) -> None:
     """Each needs more than 300 KiB while it runs, and so much more if one of its images stayed."""
-    job = Job(painted_pipeline(), (draw_of(WHOLE, [[0.5] * 4] * 6, size=(96, 96)),))
+    job = draw_job(painted_pipeline(), (draw_of(WHOLE, [[0.5] * 4] * 6, size=(96, 96)),))
     for _ in range(20):
         vulkan.draw(job)
     before = vulkan.resident_bytes()

@@ -14,9 +14,9 @@ import burnish
 from burnish.targets.runner import meshes
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
 from burnish.targets.runner.instances.instance import Instance
+from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
@@ -52,7 +52,9 @@ def picture(vulkan: Asker, file: str, route: Route) -> Floats:
     """A sphere in the standard scene."""
     reflection = material(file).reflection
     state = set_up(Instance(reflection), meshes.mesh("sphere"), Scene(), SIZE)
-    job = Job(pipeline(reflection, route, codes(file, route.name), exact=True), (state.draw(),))
+    job = draw_job(
+        pipeline(reflection, route, codes(file, route.name), exact=True), (state.draw(),)
+    )
     (drawn,) = vulkan.draw(job)
     return pixels(drawn)
 

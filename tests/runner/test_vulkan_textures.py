@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.slots import BlockSlot, Mip, Place, TextureSlot, Wrap
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
+from burnish.targets.runner.pipeline_jobs import draw_job
 
 from .vulkan_kit import SIZE, WHOLE, Asker, Floats, draw_of, flat_pipeline, floats, pixels
 
@@ -149,4 +149,8 @@ def test_each_draw_has_its_own_textures(vulkan: Asker) -> None:
     draws = tuple(
         draw_of(WHOLE, blocks=[floats(*ONE_TO_ONE)], textures=[image]) for image in images
     )
-    assert [pixels(each)[0, 0, 0] for each in vulkan.draw(Job(pipeline, draws))] == [1.0, 2.0, 1.0]
+    assert [pixels(each)[0, 0, 0] for each in vulkan.draw(draw_job(pipeline, draws))] == [
+        1.0,
+        2.0,
+        1.0,
+    ]

@@ -18,12 +18,15 @@ import numpy.typing as npt
 
 from burnish.compiler.ir.formats import VertexFormat
 from burnish.targets.runner.drivers.device import Device, DriverError
-from burnish.targets.runner.drivers.draw_job import Draw, Job, Picture
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob, Picture
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
 from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.toolchain.limits import BROWSERS
 from burnish.targets.toolchain.workers import Answer, Worker
 
@@ -64,9 +67,9 @@ class Asker:
         """The device that the worker draws with."""
         return from_json(Device, self._reply({})["device"])
 
-    def draw(self, job: Job) -> list[Picture]:
+    def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
-        return [from_json(Picture, each) for each in self._reply({"job": to_json(job)})["pictures"]]
+        return pictures(job, from_json(Found, self._reply({"frame": to_json(job)})["found"]))
 
     def close(self) -> None:
         """End the worker."""
@@ -88,11 +91,11 @@ def asker(api: str) -> Asker:
 
 def pixels(picture: Picture, target: int = 0) -> Floats:
     """A target of a picture, of shape (height, width, 4)."""
-    lanes = np.frombuffer(picture.targets[target], np.float32)
-    return lanes.reshape(picture.height, picture.width, 4)
+    found: Floats = layers_of(picture[target])[0].astype(np.float32)
+    return found
 
 
-def shoot(api: str, job: Job, target: int = 0) -> Floats:
+def shoot(api: str, job: FrameJob, target: int = 0) -> Floats:
     """A target of the only draw of a job."""
     (picture,) = asker(api).draw(job)
     return pixels(picture, target)
@@ -207,4 +210,4 @@ def read(api: str, slot: TextureSlot, picture: Image, corners: tuple[float, floa
     span = high - low
     uv = [(low, high), (low + 2 * span, high), (low, high - 2 * span)]  # v runs down
     draw = mesh(CORNERS, [(*each, 0, 0) for each in uv])
-    return shoot(api, Job(chosen, (replace(draw, textures=(picture,)),)))
+    return shoot(api, draw_job(chosen, (replace(draw, textures=(picture,)),)))

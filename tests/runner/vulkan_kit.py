@@ -17,11 +17,14 @@ import numpy.typing as npt
 
 from burnish.targets import toolchain
 from burnish.targets.runner.drivers.device import Device, DriverError
-from burnish.targets.runner.drivers.draw_job import Draw, Job, Picture
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob, Picture
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.routes import DRIVERS
 from burnish.targets.toolchain import Toolchain
 from burnish.targets.toolchain.tools import inspect_all, tool_named
@@ -71,14 +74,13 @@ class Asker:
         """The device that the worker draws with."""
         return from_json(Device, self._reply({})["device"])
 
-    def draw(self, job: Job) -> list[Picture]:
+    def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
-        reply = self._reply({"job": to_json(job)})
-        return [from_json(Picture, picture) for picture in reply["pictures"]]
+        return pictures(job, from_json(Found, self._reply({"frame": to_json(job)})["found"]))
 
     def one(self, pipeline: Pipeline, draw: Draw, target: int = 0) -> Floats:
         """A target of the only picture, as an array of rows, columns and lanes."""
-        (picture,) = self.draw(Job(pipeline, (draw,)))
+        (picture,) = self.draw(draw_job(pipeline, (draw,)))
         return pixels(picture, target)
 
     def kill(self) -> None:
@@ -111,8 +113,8 @@ class Asker:
 
 def pixels(picture: Picture, target: int = 0) -> Floats:
     """A target as an array of rows, columns and lanes."""
-    values = np.frombuffer(picture.targets[target], np.float32)
-    return values.reshape(picture.height, picture.width, 4)
+    found: Floats = layers_of(picture[target])[0].astype(np.float32)
+    return found
 
 
 @cache

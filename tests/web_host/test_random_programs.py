@@ -17,7 +17,6 @@ from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.sample import sample_buffers, sample_textures, sample_values
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.draw_job import Job
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
@@ -70,8 +69,8 @@ def test_random_programs_draw_as_jobs_do(runner: Runner) -> None:
             assert isinstance(step, DrawStep)
             (drawn,) = host.draws(step, is_first=True)
             codes = compile_one(ROUTE, material.files, toolchain)
-            job = Job(pipeline(material.reflection, ROUTE, codes), (drawn.state.draw(),))
-            (wanted,) = runner.draw(ROUTE, job)
+            made = pipeline(material.reflection, ROUTE, codes)
+            (wanted,) = runner.draw(ROUTE, made, [drawn.state.draw()])
             (found,) = draw_frames(host, ROUTE, runner, toolchain)
             for (name, texels), target in zip(found.items(), arrays(wanted), strict=True):
                 rows = texels.reshape(-1, *texels.shape[2:])

@@ -1,6 +1,6 @@
-"""Checks that a job is consistent, before a device sees it.
+"""Checks that draws and dispatches fit their pipelines, before a device sees them.
 
-``by_frames.py`` calls this first.
+``frame_checks.py`` calls this for every job, and drivers for what only they know.
 
 A driver may read past the end of a short buffer, or silently read zeros where nothing is bound, so
 the driver itself cannot be relied on.
@@ -9,49 +9,15 @@ the driver itself cannot be relied on.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence, Set
-from typing import get_args
+from collections.abc import Callable, Sequence, Set
 
-from .capture_job import CaptureJob
+from ....compiler.ir.stages import VERTEX
 from .device import DriverError
-from .draw_job import Draw, Job
-from .kernel_job import Dispatch, KernelJob
+from .draws import Dispatch, Draw
+from .frame_job import FrameJob
 from .pipeline import Pipeline
-from .render_state import TargetFormat
 from .slots import BlockSlot, BufferSlot, TextureSlot
 from .texels import TEXELS, Image
-
-
-def check(job: Job) -> None:
-    """Raise ``DriverError`` if a draw's bytes do not fit the pipeline."""
-    for target in job.pipeline.targets:
-        if target.format not in get_args(TargetFormat):
-            raise DriverError(f"there is no render target of the format {target.format!r}")
-    for number, draw in enumerate(job.draws):
-        try:
-            check_draw(job.pipeline, draw)
-        except DriverError as error:
-            raise DriverError(f"draw {number}: {error}") from None
-
-
-def check_capture(job: CaptureJob) -> None:
-    """Raise ``DriverError`` if there is nothing to capture, or a draw does not fit the pipeline."""
-    if job.pipeline.stream_output is None or not job.pipeline.stream_output.outputs:
-        raise DriverError("the pipeline captures nothing")
-    _same_number("capacities", job.most, job.draws)
-    check(Job(job.pipeline, job.draws))
-
-
-def check_kernel(job: KernelJob) -> None:
-    """Raise ``DriverError`` if a dispatch does not fit the pipeline."""
-    for written in job.pipeline.images:
-        if written.format not in get_args(TargetFormat):
-            raise DriverError(f"there is no image of the format {written.format!r}")
-    for number, dispatch in enumerate(job.dispatches):
-        try:
-            check_dispatch(job.pipeline, dispatch)
-        except DriverError as error:
-            raise DriverError(f"dispatch {number}: {error}") from None
 
 
 def check_dispatch(pipeline: Pipeline, dispatch: Dispatch) -> None:
@@ -66,28 +32,41 @@ def check_dispatch(pipeline: Pipeline, dispatch: Dispatch) -> None:
         _check_texture(f"texture {slot.texture.identifier!r}", slot, image)
 
 
-def check_groups(job: KernelJob, most: Sequence[int]) -> None:
-    """Raise ``DriverError`` if a dispatch takes more work groups than the device runs at once."""
-    for number, dispatch in enumerate(job.dispatches):
-        for axis, count, limit in zip("xyz", job.groups(dispatch), most, strict=True):
+def check_groups(job: FrameJob, most: Callable[[], Sequence[int]]) -> None:
+    """Raise ``DriverError`` if a kernel takes more work groups than the device runs at once.
+
+    ``most`` asks for how many these are, along x, y and z; only if there are kernels, as not every
+    device has a number.
+    """
+    runs = {number: step.groups for number, step in enumerate(job.steps) if any(step.groups)}
+    limits = most() if runs else ()
+    for number, groups in runs.items():
+        for axis, count, limit in zip("xyz", groups, limits, strict=True):
             if count > limit:
                 raise DriverError(
-                    f"dispatch {number}: {count} work groups along {axis}, and the device runs at "
-                    f"most {limit} at once: compute fewer elements, or declare larger work groups"
+                    f"{job.called(number)}: {count} work groups along {axis}, and the device runs "
+                    f"at most {limit} at once: compute fewer elements, or declare larger work "
+                    "groups"
                 )
 
 
-def check_names(pipeline: Pipeline) -> None:
-    """Raise ``DriverError`` if a name by which the job binds is not in the text.
+def check_names(job: FrameJob) -> None:
+    """Raise ``DriverError`` if a name by which a draw binds is not in the text.
 
     A driver cannot distinguish this from a block or texture that its linker has removed.
     """
+    for pipeline in job.pipelines:
+        if VERTEX.name in pipeline.stages:
+            _check_names(pipeline)
+
+
+def _check_names(pipeline: Pipeline) -> None:
     inputs = [slot.identifier for slot in pipeline.inputs]
     blocks = [slot.place.identifier for slot in pipeline.blocks if not slot.uniforms]
     loose = [each.identifier for slot in pipeline.blocks for each in slot.uniforms]
     textures = [slot.texture.identifier for slot in pipeline.textures]
     everything = _words(*(code.text for code in pipeline.stages.values()))
-    _find("vertex attribute", inputs, _words(pipeline.stages["vertex"].text))
+    _find("vertex attribute", inputs, _words(pipeline.stages[VERTEX.name].text))
     _find("uniform block", blocks, everything)
     _find("texture", textures, everything)
     _find("uniform", pipeline.host_uniforms, everything)
@@ -143,11 +122,16 @@ def check_draw(pipeline: Pipeline, draw: Draw) -> None:
 
 def _check_buffers(slots: Sequence[BufferSlot], contents: Sequence[bytes]) -> None:
     for slot, data in zip(slots, contents, strict=True):
-        if not data or len(data) % slot.stride:
-            raise DriverError(
-                f"storage buffer {slot.place.identifier!r} is given {len(data)} bytes, and "
-                f"its elements have {slot.stride}"
-            )
+        check_buffer(slot, len(data))
+
+
+def check_buffer(slot: BufferSlot, size: int) -> None:
+    """Raise ``DriverError`` if a storage buffer of ``size`` bytes has no whole elements."""
+    if not size or size % slot.stride:
+        raise DriverError(
+            f"storage buffer {slot.place.identifier!r} is given {size} bytes, and its elements "
+            f"have {slot.stride}"
+        )
 
 
 def _same_number(what: str, given: Sequence[object], wanted: Sequence[object]) -> None:

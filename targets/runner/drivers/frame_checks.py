@@ -8,18 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import get_args
 
-from .checks import check_dispatch, check_draw
+from .checks import check_buffer, check_dispatch, check_draw
 from .device import DriverError
 from .frame_job import OWN, Attachment, FrameDraw, FrameJob, FrameStep, FrameTexture
 from .frame_order import check_order
-from .pipeline import Pipeline
+from .render_state import TargetFormat
 from .slots import TextureSlot
 
 
 def check_frame(job: FrameJob) -> None:
     """Raise ``DriverError`` if a step does not fit its pipelines, its textures, or the steps
     before it."""
+    _check_formats(job)
     for number, step in enumerate(job.steps):
         try:
             _check_numbers(job, step)
@@ -28,8 +30,17 @@ def check_frame(job: FrameJob) -> None:
             for draw in step.draws:
                 _check_drawn(job, step, draw)
         except DriverError as error:
-            raise DriverError(f"step {number}: {error}") from None
+            raise DriverError(f"{job.called(number)}: {error}") from None
     check_order(job)
+
+
+def _check_formats(job: FrameJob) -> None:
+    """Check that drivers know the formats of all that pipelines write."""
+    for pipeline in job.pipelines:
+        for what, slots in (("render target", pipeline.targets), ("image", pipeline.images)):
+            for slot in slots:
+                if slot.format not in get_args(TargetFormat):
+                    raise DriverError(f"there is no {what} of the format {slot.format!r}")
 
 
 def _check_numbers(job: FrameJob, step: FrameStep) -> None:
@@ -57,7 +68,7 @@ def _check_captures(job: FrameJob, step: FrameStep) -> None:
     if step.captures is None:
         return
     streams = [job.pipelines[each.pipeline].stream_output for each in step.draws]
-    if step.drawn_to or len(streams) != 1 or streams[0] is None:
+    if step.drawn_to or len(streams) != 1 or streams[0] is None or not streams[0].outputs:
         raise DriverError("it captures vertices, and is not one draw with a stream output")
 
 
@@ -114,6 +125,13 @@ def _size(texture: FrameTexture, level: int) -> tuple[int, int]:
 def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
     """Check that a draw fits its pipeline."""
     pipeline = job.pipelines[drawn.pipeline]
+    _same_number("textures", drawn.textures, pipeline.textures)
+    _same_number("storage buffers", drawn.buffers, pipeline.buffers)
+    own = drawn.own(pipeline)
+    if drawn.draw is not None:
+        check_draw(own, drawn.draw)
+    if drawn.dispatch is not None:
+        check_dispatch(own, drawn.dispatch)
     if pipeline.stencil is not None:
         depths = None if step.depth is None else job.textures[step.depth.texture]
         if depths is None or not depths.has_stencil:
@@ -128,27 +146,12 @@ def _check_drawn(job: FrameJob, step: FrameStep, drawn: FrameDraw) -> None:
     _same_formats("target", targets, [each.format for each in pipeline.targets])
     images = [job.textures[number].format for number in step.images]
     _same_formats("image", images, [each.format for each in pipeline.images])
-    _same_number("textures", drawn.textures, pipeline.textures)
-    _same_number("storage buffers", drawn.buffers, pipeline.buffers)
     for slot, number in zip(pipeline.textures, drawn.textures, strict=True):
         if number != OWN:
             _check_texture(slot, number, job.textures[number])
-    own = _own(pipeline, drawn)
-    if drawn.draw is not None:
-        check_draw(own, drawn.draw)
-    if drawn.dispatch is not None:
-        check_dispatch(own, drawn.dispatch)
-
-
-def _own(pipeline: Pipeline, drawn: FrameDraw) -> Pipeline:
-    """The pipeline as if it read only what the draw carries."""
-    textures = zip(pipeline.textures, drawn.textures, strict=True)
-    buffers = zip(pipeline.buffers, drawn.buffers, strict=True)
-    return replace(
-        pipeline,
-        textures=tuple(slot for slot, number in textures if number == OWN),
-        buffers=tuple(slot for slot, number in buffers if number == OWN),
-    )
+    for place, number in zip(pipeline.buffers, drawn.buffers, strict=True):
+        if number != OWN:
+            check_buffer(place, job.buffers[number].size)
 
 
 def _check_texture(slot: TextureSlot, number: int, made: FrameTexture) -> None:

@@ -1,19 +1,16 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-``targets/runner/frames`` makes a job of a plan, and ``by_frames.py`` of single draws. The ``Job``
-of ``draw_job.py`` has one pipeline, and a picture for each draw. A frame job has any number of
-pipelines, and its steps draw into textures that later steps read. Only requested results are read
-back.
+They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan, and
+``pipeline_jobs.py`` of draws with one pipeline. A job has any number of pipelines, and its steps
+draw into textures that later steps read. Only requested results are read back.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from .capture_job import Captured
-from .draw_job import Draw
-from .kernel_job import Dispatch, KernelJob, Sides
+from .draws import Dispatch, Draw, Sides
 from .pipeline import Pipeline
 from .render_state import DepthFormat, TargetFormat
 
@@ -125,6 +122,23 @@ class FrameDraw:
     draw: Draw | None = None
     dispatch: Dispatch | None = None
 
+    @property
+    def values(self) -> Draw | Dispatch:
+        """The draw or the dispatch."""
+        values = self.draw or self.dispatch
+        assert values is not None, "one of both is there"
+        return values
+
+    def own(self, pipeline: Pipeline) -> Pipeline:
+        """The pipeline as if it read only what the draw itself carries."""
+        textures = zip(pipeline.textures, self.textures, strict=True)
+        buffers = zip(pipeline.buffers, self.buffers, strict=True)
+        return replace(
+            pipeline,
+            textures=tuple(slot for slot, number in textures if number == OWN),
+            buffers=tuple(slot for slot, number in buffers if number == OWN),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class FrameStep:
@@ -159,6 +173,8 @@ class FrameStep:
     captures: int | None = None
     """The largest number of vertices that the step's draw captures, which has a stream output and
     no targets."""
+    name: str = ""
+    """The step as errors call it. Empty: ``step`` and its number."""
 
     @property
     def drawn_to(self) -> tuple[Attachment, ...]:
@@ -194,6 +210,11 @@ class FrameBuffer:
     """The first contents, instead of ``words`` and ``initial``."""
 
     @property
+    def size(self) -> int:
+        """The number of bytes."""
+        return len(self.data) or 4 * self.words
+
+    @property
     def contents(self) -> bytes:
         """The buffer's first contents."""
         return self.data or self.initial.to_bytes(4, "little") * self.words
@@ -208,6 +229,10 @@ class FrameJob:
     pipelines: tuple[Pipeline, ...]
     steps: tuple[FrameStep, ...]
 
+    def called(self, number: int) -> str:
+        """A step as errors call it."""
+        return self.steps[number].name or f"step {number}"
+
 
 @dataclass(frozen=True, slots=True)
 class FrameTexels:
@@ -221,6 +246,20 @@ class FrameTexels:
     0, 1. Depths are in the first lane."""
 
 
+Picture = tuple[FrameTexels, ...]
+"""The targets of one draw, or the images of one dispatch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Captured:
+    """The vertices that one draw has captured."""
+
+    count: int
+    """The number of vertices."""
+    data: bytes
+    """The bytes of all vertices, without gaps."""
+
+
 @dataclass(frozen=True, slots=True)
 class Found:
     """The results of a frame job: all that it has read back, step by step."""
@@ -228,8 +267,3 @@ class Found:
     texels: tuple[FrameTexels, ...] = ()
     buffers: tuple[bytes, ...] = ()
     captured: tuple[Captured, ...] = ()
-
-
-def groups_of(pipeline: Pipeline, dispatch: Dispatch, work_group: Sides) -> Sides:
-    """The numbers of work groups of a dispatch."""
-    return KernelJob(pipeline, work_group, (dispatch,)).groups(dispatch)

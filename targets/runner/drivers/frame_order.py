@@ -30,7 +30,7 @@ def check_order(job: FrameJob) -> None:
             _check_step(textures, memories, step)
             _check_buffers(job, buffers, step)
         except DriverError as error:
-            raise DriverError(f"step {number}: {error}") from None
+            raise DriverError(f"{job.called(number)}: {error}") from None
 
 
 def _check_step(

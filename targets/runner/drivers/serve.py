@@ -13,12 +13,9 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, runtime_checkable
 
-from .capture_job import Captured, CaptureJob
 from .device import Device, DriverError
-from .draw_job import Job, Picture
 from .frame_checks import check_frame
 from .frame_job import Found, FrameJob, FrameTexels
-from .kernel_job import KernelJob, Written
 from .wire import from_json, to_json
 
 ORPHAN_LIMIT = 900.0
@@ -31,20 +28,6 @@ class Driver(Protocol):
 
     def device(self) -> Device:
         """The device with which it draws."""
-
-    def draw(self, job: Job) -> Sequence[Picture]:
-        """A picture for each draw of the job. Raises ``DriverError``."""
-
-    def compute(self, job: KernelJob) -> Sequence[Written]:
-        """Do a kernel job: returns what each dispatch writes. Raises ``DriverError``."""
-
-    def capture(self, job: CaptureJob) -> Sequence[Captured]:
-        """The vertices that each draw of the job captures. Raises ``DriverError``."""
-
-
-@runtime_checkable
-class FrameDriver(Protocol):
-    """A driver that draws frames, too."""
 
     def draw_frame(self, job: FrameJob) -> Found:
         """Do a frame job: returns what it reads back. Raises ``DriverError``."""
@@ -73,13 +56,10 @@ def serve(driver: Driver) -> None:
 
 
 def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
-    """The answer to ``{"job": …}`` has ``pictures``, that to ``{"kernel": …}`` has ``written``,
-    that to ``{"capture": …}`` has ``captured``, that to ``{"frame": …}`` has ``found``, that to
-    ``{"package": …}`` has ``texels``, and that to ``{}`` has ``device``; or it has ``error``."""
+    """The answer to ``{"frame": …}`` has ``found``, that to ``{"package": …}`` has ``texels``, and
+    that to ``{}`` has ``device``; or it has ``error``."""
     try:
         if "frame" in request:
-            if not isinstance(driver, FrameDriver):
-                return {"error": "this driver draws no frames"}
             frame = from_json(FrameJob, request["frame"])
             check_frame(frame)
             return {"found": to_json(driver.draw_frame(frame))}
@@ -87,14 +67,6 @@ def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
             if not isinstance(driver, PackageDriver):
                 return {"error": "this driver draws no packages of frames"}
             return {"texels": to_json(tuple(driver.draw_package(request["package"])))}
-        if "capture" in request:
-            capturing = from_json(CaptureJob, request["capture"])
-            return {"captured": to_json(tuple(driver.capture(capturing)))}
-        if "kernel" in request:
-            job = from_json(KernelJob, request["kernel"])
-            return {"written": to_json(tuple(driver.compute(job)))}
-        if "job" not in request:
-            return {"device": to_json(driver.device())}
-        return {"pictures": to_json(tuple(driver.draw(from_json(Job, request["job"]))))}
+        return {"device": to_json(driver.device())}
     except DriverError as error:
         return {"error": str(error)}

@@ -29,6 +29,7 @@ from ....compiler.ir.formats import DEPTH_WORDS
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
+from ..drivers.draws import Dispatch
 from ..drivers.frame_job import (
     OWN,
     Attachment,
@@ -38,14 +39,12 @@ from ..drivers.frame_job import (
     FrameDraw,
     FrameJob,
     FrameStep,
-    FrameTexels,
     FrameTexture,
     Resolve,
     TextureUse,
-    groups_of,
 )
-from ..drivers.kernel_job import Dispatch
 from ..drivers.pipeline import Pipeline
+from ..drivers.readback import layers_of
 from ..kernels import dispatch_of, full_screen_state, has_images
 from ..routes import Route
 from ..runner import Runner
@@ -69,7 +68,7 @@ def draw_frames(
     codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)).texels)
-    return [{name: array_of(next(found)) for name in names} for _ in range(count)]
+    return [{name: layers_of(next(found)) for name in names} for _ in range(count)]
 
 
 def frame_job(
@@ -84,12 +83,6 @@ def frame_job(
         job.add_frame(number)
         job.add_reading(outputs)
     return job.whole()
-
-
-def array_of(texels: FrameTexels) -> Floats:
-    """The texels of a texture that was read back: (layers, height, width, 4)."""
-    shape = texels.layers, texels.height, texels.width, 4
-    return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
 
 
 @dataclass(slots=True)
@@ -371,7 +364,7 @@ class _Job:
         contents = tuple(
             data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == OWN
         )
-        groups = groups_of(described, dispatch, reflection.work_group)
+        groups = dispatch.groups(reflection.work_group)
         return FrameStep(
             barriers, draws=(
                 FrameDraw(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 from unittest.mock import patch as patched
@@ -13,7 +14,8 @@ from burnish.compiler.ir.types import IVEC2
 from burnish.compiler.passes import pipeline
 from burnish.support.frozen import changed
 from burnish.targets.runner import binding, kernels
-from burnish.targets.runner.drivers.kernel_job import Dispatch, KernelJob
+from burnish.targets.runner.drivers.draws import Dispatch
+from burnish.targets.runner.drivers.frame_job import FrameJob
 
 from .planting import Plant, Planted, form, framebuffer, replaced, skeleton, supplied
 
@@ -53,14 +55,13 @@ def _exchanged(shader: Shader) -> Shader:
     return changed(made, results=(position, first, second, third, fourth))
 
 
-def _too_few_groups(*asked: Any) -> KernelJob:
+def _too_few_groups(reflection: Any, *asked: Any) -> FrameJob:
     """A host that takes work groups for larger than they are."""
-    return replace(job_of(*asked), work_group=(16, 8, 1))
+    return job_of(changed(reflection, work_group=(16, 8, 1)), *asked)
 
 
-def _without_values(*asked: Any) -> KernelJob:
-    made = job_of(*asked)
-    return replace(made, dispatches=tuple(map(_emptied, made.dispatches)))
+def _without_values(reflection: Any, made: Any, dispatches: Sequence[Dispatch]) -> FrameJob:
+    return job_of(reflection, made, list(map(_emptied, dispatches)))
 
 
 def _emptied(dispatch: Dispatch) -> Dispatch:

@@ -10,14 +10,14 @@ import numpy as np
 
 from burnish.support.frozen import changed
 from burnish.targets.runner.drivers.checks import level_size
-from burnish.targets.runner.drivers.draw_job import Draw, Job
+from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
 from burnish.targets.runner.textures.texture import Texture
 
 from ...runner.blends import named
-from .planting import QUICKEST, Planted, job, replaced
+from .planting import QUICKEST, Asked, Planted, job, replaced
 
 write, write_numbers = blocks.write, blocks._write_numbers
 image = Texture.image
@@ -114,7 +114,7 @@ def _backwards(texture: Texture) -> Image:
     return replace(whole, levels=tuple(turned))
 
 
-def _draws(change: Callable[[Draw], Draw]) -> Callable[[Job], Job]:
+def _draws(change: Callable[[Draw], Draw]) -> Callable[[Asked], Asked]:
     return lambda asked: replace(asked, draws=tuple(map(change, asked.draws)))
 
 
@@ -123,46 +123,46 @@ def _last_vertex_first(draw: Draw) -> Draw:
     return replace(draw, indices=turned.tobytes())
 
 
-def _samplers(**state: Any) -> Callable[[Job], Job]:
-    def change(asked: Job) -> Job:
+def _samplers(**state: Any) -> Callable[[Asked], Asked]:
+    def change(asked: Asked) -> Asked:
         slots = tuple(replace(slot, **state) for slot in asked.pipeline.textures)
         return replace(asked, pipeline=replace(asked.pipeline, textures=slots))
 
     return change
 
 
-def _targets(**state: Any) -> Callable[[Job], Job]:
+def _targets(**state: Any) -> Callable[[Asked], Asked]:
     """With some of the state of all targets set to something else."""
 
-    def change(asked: Job) -> Job:
+    def change(asked: Asked) -> Asked:
         targets = tuple(replace(target, **state) for target in asked.pipeline.targets)
         return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 
     return change
 
 
-def _states(**state: Any) -> Callable[[Job], Job]:
+def _states(**state: Any) -> Callable[[Asked], Asked]:
     """With some of a pipeline's state set to something else."""
 
-    def change(asked: Job) -> Job:
+    def change(asked: Asked) -> Asked:
         return replace(asked, pipeline=replace(asked.pipeline, **state))
 
     return change
 
 
-def _depths(**state: Any) -> Callable[[Job], Job]:
+def _depths(**state: Any) -> Callable[[Asked], Asked]:
     """With some of a pipeline's depth test set to something else."""
 
-    def change(asked: Job) -> Job:
+    def change(asked: Asked) -> Asked:
         return _states(depth=changed(asked.pipeline.depth, **state))(asked)
 
     return change
 
 
-def _stencils(**state: Any) -> Callable[[Job], Job]:
+def _stencils(**state: Any) -> Callable[[Asked], Asked]:
     """With some of a pipeline's stencil test set to something else."""
 
-    def change(asked: Job) -> Job:
+    def change(asked: Asked) -> Asked:
         stencil = asked.pipeline.stencil
         assert stencil is not None
         return _states(stencil=changed(stencil, **state))(asked)
@@ -170,7 +170,7 @@ def _stencils(**state: Any) -> Callable[[Job], Job]:
     return change
 
 
-def _sides_exchanged(asked: Job) -> Job:
+def _sides_exchanged(asked: Asked) -> Asked:
     stencil = asked.pipeline.stencil
     assert stencil is not None
     return _stencils(front=stencil.back, back=stencil.front)(asked)

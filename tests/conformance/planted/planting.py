@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,9 @@ from burnish.targets.description.profile import Profile
 from burnish.targets.description.shading_language import Language
 from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import templates
-from burnish.targets.runner.drivers.draw_job import Job, Picture
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.frame_job import Picture
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 
@@ -150,14 +152,25 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
 # --- on the way to a driver ----------------------------------------------------------------------
 
 
-def job(change: Callable[[Job], Job]) -> Plant:
+@dataclass(frozen=True)
+class Asked:
+    """What a route is asked to draw."""
+
+    pipeline: Pipeline
+    draws: Sequence[Draw]
+
+
+def job(change: Callable[[Asked], Asked]) -> Plant:
     """Change the job that a driver gets."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
         draw = Runner.draw
 
-        def drawn(self: Runner, route: Route, asked: Job) -> tuple[Picture, ...]:
-            return draw(self, route, change(asked))
+        def drawn(
+            self: Runner, route: Route, pipeline: Pipeline, draws: Sequence[Draw]
+        ) -> list[Picture]:
+            asked = change(Asked(pipeline, draws))
+            return draw(self, route, asked.pipeline, asked.draws)
 
         patch.setattr(Runner, "draw", drawn)
 

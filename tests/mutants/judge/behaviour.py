@@ -122,7 +122,6 @@ def told_to_drivers(subject: Judged) -> Iterator[tuple[str, object]]:
 def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]]:
     from burnish.targets.conformance.cases import series_of
     from burnish.targets.runner.binding import pipeline
-    from burnish.targets.runner.drivers.draw_job import Job
     from burnish.targets.runner.drivers.wire import to_json
 
     work = [
@@ -130,11 +129,10 @@ def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]
         for series in series_of(material.reflection)
     ]
     for route, (codes,) in _codes(material):
-        jobs = [
-            to_json(Job(pipeline(material.reflection, route, codes, exact=exact), ()))
-            for exact, _ in work
+        pipelines = [
+            to_json(pipeline(material.reflection, route, codes, exact=exact)) for exact, _ in work
         ]
-        yield route.name, (jobs, work)
+        yield route.name, (pipelines, work)
 
 
 def _told_of_frame(frame: CompiledFrame) -> Iterator[tuple[str, object]]:

@@ -10,12 +10,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ....toolchain.tools import tool_named
-from ..by_frames import DrawsByFrames
 from ..checks import check_groups, check_names
 from ..device import Device, DriverError
-from ..draw_job import Job
 from ..frame_job import Found, FrameJob, FrameTexels
-from ..kernel_job import KernelJob
 from ..wire import from_json
 from .job_document import WGSL, document_of
 
@@ -28,7 +25,7 @@ APIS: Mapping[str, str] = {"webgpu": WGSL, "webgl2": "glsl:es300"}
 draws with it."""
 
 
-class Browser(DrawsByFrames):
+class Browser:
     """Draws with one of the browser's APIs."""
 
     def __init__(self, api: str) -> None:
@@ -49,16 +46,10 @@ class Browser(DrawsByFrames):
             mip_bits=0,
         )
 
-    def accept_job(self, job: Job) -> None:
-        """Raise ``DriverError`` if a name by which a job binds is not in its text."""
-        check_names(job.pipeline)
-
-    def accept_kernel(self, job: KernelJob) -> None:
-        """Raise ``DriverError`` if the device does not run so many work groups at once."""
-        check_groups(job, [self._ask("device", None)["most_groups"]] * 3)
-
     def draw_frame(self, job: FrameJob) -> Found:
         """Do a frame job: returns what it reads back. Raises ``DriverError``."""
+        check_names(job)
+        check_groups(job, lambda: [self._ask("device", None)["most_groups"]] * 3)
         return from_json(Found, self._ask("job", document_of(job, APIS[self._api])))
 
     def draw_package(self, request: Mapping[str, Any]) -> Sequence[FrameTexels]:

@@ -16,9 +16,8 @@ from .....compiler.ir.formats import VERTEX_FORMATS
 from .....compiler.ir.stages import COMPUTE, INSTANCES, VERTICES
 from .....compiler.ir.types import DIMENSION_WORDS
 from ..device import DriverError
-from ..draw_job import Draw
+from ..draws import Dispatch, Draw
 from ..frame_job import OWN, Attachment, FrameDraw, FrameJob, FrameStep
-from ..kernel_job import Dispatch
 from ..pipeline import Pipeline
 from ..render_state import RenderTarget
 from ..slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
@@ -219,8 +218,7 @@ def _load(attachment: Attachment) -> str:
 
 
 def _call(pipeline: Pipeline, drawn: FrameDraw, pictures: dict[Image, int]) -> dict[str, Any]:
-    given = drawn.draw or drawn.dispatch
-    assert given is not None
+    given = drawn.values
     return {
         "shader": drawn.pipeline,
         "mesh": None if drawn.draw is None else _geometry(pipeline, drawn.draw),

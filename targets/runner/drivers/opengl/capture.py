@@ -7,9 +7,9 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..capture_job import Captured
 from ..device import DriverError
-from ..draw_job import Draw
+from ..draws import Draw
+from ..frame_job import Captured
 from ..pipeline import CORNERS, Pipeline, StreamOutput
 from .context import Functions
 from .vertices import MODES

@@ -5,18 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ....toolchain.tools import tool_named
-from ..by_frames import DrawsByFrames
 from ..checks import check_groups, check_names
 from ..device import Device, DriverError
-from ..draw_job import Job
 from ..frame_job import Found, FrameJob
-from ..kernel_job import KernelJob
 
 if TYPE_CHECKING:
     from .renderer import Renderer
 
 
-class OpenGL(DrawsByFrames):
+class OpenGL:
     """Draws with a ``Renderer``; if moderngl is missing, an error says what to install."""
 
     def __init__(self, wanted: str | None = None) -> None:
@@ -29,17 +26,12 @@ class OpenGL(DrawsByFrames):
         """The OpenGL driver's description of itself."""
         return self._start().device()
 
-    def accept_job(self, job: Job) -> None:
-        """Raise ``DriverError`` if a name by which a job binds is not in its text."""
-        check_names(job.pipeline)
-
-    def accept_kernel(self, job: KernelJob) -> None:
-        """Raise ``DriverError`` if the device does not run so many work groups at once."""
-        check_groups(job, self._start().most_groups())
-
     def draw_frame(self, job: FrameJob) -> Found:
         """Do a frame job: returns what it reads back. Raises ``DriverError``."""
-        return self._start().draw_frame(job)
+        check_names(job)
+        renderer = self._start()
+        check_groups(job, renderer.most_groups)
+        return renderer.draw_frame(job)
 
     def _start(self) -> Renderer:
         if self._renderer is None:

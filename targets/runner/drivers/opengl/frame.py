@@ -9,11 +9,18 @@ from typing import Any
 
 import moderngl
 
-from ..capture_job import Captured
 from ..device import DriverError
-from ..draw_job import Draw
-from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
-from ..kernel_job import Dispatch
+from ..draws import Dispatch, Draw
+from ..frame_job import (
+    OWN,
+    Attachment,
+    Captured,
+    Found,
+    FrameDraw,
+    FrameJob,
+    FrameStep,
+    FrameTexels,
+)
 from ..pipeline import Pipeline
 from .bindings import Linked, bound, bound_at
 from .capture import captured

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import moderngl
 
-from ..draw_job import Draw
+from ..draws import Draw
 from ..pipeline import Pipeline, Primitive, StepMode
 from .program import attribute_layout
 

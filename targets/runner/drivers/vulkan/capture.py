@@ -10,8 +10,8 @@ from typing import Any
 
 import vulkan as vk
 
-from ..capture_job import Captured
 from ..device import DriverError
+from ..frame_job import Captured
 from ..pipeline import Code, Pipeline
 from .device import Gpu
 from .memory import Buffer, make_buffer

@@ -10,17 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....closing import Closing
-from ..by_frames import DrawsByFrames
 from ..device import Device, DriverError
-from ..draw_job import Job
 from ..frame_job import Found, FrameJob
-from ..kernel_job import KernelJob
 
 if TYPE_CHECKING:
     from .device import Gpu
 
 
-class VulkanDriver(DrawsByFrames, Closing):
+class VulkanDriver(Closing):
     """Draws with the driver that a file announces, or with any of the machine's; a context manager.
 
     Vulkan's loader chooses the driver by the environment of the process: ``VK_DRIVER_FILES`` must
@@ -53,20 +50,6 @@ class VulkanDriver(DrawsByFrames, Closing):
 
         return describe(gpu)
 
-    def accept_job(self, job: Job) -> None:
-        """Raise ``DriverError`` if the device cannot draw a job."""
-        gpu = self._opened()
-        from .limits import check_limits
-
-        check_limits(gpu, job)
-
-    def accept_kernel(self, job: KernelJob) -> None:
-        """Raise ``DriverError`` if the device cannot run a kernel job."""
-        gpu = self._opened()
-        from .limits import check_dispatches
-
-        check_dispatches(gpu, job)
-
     def draw_frame(self, job: FrameJob) -> Found:
         """Do a frame job: returns what it reads back.
 
@@ -75,7 +58,9 @@ class VulkanDriver(DrawsByFrames, Closing):
         gpu = self._opened()
         from . import errors
         from .frame import draw_frame
+        from .limits import check_limits
 
+        check_limits(gpu, job)
         try:
             with errors.explained(gpu.messages):
                 return draw_frame(gpu, job)

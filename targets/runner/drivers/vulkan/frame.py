@@ -8,13 +8,13 @@ from typing import Any
 
 import vulkan as vk
 
-from ..capture_job import Captured
-from ..draw_job import Draw
+from ..draws import Draw
 from ..frame_job import (
     Area,
     Attachment,
     Barrier,
     BufferBarrier,
+    Captured,
     Found,
     FrameDraw,
     FrameJob,

@@ -10,8 +10,7 @@ import vulkan as vk
 from ....toolchain.spirv import SpirvError
 from ..checks import check_block_size, check_groups
 from ..device import DriverError
-from ..draw_job import Draw, Job
-from ..kernel_job import Dispatch, KernelJob
+from ..frame_job import OWN, FrameDraw, FrameJob, FrameStep
 from ..pipeline import Pipeline
 from ..slots import TextureSlot
 from ..texels import Image
@@ -22,35 +21,33 @@ from .formats import DEPTHS, TARGETS, TEXTURES
 LINEAR = vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT
 
 
-def check_limits(gpu: Gpu, job: Job) -> None:
-    """Raise ``DriverError`` unless the device can draw the whole job."""
-    check_blocks(job.pipeline)
-    problems = list(_pipeline_problems(gpu, job.pipeline))
-    for number, draw in enumerate(job.draws):
-        found = list(_size_problems(gpu, "the picture", draw.width, draw.height))
-        found += _buffer_problems(gpu, job.pipeline, draw)
-        for slot, image in zip(job.pipeline.textures, draw.textures, strict=True):
-            found += _texture_problems(gpu, slot, image)
-        problems += (f"draw {number}: {problem}" for problem in found)
-    if problems:
-        raise DriverError("\n".join(problems))
-
-
-def check_dispatches(gpu: Gpu, job: KernelJob) -> None:
-    """Raise ``DriverError`` unless the device can run the whole job."""
-    check_blocks(job.pipeline)
-    check_groups(job, list(gpu.properties.limits.maxComputeWorkGroupCount))
+def check_limits(gpu: Gpu, job: FrameJob) -> None:
+    """Raise ``DriverError`` unless the device can do the whole job."""
     problems: list[str] = []
-    for number, dispatch in enumerate(job.dispatches):
-        found = list(_buffer_problems(gpu, job.pipeline, dispatch))
-        for image in job.pipeline.images:
-            width, height, _ = dispatch.extent
-            found += _size_problems(gpu, f"image {image.place.identifier!r}", width, height)
-        for slot, texture in zip(job.pipeline.textures, dispatch.textures, strict=True):
-            found += _texture_problems(gpu, slot, texture)
-        problems += (f"dispatch {number}: {problem}" for problem in found)
+    for pipeline in job.pipelines:
+        check_blocks(pipeline)
+        problems += _pipeline_problems(gpu, pipeline)
+    check_groups(job, lambda: gpu.properties.limits.maxComputeWorkGroupCount)
+    for number, step in enumerate(job.steps):
+        found = (problem for drawn in step.draws for problem in _problems(gpu, job, step, drawn))
+        problems += (f"{job.called(number)}: {problem}" for problem in found)
     if problems:
         raise DriverError("\n".join(problems))
+
+
+def _problems(gpu: Gpu, job: FrameJob, step: FrameStep, drawn: FrameDraw) -> Iterator[str]:
+    """All that the device does not support of a draw or a dispatch."""
+    pipeline, draw = job.pipelines[drawn.pipeline], drawn.draw
+    if draw is not None:
+        yield from _size_problems(gpu, "the picture", draw.width, draw.height)
+    yield from _buffer_problems(gpu, job, pipeline, drawn)
+    for written, number in zip(pipeline.images, step.images, strict=True):
+        image = job.textures[number]
+        name = f"image {written.place.identifier!r}"
+        yield from _size_problems(gpu, name, image.width, image.height)
+    own = drawn.own(pipeline).textures
+    for slot, texture in zip(own, drawn.values.textures, strict=True):
+        yield from _texture_problems(gpu, slot, texture)
 
 
 def check_blocks(pipeline: Pipeline) -> None:
@@ -106,12 +103,15 @@ def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
         yield "the device cannot limit a depth bias"
 
 
-def _buffer_problems(gpu: Gpu, pipeline: Pipeline, values: Draw | Dispatch) -> Iterator[str]:
-    most = gpu.properties.limits.maxStorageBufferRange
-    for slot, data in zip(pipeline.buffers, values.buffers, strict=True):
-        if len(data) > most:
+def _buffer_problems(
+    gpu: Gpu, job: FrameJob, pipeline: Pipeline, drawn: FrameDraw
+) -> Iterator[str]:
+    most, own = gpu.properties.limits.maxStorageBufferRange, iter(drawn.values.buffers)
+    for slot, number in zip(pipeline.buffers, drawn.buffers, strict=True):
+        size = len(next(own)) if number == OWN else job.buffers[number].size
+        if size > most:
             yield (
-                f"storage buffer {slot.place.identifier!r} has {len(data)} bytes, and the device "
+                f"storage buffer {slot.place.identifier!r} has {size} bytes, and the device "
                 f"takes at most {most}"
             )
 

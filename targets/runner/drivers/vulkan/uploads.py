@@ -45,8 +45,7 @@ class Uploads:
     ) -> DescriptorSets:
         """The descriptor sets of a draw or dispatch, over the frame's textures and buffers, and
         the images that a kernel writes. ``once`` owns them."""
-        given = drawn.draw or drawn.dispatch
-        assert given is not None
+        given = drawn.values
         own_textures, own_buffers = iter(given.textures), iter(given.buffers)
         sets = make_descriptor_sets(once, self.gpu, pipeline)
         sets.bind_blocks(given.blocks)

@@ -9,9 +9,8 @@ from typing import Any
 import wgpu
 
 from ..device import DriverError
-from ..draw_job import Draw
+from ..draws import Dispatch, Draw
 from ..frame_job import OWN, Attachment, Found, FrameDraw, FrameJob, FrameStep, FrameTexels
-from ..kernel_job import Dispatch
 from ..webgpu import interleaved
 from .bindings import DrawnData, bind_groups
 from .device import Gpu, explained

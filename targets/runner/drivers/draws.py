@@ -1,24 +1,23 @@
-"""Jobs and pictures: the work for a driver, and its answer, as plain data for every API.
+"""Draws and dispatches: all the bytes that one call of a pipeline takes, as plain data for every
+API.
 
-A job is one pipeline and several draws with it, because making a pipeline takes a driver much
-longer than drawing. ``runner.py`` sends jobs; names have already been resolved to bindings, and
-values to bytes.
-
-The first row of a picture is the top one, whatever the API's framebuffer does. Each draw starts
-with a cleared picture and cleared depths.
+``frame_job.py`` puts them into steps. Names have already been resolved to bindings, and values to
+bytes.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .pipeline import Pipeline
 from .texels import Image
+
+Sides = tuple[int, int, int]
+"""Lengths along x, y and z."""
 
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One picture: the bytes for every slot of the pipeline, in the pipeline's order."""
+    """One draw: the bytes for every slot of the pipeline, in the pipeline's order."""
 
     width: int
     height: int
@@ -45,20 +44,20 @@ class Draw:
 
 
 @dataclass(frozen=True, slots=True)
-class Job:
-    """A pipeline, and the draws with it."""
+class Dispatch:
+    """One run of a kernel: the bytes for every slot, and the number of elements."""
 
-    pipeline: Pipeline
-    draws: tuple[Draw, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """The contents of the targets after one draw."""
-
-    width: int
-    height: int
-    """The number of all rows: those of the first layer come first."""
-    targets: tuple[bytes, ...]
-    """For each target float32 RGBA, row by row from the top; lanes that the format lacks are 0, 0,
+    extent: Sides
+    """The elements along x, y and z. Those of buffers lie along x; images have width, height and
     1."""
+    blocks: tuple[bytes, ...]
+    textures: tuple[Image, ...]
+    buffers: tuple[bytes, ...]
+    """The contents of all storage buffers before the dispatch, in the pipeline's order. Those that
+    the kernel writes are among them."""
+
+    def groups(self, work_group: Sides) -> Sides:
+        """The numbers of work groups along x, y and z; ``work_group`` are the invocations in one,
+        as the text declares them."""
+        x, y, z = (-(-length // side) for length, side in zip(self.extent, work_group, strict=True))
+        return x, y, z
