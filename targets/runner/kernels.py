@@ -91,6 +91,11 @@ def dispatch_of(instance: Instance) -> Dispatch:
     )
 
 
+def image_dispatch(draw: Draw) -> Dispatch:
+    """The run of a kernel over images that makes the same picture as a draw of them."""
+    return Dispatch((draw.width, draw.height, 1), draw.blocks, draw.textures, draw.buffers)
+
+
 def _before(row: ResultRow, count: int) -> bytes:
     """The contents of a buffer before a kernel writes it. No API binds an empty buffer."""
     size = max(count, 1) * row.stride
@@ -138,11 +143,8 @@ def pictures_of(
     """
     if not pipeline.images:
         return runner.draw(route, pipeline, draws)
-    dispatches = [
-        Dispatch((draw.width, draw.height, 1), draw.blocks, draw.textures, draw.buffers)
-        for draw in draws
-    ]
-    written = runner.compute(route, job_of(reflection, pipeline, dispatches))
+    job = job_of(reflection, pipeline, list(map(image_dispatch, draws)))
+    written = runner.compute(route, job)
     return [each.images for each in written]
 
 

@@ -36,15 +36,18 @@ from .drivers.slots import BufferSlot
 
 
 def draw_job(pipeline: Pipeline, draws: Sequence[Draw]) -> FrameJob:
-    """A step for each draw, and one behind it that reads its targets."""
-    canvases: dict[tuple[int, int], _Canvas] = {}
+    """A step for each draw, or for each of its layers, and one behind it that reads its targets.
+
+    Raises ``DriverError`` for layers with several samples.
+    """
+    canvases: dict[tuple[int, int, int], _Canvas] = {}
     textures: list[FrameTexture] = []
     steps: list[FrameStep] = []
     for number, draw in enumerate(draws):
-        size = draw.width, draw.height
-        if size not in canvases:
-            canvases[size] = _Canvas.of(pipeline, size, textures)
-        steps += canvases[size].steps(pipeline, draw, f"draw {number}")
+        kind = draw.width, draw.height, len(draw.layers)
+        if kind not in canvases:
+            canvases[kind] = _Canvas.of(pipeline, draw, textures)
+        steps += canvases[kind].steps(pipeline, draw, f"draw {number}")
     return FrameJob(tuple(textures), (), (pipeline,), tuple(steps))
 
 
@@ -53,7 +56,7 @@ def pictures(job: FrameJob, found: Found) -> list[Picture]:
     (pipeline,), texels = job.pipelines, iter(found.texels)
     if pipeline.first_row == "bottom":
         texels = map(_turned_over, texels)
-    return [tuple(next(texels) for _ in step.read) for step in job.steps[1::2]]
+    return [tuple(next(texels) for _ in step.read) for step in job.steps if not step.draws]
 
 
 def _turned_over(found: FrameTexels) -> FrameTexels:
@@ -73,51 +76,70 @@ class _Canvas:
     depth: int
     use: TextureUse = "undefined"
     """The use of the textures that are read back, before the next draw."""
+    is_new: bool = True
+    """True before the first draw."""
 
     @classmethod
-    def of(cls, pipeline: Pipeline, size: tuple[int, int], textures: list[FrameTexture]) -> _Canvas:
-        """The textures that a pipeline needs, which are added to ``textures``."""
+    def of(cls, pipeline: Pipeline, draw: Draw, textures: list[FrameTexture]) -> _Canvas:
+        """The textures that a draw needs, which are added to ``textures``."""
         if pipeline.layers and pipeline.samples > 1:
             raise DriverError("targets with layers have one sample for each pixel")
-        one = FrameTexture("r8unorm", *size)
-        if pipeline.layers:
-            one = replace(one, layers=pipeline.layers, dimension="2d_array")
-        read = [replace(one, format=target.format) for target in pipeline.targets]
-        several = [replace(each, samples=pipeline.samples) for each in read]
-        depth = replace(one, format=pipeline.depth_format, samples=pipeline.samples)
+        target = _layered(FrameTexture("r8unorm", draw.width, draw.height), pipeline.layers)
+        whole = _layered(target, len(draw.layers))
+        read = [replace(whole, format=each.format) for each in pipeline.targets]
+        several = [
+            replace(target, format=each.format, samples=pipeline.samples)
+            for each in (pipeline.targets if pipeline.samples > 1 else ())
+        ]
+        depth = replace(target, format=pipeline.depth_format, samples=pipeline.samples)
         first, count = len(textures), len(read)
-        textures += [*read, *(several if pipeline.samples > 1 else []), depth]
+        textures += [*read, *several, depth]
         numbers = tuple(range(first, len(textures) - 1))
         return cls(numbers[:count], numbers[-count:] if count else (), len(textures) - 1)
 
     def steps(self, pipeline: Pipeline, draw: Draw, name: str) -> Iterator[FrameStep]:
-        """The steps that draw, and read the targets back; both have this name."""
-        is_first = self.use == "undefined"
+        """The steps that draw, and read the targets back; all have this name."""
+        for layer, single in enumerate(_single_draws(draw)):
+            yield self._drawing(pipeline, single, layer, name)
+        reading = tuple(Barrier(number, self.use, "copied_from") for number in self.read)
+        self.use = "copied_from"
+        yield FrameStep(reading, read=self.read, name=name)
+
+    def _drawing(self, pipeline: Pipeline, draw: Draw, layer: int, name: str) -> FrameStep:
+        """The step that draws, to one layer of the textures that are read back or, with a geometry
+        stage, to all of them."""
         several = [number for number in self.drawn if number not in self.read]
         barriers = [Barrier(number, self.use, "target") for number in self.read]
         for number in several:
-            barriers.append(Barrier(number, "undefined" if is_first else "target", "target"))
-        barriers.append(Barrier(self.depth, "undefined" if is_first else "depth", "depth"))
+            barriers.append(Barrier(number, "undefined" if self.is_new else "target", "target"))
+        barriers.append(Barrier(self.depth, "undefined" if self.is_new else "depth", "depth"))
         layers = pipeline.layers or 1
         targets = tuple(
-            Attachment(
-                number, layers=layers, stores=number == read, clear=clear,
-                resolve=None if number == read else Resolve(read),
-            )
+            Attachment(number, layer, layers, clear=clear)
+            if number == read
+            else Attachment(number, stores=False, clear=clear, resolve=Resolve(read, layer))
             # A wrong number of clear colours is told by the checks of the job.
             for number, read, clear in zip(self.drawn, self.read, draw.clear, strict=False)
-        )  # fmt: skip
+        )
         depth = Attachment(
             self.depth, layers=layers, stores=False, stores_stencil=False,
             clear=(draw.clear_depth, 0.0, 0.0, 0.0),
         )  # fmt: skip
-        yield FrameStep(
+        self.use, self.is_new = "target", False
+        return FrameStep(
             tuple(barriers), targets, depth, (_alone(pipeline, draw),),
             blend_constant=draw.blend_constant, name=name,
         )  # fmt: skip
-        self.use = "copied_from"
-        reading = tuple(Barrier(number, "target", self.use) for number in self.read)
-        yield FrameStep(reading, read=self.read, name=name)
+
+
+def _single_draws(draw: Draw) -> list[Draw]:
+    """A draw for each layer; the draw itself if there are none."""
+    return [replace(draw, blocks=blocks, layers=()) for blocks in draw.layers] or [draw]
+
+
+def _layered(texture: FrameTexture, layers: int) -> FrameTexture:
+    """The texture with layers; without a change if there are none."""
+    return replace(texture, layers=layers, dimension="2d_array") if layers else texture
 
 
 def _alone(pipeline: Pipeline, draw: Draw) -> FrameDraw:
@@ -170,7 +192,8 @@ def written(job: FrameJob, found: Found) -> list[Written]:
             tuple(next(buffers) for _ in step.read_buffers),
             tuple(next(texels) for _ in step.read),
         )
-        for step in job.steps[1::2]
+        for step in job.steps
+        if not step.draws
     ]
 
 

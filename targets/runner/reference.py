@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from io import BytesIO
@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...compiler.budget import check
 from ...compiler.ir.leaves import Attribute, Parameter
@@ -28,12 +29,13 @@ from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
 from .instances.shapes import shape_of
-from .layers import stacked_expected
 from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
 
 STORE = "expected"
 """The name of the store that keeps the reference's pictures."""
+
+Floats = NDArray[np.float64]
 
 Progress = Callable[[float], None]
 """Called with the part of the work that is done, from 0 to 1."""
@@ -54,7 +56,7 @@ def expected(
 
     With the ``errors`` of functions, it has the bounds of a driver's picture.
     """
-    return stacked_expected(
+    return _stacked(
         [
             draw(
                 shader,
@@ -70,6 +72,26 @@ def expected(
             for layer in state.layers or (state,)
         ]
     )
+
+
+def _stacked(pictures: Sequence[Expected]) -> Expected:
+    """The reference's layers as one picture, the rows of the first one on top."""
+    if len(pictures) == 1:
+        return pictures[0]
+    return Expected(
+        _stacked_targets([picture.targets for picture in pictures]),
+        np.concatenate([picture.covered for picture in pictures]),
+        np.concatenate([picture.undecided for picture in pictures]),
+        _stacked_targets([picture.low for picture in pictures]),
+        _stacked_targets([picture.high for picture in pictures]),
+        np.concatenate([picture.layers for picture in pictures]),
+        frozenset().union(*(picture.broken for picture in pictures)),
+        frozenset().union(*(picture.counted for picture in pictures)),
+    )
+
+
+def _stacked_targets(pictures: Sequence[Sequence[Floats]]) -> tuple[Floats, ...]:
+    return tuple(np.concatenate(layers) for layers in zip(*pictures, strict=True))
 
 
 Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]

@@ -23,7 +23,6 @@ from .drivers.frame_job import Captured, Found, FrameJob, FrameTexels, Picture
 from .drivers.pipeline import Pipeline
 from .drivers.wire import from_json, packed, to_json, unpacked
 from .job_sizes import check_job
-from .layers import single_draws, stacked
 from .pipeline_jobs import Written, draw_job, pictures, written
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
@@ -109,14 +108,11 @@ class Runner(Closing):
     def draw(self, route: Route, pipeline: Pipeline, draws: Sequence[Draw]) -> list[Picture]:
         """A picture for each draw with a pipeline.
 
-        Layers that are draws of their own come together in one picture. Raises ``DriverError``, and
-        ``BudgetError`` for pictures that are too large.
+        Raises ``DriverError``, and ``BudgetError`` for pictures that are too large.
         """
-        singles = [single_draws(draw) for draw in draws]
-        job = draw_job(pipeline, list(chain.from_iterable(singles)))
+        job = draw_job(pipeline, draws)
         check_job(job)
-        drawn = iter(pictures(job, self.draw_frame(route, job)))
-        return [stacked([next(drawn) for _ in layers]) for layers in singles]
+        return pictures(job, self.draw_frame(route, job))
 
     def compute(self, route: Route, job: FrameJob) -> list[Written]:
         """Run a job of dispatches: returns what each of them writes.

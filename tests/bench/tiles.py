@@ -22,14 +22,13 @@ from burnish.api.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draws import Dispatch
 from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Code
 from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.vulkan import frame
 from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
-from burnish.targets.runner.kernels import full_screen_state, job_of
+from burnish.targets.runner.kernels import full_screen_state, image_dispatch, job_of
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Job, Toolchain
 from burnish.targets.toolchain.tools import inspect_all
@@ -85,8 +84,7 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> FrameJob:
     route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
     texels = np.random.default_rng(1).integers(0, 256, (SIZE, SIZE, 4)).astype(np.uint8)
     instance.set("source", burnish.Texture.of_array(texels))
-    draw = full_screen_state(instance).draw()
-    dispatch = Dispatch((SIZE, SIZE, 1), draw.blocks, draw.textures, draw.buffers)
+    dispatch = image_dispatch(full_screen_state(instance).draw())
     codes = compile_one(route, kernel.files, toolchain)
     bound = pipeline(kernel.reflection, route, codes)
     return job_of(kernel.reflection, bound, [dispatch])

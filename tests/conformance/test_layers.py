@@ -20,7 +20,7 @@ from burnish.compiler.passes import lower_expansion
 from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.passes.layers import layer_of
 from burnish.support.frozen import changed
-from burnish.targets.runner import binding, layers, runner
+from burnish.targets.runner import binding, pipeline_jobs
 from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.render import by_reference
@@ -143,15 +143,15 @@ def test_a_host_draws_the_layers_one_by_one() -> None:
     assert state_of(native).draw().layers == ()
 
 
-_single_draws = layers.single_draws
+_single_draws = pipeline_jobs._single_draws
 
 
-def _turned(draw: Draw) -> tuple[Draw, ...]:
+def _turned(draw: Draw) -> list[Draw]:
     """The draws of the layers, the last one first."""
     return _single_draws(draw)[::-1]
 
 
-def _first_only(draw: Draw) -> tuple[Draw, ...]:
+def _first_only(draw: Draw) -> list[Draw]:
     """The first layer in place of all."""
     draws = _single_draws(draw)
     return draws[:1] * len(draws)
@@ -161,8 +161,8 @@ PLANTED = {
     "all strips in the first layer": form("glsl", deliver_layer="gl_Layer = 0;"),
     "layers count from one": form("glsl", deliver_layer="gl_Layer = min({value} + 1, 4);"),
     "the layer is not told": form("glsl", deliver_layer="// {value}"),
-    "layers in another order": replaced(runner, "single_draws", _turned),
-    "one layer for all": replaced(runner, "single_draws", _first_only),
+    "layers in another order": replaced(pipeline_jobs, "_single_draws", _turned),
+    "one layer for all": replaced(pipeline_jobs, "_single_draws", _first_only),
     "strips of all layers in each": replaced(
         lower_expansion._Lowering, "_is_drawn",
         lambda lowering, _layer: build.constant(lowering._graph, BOOL, True),

@@ -40,7 +40,7 @@ class Draw:
     """The colour of the blend factor ``constant``, for all targets."""
     layers: tuple[tuple[bytes, ...], ...] = ()
     """For each layer of the picture, the contents that replace ``blocks``, if every layer is a draw
-    of its own. Drivers get these draws one by one."""
+    of its own."""
 
 
 @dataclass(frozen=True, slots=True)

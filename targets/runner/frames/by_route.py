@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ from ....compiler.ir.formats import DEPTH_WORDS
 from ...toolchain import Toolchain
 from ..binding import FORMATS, pipeline
 from ..codes import Codes, compile_one
-from ..drivers.draws import Dispatch
+from ..drivers.draws import Dispatch, Draw
 from ..drivers.frame_job import (
     OWN,
     Attachment,
@@ -45,7 +45,7 @@ from ..drivers.frame_job import (
 )
 from ..drivers.pipeline import Pipeline
 from ..drivers.readback import layers_of
-from ..kernels import dispatch_of, full_screen_state, has_images
+from ..kernels import dispatch_of, full_screen_state, has_images, image_dispatch
 from ..routes import Route
 from ..runner import Runner
 from .host import FrameHost
@@ -53,6 +53,7 @@ from .host import StepDraw as HostDraw
 from .memory import bytes_of, taking_turns
 
 Floats = NDArray[np.float64]
+Given = TypeVar("Given", Draw, Dispatch)
 
 WORD = 4
 """The bytes of a word."""
@@ -291,15 +292,7 @@ class _Job:
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         textures, buffers = self._bound(draw)
         given = replace(state.draw(), layers=())
-        own = tuple(
-            image for image, number in zip(given.textures, textures, strict=True) if number == OWN
-        )
-        contents = tuple(
-            data for data, number in zip(given.buffers, buffers, strict=True) if number == OWN
-        )
-        return FrameDraw(
-            draw.shader, textures, buffers, replace(given, textures=own, buffers=contents)
-        )
+        return FrameDraw(draw.shader, textures, buffers, _carried(given, textures, buffers))
 
     def _textures_of(self, shader: int) -> list[str]:
         """The names of the textures that a shader reads."""
@@ -348,30 +341,15 @@ class _Job:
                     self._run_as_pass(replace(draw, state=given), barriers, images),
                     buffer_barriers=self._buffer_barriers(step, is_first),
                 )
-            whole = given.draw()
-            dispatch = Dispatch(
-                (given.width, given.height, 1), whole.blocks, whole.textures, whole.buffers
-            )
+            dispatch = image_dispatch(given.draw())
         else:
             dispatch = dispatch_of(instance)
             buffers = (*buffers, *self._written(step, dispatch, len(buffers)))
         assert reflection.work_group is not None, "it is a kernel"
-        own = tuple(
-            image
-            for image, number in zip(dispatch.textures, textures, strict=True)
-            if number == OWN
-        )
-        contents = tuple(
-            data for data, number in zip(dispatch.buffers, buffers, strict=True) if number == OWN
-        )
-        groups = dispatch.groups(reflection.work_group)
+        carried = _carried(dispatch, textures, buffers)
         return FrameStep(
-            barriers, draws=(
-                FrameDraw(
-                    draw.shader, textures, buffers,
-                    dispatch=replace(dispatch, textures=own, buffers=contents),
-                ),
-            ), images=images, groups=groups,
+            barriers, draws=(FrameDraw(draw.shader, textures, buffers, dispatch=carried),),
+            images=images, groups=dispatch.groups(reflection.work_group),
             buffer_barriers=self._buffer_barriers(step, is_first),
         )  # fmt: skip
 
@@ -392,6 +370,19 @@ class _Job:
         """A kernel over images, on routes that draw these."""
         targets = tuple(Attachment(number) for number in images)
         return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+
+
+def _carried(given: Given, textures: Sequence[int], buffers: Sequence[int]) -> Given:
+    """A draw or a dispatch with only the textures and buffers that it brings itself."""
+    return replace(
+        given,
+        textures=tuple(
+            image for image, number in zip(given.textures, textures, strict=True) if number == OWN
+        ),
+        buffers=tuple(
+            data for data, number in zip(given.buffers, buffers, strict=True) if number == OWN
+        ),
+    )
 
 
 def _texture_of(plan: FramePlan, output: str) -> int:
