@@ -75,7 +75,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
 
 def test_a_parameter_that_nothing_reads_has_no_place(reflection: Reflection) -> None:
     rows = {row.name: row for row in reflection.parameters}
-    assert list(rows) == [info.parameter.name for info in PARAMETERS]
+    assert list(rows) == [info.leaf.name for info in PARAMETERS]
     assert (rows["time"].block, rows["time"].offset) == (None, None)
 
 
