@@ -32,6 +32,8 @@ class LightInfo:
 
     name: str
     """The host's name: ``torch``, or ``Studio.torch`` where that name is taken."""
+    entry: str
+    """The name that the rig gives it: ``torch``."""
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str

@@ -102,7 +102,7 @@ def _declaration(info: ParameterInfo) -> Declared:
 
 def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
     """Members of a struct or of an array's elements, with their declarations."""
-    declared = {info.leaf.name.rpartition(".")[2]: info for info in infos}
+    declared = {info.leaf.short_name: info for info in infos}
     return tuple(_member(member, declared.get(member.name)) for member in packed.members)
 
 
@@ -196,6 +196,7 @@ def _light_row(light: LightInfo, infos: list[ParameterInfo]) -> LightRow:
     counter = f"{name}.count"
     return LightRow(
         name=name,
+        entry=light.entry,
         kind=light.kind,
         library=light.library or None,
         doc=light.doc,

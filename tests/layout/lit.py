@@ -85,8 +85,8 @@ def _info(
     return ParameterInfo(parameter, declared, doc, HERE, range_, default, members, light)
 
 
-_TORCH = LightInfo("torch", "Spot", "std.lights.Spot", "Over the table.")
-_LAMPS = LightInfo("lamps", "Lamp", "", "")
+_TORCH = LightInfo("torch", "torch", "Spot", "std.lights.Spot", "Over the table.")
+_LAMPS = LightInfo("lamps", "lamps", "Lamp", "", "")
 
 PARAMETERS = (
     _info(TIME, "float", "Seconds since the start."),

@@ -54,6 +54,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
     assert to_json(reflection.lights) == [
         {
             "name": "torch",
+            "entry": "torch",
             "kind": "Spot",
             "library": "std.lights.Spot",
             "doc": "Over the table.",
@@ -63,6 +64,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
         },
         {
             "name": "lamps",
+            "entry": "lamps",
             "kind": "Lamp",
             "library": None,
             "doc": "",

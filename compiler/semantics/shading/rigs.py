@@ -98,8 +98,8 @@ def _entry(
     given = _overrides(ctx, rig, written, record)
     replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
     leaves = leaves_of(ctx, record, name, given)
-    light = LightInfo(name, record.name, library_name(record.symbol), written.doc)
     place, short, group = written.name.span, written.name.text, DEFAULT_GROUPS["light"]
+    light = LightInfo(name, short, record.name, library_name(record.symbol), written.doc)
     if written.number == "one":
         own = tuple(
             changed(info, light=light) if isinstance(info, ParameterInfo) else info

@@ -59,7 +59,7 @@ class _Names:
         self._host_textures = _named(plan.host_textures)
         self._of_host = {*self._host_textures, *_named(plan.host_buffers)}
         self._models = {row.name: row.materials for row in plan.models}
-        self._lights = {row.name.removeprefix(f"{plan.rig}.") for row in plan.lights}
+        self._lights = {row.entry for row in plan.lights}
         self._kept = {row.result: row.previous for row in plan.kept}
         self._kernels = {step.name for step in plan.steps if step.images}
 
