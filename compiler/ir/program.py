@@ -173,6 +173,8 @@ class Function:
     """Identifies the function: the first operand of the calls."""
     region: Region
     value: Node
+    stands_for: Node | None = None
+    """Of a builtin's definition, a node that it computes; its own nodes are of another graph."""
 
 
 @frozen
@@ -207,8 +209,8 @@ class NativeUse:
 
     builtin: str
     types: tuple[Type, ...]
-    node: int
-    """The id of one node that does."""
+    node: Node
+    """One node that does."""
 
 
 def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
@@ -218,7 +220,7 @@ def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
         if node.op == "native":
             key = NATIVE.data(node), tuple([operand.type for operand in node.operands])
             if key not in found:
-                found[key] = NativeUse(*key, node.id)
+                found[key] = NativeUse(*key, node)
     return tuple(found.values())
 
 

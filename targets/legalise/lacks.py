@@ -93,7 +93,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     yield from _buffers(program, profile)
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
-            yield Lack(feature_of_builtin(native.builtin), native.node)
+            yield Lack(feature_of_builtin(native.builtin), native.node.id)
     yield from _textures(program, profile)
 
 

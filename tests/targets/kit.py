@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from burnish.compiler.ir import build
+from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Parameter, Texture
-from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import NativeUse, Program
 from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import (
@@ -173,7 +174,8 @@ def has(profile: Profile, row: Builtin, operands: tuple[Type, ...]) -> bool:
     textures = [type_ for type_ in operands if isinstance(type_, TextureType)]
     if row.name in profile.cannot or not profile.textures.issuperset(textures):
         return False
-    return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, 0))
+    node = constant(Graph(), INT, 0)
+    return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, node))
 
 
 def program_of_rows(profile: Profile) -> Program:
