@@ -29,7 +29,8 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py",
                 "targets/runner/drivers/by_frames.py"),
     "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py",
-                  "targets/runner/frames/by_reference.py", "targets/runner/frames/reference_textures.py"),
+                  "targets/runner/frames/by_reference.py",
+                  "targets/runner/frames/reference_textures.py"),
     "bounds": ("compiler/reference/bounds/*.py",),
 }  # fmt: skip
 """The files of the package that each part has."""
