@@ -38,7 +38,7 @@ def listed_vertex(graph: Graph, count: int) -> Node:
 
 def as_attribute(row: SystemInput) -> Attribute:
     """A vertex input in place of a number that the pipeline supplies where nothing is lowered."""
-    return Attribute(row.name, row.type, row.domain)
+    return Attribute(row.name, row.type, step=row.domain)
 
 
 def placed(shader: Shader, is_there: Node, position: Node) -> Node:

@@ -19,7 +19,7 @@ def parameter() -> Node:
 
 
 def attribute(step: str = VERTICES) -> Node:
-    return GRAPH.node("attribute", FLOAT, (), Attribute(f"a_{step}", FLOAT, step))
+    return GRAPH.node("attribute", FLOAT, (), Attribute(f"a_{step}", FLOAT, step=step))
 
 
 def supplied(name: str) -> Node:

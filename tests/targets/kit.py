@@ -193,8 +193,8 @@ def program_of_rows(profile: Profile) -> Program:
 
     def texture(type_: TextureType, how: str) -> Node:
         name = f"{type_}_{how}"
-        resource = textures.setdefault(name, Texture(name, type_, "material"))
-        return make.graph.node("texture", type_, (), resource)
+        texture = textures.setdefault(name, Texture(name, type_, "material"))
+        return make.graph.node("texture", type_, (), texture)
 
     def call(row: Builtin, operands: tuple[Type, ...], result: Type) -> Node:
         how = "loaded" if row.sampler is None else "sampled"
@@ -224,5 +224,6 @@ def program_of_rows(profile: Profile) -> Program:
         if is_native(row, operands) and has(profile, row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
-    resources = tuple(textures.values())
-    return tiny(color, make, (material,), resources=resources, region=Region(tuple(lets)))
+    return tiny(
+        color, make, (material,), textures=tuple(textures.values()), region=Region(tuple(lets))
+    )

@@ -125,7 +125,7 @@ def size_of(type_: Type) -> int:
 def stage(row: StageRow, *results: Output, **parts: object) -> Stage:
     """A stage with nothing in it but its results and ``parts``."""
     empty: dict[str, object] = {
-        "inputs": (), "blocks": (), "resources": (), "functions": (), "region": Region(()),
+        "inputs": (), "blocks": (), "textures": (), "functions": (), "region": Region(()),
     }  # fmt: skip
     made = Stage(row=row, results=results, **{**empty, **parts})  # type: ignore[arg-type]
     lets = [item.node for item in made.region.statements if isinstance(item, Let)]
@@ -155,7 +155,7 @@ def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: o
             stage(FRAGMENT, written("color", color), **parts),
         ),
         blocks=blocks,
-        textures=fragment.get("resources", ()),  # type: ignore[arg-type]
+        textures=fragment.get("textures", ()),  # type: ignore[arg-type]
         interfaces=between(),
     )
 
@@ -293,7 +293,7 @@ def plastic() -> Program:
         written("color", build.vector(make.graph, (faded, one)), doc="Linear colour"),
         inputs=fields,
         blocks=(view, rig, derived, material),
-        resources=(albedo,),
+        textures=(albedo,),
         functions=(shade,),
         region=Region(
             (

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from ...ir import build
 from ...ir.node import Node
-from ...ir.shader import AttributeInfo
+from ...ir.shader import AttributeInfo, BufferInfo, ParameterInfo, TextureInfo
 from ...ir.types import Matrix
 from ..declarations.overrides import check_overrides
-from ..declarations.parameters import Leaves
+from ..declarations.parameters import Leaves, of_kind
 from ..inheritance.records import Record
 from ..names.modules import Symbol
 from ..state.context import Context
@@ -30,10 +31,14 @@ def pass_scope(owner: Symbol, passing: Instance, level: int) -> Scope:
     return Scope(owner.module, passing, level, surface, {"material": surface})
 
 
+_KINDS = (ParameterInfo, TextureInfo, BufferInfo, AttributeInfo)
+"""The kinds of leaves in the order in which graphs show them."""
+
+
 def _reads(ctx: Context, leaves: Leaves) -> Iterator[tuple[str, Node]]:
     """Yields the read of each leaf, by its own name; a matrix is put together from its columns."""
     columns: dict[str, list[Node]] = {}
-    for info in leaves:
+    for info in chain.from_iterable(of_kind(kind, leaves) for kind in _KINDS):
         node = build.read(ctx.tree, info.leaf)
         if isinstance(info, AttributeInfo) and info.matrix:
             columns.setdefault(info.matrix, []).append(node)
