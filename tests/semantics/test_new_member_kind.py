@@ -186,7 +186,7 @@ for name in ("Over", "Added", "Both"):
 
 
 def test_of_a_kind_without_names_the_nearest_counts(package: Path) -> None:
-    alpha = {"source": "src_alpha", "destination": "one-minus-src-alpha", "operation": "add"}
+    alpha = {"source": "src-alpha", "destination": "one-minus-src-alpha", "operation": "add"}
     added = {"source": "one", "destination": "one", "operation": "add"}
     assert run(package, BLENDING) == (
         f"Over {[alpha]}\nAdded {[added, added]}\nBoth {[added, added, None]}\n"
