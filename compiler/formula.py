@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from ..stdlib.builtins import BUILTINS
-from .ir.leaves import Attribute, Buffer, Parameter, Resource
+from .ir.leaves import Attribute, Buffer, Parameter, Texture
 from .ir.node import Formal, Node
 from .ir.operations import CALL, CONSTANT, CROSS, FOLD, MEMBER, SWIZZLE, builtin_of
 from .ir.shader import Notes
@@ -130,7 +130,7 @@ class Formulas:
 def _leaf_name(node: Node) -> str | None:
     """The declared name of a leaf, or ``None`` for any other node."""
     match node.data:
-        case Parameter() | Attribute() | Resource() | Buffer():
+        case Parameter() | Attribute() | Texture() | Buffer():
             return node.data.name
         case Formal(name=name) if node.op == "formal":
             return name

@@ -68,11 +68,9 @@ def _extern_block(extern: ExternInfo) -> Block:
         for filler, offset in _fillers(end, member.offset):
             size = byte_size(filler)
             members.append(StoredMember(next(padding), filler, offset, size, None))
-        stored, info = stored_type(member.info.parameter.type), member.info
+        stored, info = stored_type(member.info.leaf.type), member.info
         size = byte_size(stored)
-        members.append(
-            StoredMember(member.name, stored, member.offset, size, info.parameter, info.doc)
-        )
+        members.append(StoredMember(member.name, stored, member.offset, size, info.leaf, info.doc))
         end = member.offset + size
     return Block(
         name=name,

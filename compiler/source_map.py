@@ -68,10 +68,10 @@ class _Places:
         self._shader = shader
         self._spans = notes.spans
         self._leaves: dict[Hashable, Span] = {
-            **{info.parameter: info.span for info in shader.parameters},
-            **{info.resource: info.span for info in shader.resources},
-            **{info.buffer: info.span for info in shader.buffers},
-            **{info.attribute: info.span for info in shader.attributes},
+            **{info.leaf: info.span for info in shader.parameters},
+            **{info.leaf: info.span for info in shader.textures},
+            **{info.leaf: info.span for info in shader.buffers},
+            **{info.leaf: info.span for info in shader.attributes},
         }
 
     def of(self, root: Node) -> Span | None:

@@ -58,10 +58,11 @@ def frozen(
 
     Its annotations are the fields, in the order of the initialiser's parameters. They must be texts
     (``from __future__ import annotations``). With ``eq=False`` a record is equal only to itself;
-    with ``kw_only=True`` fields are initialised by name. ``key=True`` is for records that are part
-    of keys much more often than they are made: the hash is computed when the record is made. Such a
-    record has no ``fresh`` fields. ``interned=True`` is for those that are compared just as often:
-    equal fields give the same record, so that hashing and comparing are those of objects.
+    with ``kw_only=True`` fields are initialised by name. The fields of a base, which has to be such
+    a class, come first. ``key=True`` is for records that are part of keys much more often than they
+    are made: the hash is computed when the record is made. Such a record has no ``fresh`` fields.
+    ``interned=True`` is for those that are compared just as often: equal fields give the same
+    record, so that hashing and comparing are those of objects.
     """
     shared = _ANY | _UNCHANGEABLE | (_KEPT_HASH if key else {})
     if cls is None:
@@ -91,11 +92,14 @@ def _slotted(
     cls: type[T], shared: dict[str, Any], eq: bool, kw_only: bool, *, interned: bool = False
 ) -> type[T]:
     texts: dict[str, str] = cls.__annotations__
-    names = tuple(name for name, text in texts.items() if not text.startswith("ClassVar"))
+    own_names = [name for name, text in texts.items() if not text.startswith("ClassVar")]
+    inherited: tuple[str, ...] = getattr(cls, "__match_args__", ())
+    names = tuple(dict.fromkeys((*inherited, *own_names)))
     members = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
-    defaults = {name: members.pop(name) for name in names if name in members}
-    slots = list(names)
-    if "__hash__" in shared:
+    defaults = dict(getattr(cls, DEFAULTS, {}))
+    defaults |= {name: members.pop(name) for name in own_names if name in members}
+    slots = [name for name in own_names if name not in inherited]
+    if "__hash__" in shared and not hasattr(cls, "_hash"):
         slots.append("_hash")
     if interned:
         slots.append("__weakref__")

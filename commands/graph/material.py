@@ -26,7 +26,7 @@ LEAVES = OUTSIDE | {"formal"}
 ADDED = "each"
 """The name of the value that each iteration of a fold adds or multiplies."""
 _LEAVES = {
-    "attribute": Kind.ATTRIBUTE, "input": Kind.INPUT, "resource": Kind.TEXTURE,
+    "attribute": Kind.ATTRIBUTE, "input": Kind.INPUT, "texture": Kind.TEXTURE,
     "buffer": Kind.BUFFER, "formal": Kind.ARGUMENT,
 }  # fmt: skip
 """The kinds of values from outside by operation; parameters have that of their group."""

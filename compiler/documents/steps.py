@@ -43,10 +43,10 @@ class ConstantStep:
 
 
 @frozen(kw_only=True)
-class ResourceStep:
+class TextureStep:
     """A texture, of which only the size is asked for."""
 
-    op: Literal["resource"]
+    op: Literal["texture"]
     type: str
     """Type of the texture."""
     args: NoArguments
@@ -174,7 +174,7 @@ class FoldStep:
 StepRow = (
     ParameterStep
     | ConstantStep
-    | ResourceStep
+    | TextureStep
     | BoundStep
     | CallStep
     | ComposedStep
@@ -190,7 +190,7 @@ StepRow = (
 STEPS: Mapping[str, Callable[..., StepRow]] = {
     "parameter": ParameterStep,
     "constant": ConstantStep,
-    "resource": ResourceStep,
+    "texture": TextureStep,
     "bound": BoundStep,
     "call": CallStep,
     "native": CallStep,

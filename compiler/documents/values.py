@@ -190,7 +190,9 @@ class LightRow:
     """A light, or an array of lights, of the rig."""
 
     name: str
-    """Name in the rig."""
+    """Name by which it is set: ``torch``, or ``Rig.torch`` where that name is taken."""
+    entry: str
+    """Name in the rig: ``torch``."""
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str | None
@@ -206,6 +208,10 @@ class LightRow:
 
     Each has a row in ``parameters`` with its block and offset.
     """
+
+    def member(self, parameter: str) -> str:
+        """The light's own name of one of its parameters: ``axis`` of ``torch.axis``."""
+        return parameter[len(self.name) + 1 :]
 
 
 @frozen(kw_only=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...stdlib.builtins.facts import LARGEST_FLOAT
+from .leaves import Leaf
 from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op
 from .stages import CORNER, Crossing
 from .types import (
@@ -106,6 +107,11 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
         case _:
             raise TypeError(f"{operand.type} cannot be indexed")
     return graph.node("index", type_, (operand, position))
+
+
+def read(graph: Graph, leaf: Leaf) -> Node:
+    """The value of a leaf."""
+    return graph.node(leaf.KIND, leaf.type, (), leaf)
 
 
 def member(graph: Graph, operand: Node, name: str) -> Node:

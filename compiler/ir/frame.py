@@ -13,7 +13,7 @@ from ...support.frozen import frozen, record
 from ..diagnostics.source import Span
 from .node import Node
 from .render_state import Samples
-from .shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
+from .shader import BufferInfo, ParameterInfo, Shader, TextureInfo
 
 ImageDimension = Literal["2d", "2d_array", "cube"]
 
@@ -242,10 +242,10 @@ class Frame:
     span: Span
     rig: str
     values: tuple[Node, ...]
-    """Numbers that the host computes, in terms of ``parameters`` and the sizes of ``resources``.
+    """Numbers that the host computes, in terms of ``parameters`` and the sizes of ``textures``.
     Equal ones are one node."""
     parameters: tuple[ParameterInfo, ...]
-    resources: tuple[ResourceInfo, ...]
+    textures: tuple[TextureInfo, ...]
     buffers: tuple[BufferInfo, ...]
     models: tuple[Models, ...]
     shaders: tuple[FrameShader, ...]

@@ -20,7 +20,7 @@ KEYS: Mapping[str, str] = {
     "swizzle": "lanes",
     "member": "member",
     "bound": "binder",
-    "resource": "texture",
+    "texture": "texture",
 }
 """By operation, the name of the field of a step that holds the operation's data."""
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from ...stdlib.builtins.facts import UNKNOWN, Fact
 from ...support.frozen import frozen
 from .meaning import Meaning
+from .node import Op
 from .stages import VERTICES, Domain
 from .types import INT, RuntimeArray, Type
 
@@ -22,16 +25,43 @@ class HostPlace:
 
 
 @frozen(key=True)
-class Parameter:
-    """A member of a group's uniform block.
+class Leaf:
+    """A value that comes from outside a shader: one of the classes below."""
 
-    ``name`` is how a host sets it (``power``, ``torch.axis``, ``lamps.count``). Struct-valued
-    members carry a fact per struct member.
-    """
+    KIND: ClassVar[Op]
+    """The operation of the nodes that read it."""
 
     name: str
+    """The name by which a host sets it: ``power``, ``torch.axis``, ``lamps.count``."""
     type: Type
-    group: str
+    group: str = ""
+    """The group that it is bound with; empty for a vertex input."""
+    owner: str = ""
+    """The light or the pass that it belongs to, which its name begins with: ``torch``.
+
+    Empty for what belongs to the material, and where a pass has a name to itself.
+    """
+
+    @property
+    def short_name(self) -> str:
+        """The name that its owner declares: ``axis``."""
+        return self.name[len(self.owner) + 1 :] if self.owner else self.name
+
+
+def behind(owner: str, name: str) -> str:
+    """The name of a thing behind that of its owner, as hosts call it: ``torch.axis``."""
+    return f"{owner}.{name}" if owner else name
+
+
+@frozen(key=True)
+class Parameter(Leaf):
+    """A member of a group's uniform block.
+
+    Struct-valued members carry a fact per struct member.
+    """
+
+    KIND = "parameter"
+
     fact: Fact = UNKNOWN
     member_facts: tuple[tuple[str, Fact], ...] = ()
     derived: bool = False
@@ -42,24 +72,23 @@ class Parameter:
 
 
 @frozen(key=True)
-class Resource:
+class Texture(Leaf):
     """A texture and the state of the sampler that reads it."""
 
-    name: str
-    type: Type
-    group: str
+    KIND = "texture"
+
     default: str = "white"
     state: tuple[tuple[str, str], ...] = ()
     """The sampler's state as sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` …"""
 
 
 @frozen(key=True)
-class Buffer:
+class Buffer(Leaf):
     """A storage buffer: any number of elements of one type, which the host binds."""
 
-    name: str
+    KIND = "buffer"
+
     type: RuntimeArray
-    group: str
     fact: Fact = UNKNOWN
     """A fact that holds of each element."""
     member_facts: tuple[tuple[str, Fact], ...] = ()
@@ -69,15 +98,15 @@ class Buffer:
     def count(self) -> Parameter:
         """The parameter that says how many elements there are; the runtime sets it."""
         fact = Fact(0.0, MOST_ELEMENTS, kind="int")
-        return Parameter(f"{self.name}.count", INT, self.group, fact)
+        return Parameter(f"{self.name}.count", INT, self.group, self.owner, fact)
 
 
 @frozen(key=True)
-class Attribute:
+class Attribute(Leaf):
     """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 
-    name: str
-    type: Type
+    KIND = "attribute"
+
     step: Domain = VERTICES
     """The domain over which it varies: ``VERTICES`` or ``INSTANCES``."""
     meaning: Meaning | None = None

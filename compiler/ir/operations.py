@@ -21,7 +21,7 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from ...support.frozen import frozen
 from . import result_types
-from .leaves import Attribute, Buffer, Parameter, Resource
+from .leaves import Attribute, Buffer, Parameter, Texture
 from .meaning import Meaning
 from .node import Applying, Folding, Formal, Iterating, Node, Op
 from .stages import Crossing, SystemInput
@@ -126,8 +126,8 @@ PARAMETER = Operation(
 )
 """A member of a uniform block. Once reads are lowered, it has its stored type."""
 
-RESOURCE = Operation(
-    "resource", "outside", Resource, result_types.declared, rate="varying", is_global=True
+TEXTURE = Operation(
+    "texture", "outside", Texture, result_types.declared, rate="varying", is_global=True
 )
 """A texture with the state of its sampler.
 
@@ -289,7 +289,7 @@ Semantics makes these and erases them.
 
 
 def _rows() -> Iterator[Operation[Any]]:
-    yield from (CONSTANT, PARAMETER, RESOURCE, BUFFER, ATTRIBUTE, INPUT, BOUND, FORMAL)
+    yield from (CONSTANT, PARAMETER, TEXTURE, BUFFER, ATTRIBUTE, INPUT, BOUND, FORMAL)
     yield from (CALL, NATIVE)
     yield from (VECTOR, SPLAT, MATRIX, STRUCT, ARRAY)
     yield from (SWIZZLE, INDEX, MEMBER)

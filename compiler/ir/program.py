@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 from ...stdlib.builtins import BUILTINS
 from ...support.frozen import frozen
-from .leaves import Buffer, HostPlace, Parameter, Resource
+from .leaves import Buffer, HostPlace, Parameter, Texture
 from .node import Formal, Node
 from .operations import NATIVE, builtin_of
 from .scattering import Scattered, scattered
@@ -173,6 +173,8 @@ class Function:
     """Identifies the function: the first operand of the calls."""
     region: Region
     value: Node
+    stands_for: Node | None = None
+    """Of a builtin's definition, a node that it computes; its own nodes are of another graph."""
 
 
 @frozen
@@ -180,7 +182,7 @@ class TextureRead:
     """A read of a texture by a stage, in one way."""
 
     builtin: str
-    resource: Resource
+    texture: Texture
     node: int
     """The id of one node that does."""
 
@@ -192,12 +194,12 @@ class TextureRead:
 
 def texture_reads(nodes: Iterable[Node]) -> tuple[TextureRead, ...]:
     """Each way in which ``nodes`` read a texture, once."""
-    found: dict[tuple[str, Resource], TextureRead] = {}
+    found: dict[tuple[str, Texture], TextureRead] = {}
     for node in nodes:
         builtin = builtin_of(node)
-        if builtin and isinstance(resource := node.operands[0].data, Resource):
-            read = TextureRead(builtin, resource, node.id)
-            found.setdefault((read.builtin, resource), read)
+        if builtin and isinstance(texture := node.operands[0].data, Texture):
+            read = TextureRead(builtin, texture, node.id)
+            found.setdefault((read.builtin, texture), read)
     return tuple(found.values())
 
 
@@ -207,8 +209,8 @@ class NativeUse:
 
     builtin: str
     types: tuple[Type, ...]
-    node: int
-    """The id of one node that does."""
+    node: Node
+    """One node that does."""
 
 
 def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
@@ -218,7 +220,7 @@ def native_uses(nodes: Iterable[Node]) -> tuple[NativeUse, ...]:
         if node.op == "native":
             key = NATIVE.data(node), tuple([operand.type for operand in node.operands])
             if key not in found:
-                found[key] = NativeUse(*key, node.id)
+                found[key] = NativeUse(*key, node)
     return tuple(found.values())
 
 
@@ -231,7 +233,7 @@ class Stage:
     """Vertex inputs of the first stage, and varyings of every other."""
     blocks: tuple[Block, ...]
     """Blocks the stage reads, in binding order."""
-    resources: tuple[Resource, ...]
+    textures: tuple[Texture, ...]
     functions: tuple[Function, ...]
     region: Region
     results: tuple[Output, ...]
@@ -309,7 +311,7 @@ class Program:
     """The stages in pipeline order: the first one reads the vertex inputs."""
     blocks: tuple[Block, ...]
     """All blocks of all stages, in group order."""
-    resources: tuple[Resource, ...]
+    textures: tuple[Texture, ...]
     interfaces: tuple[Interface, ...]
     """The varyings between each stage and the next, in pipeline order."""
     buffers: tuple[Buffer, ...] = ()
@@ -381,6 +383,6 @@ class Program:
         return tuple(read for stage in self.stages for read in stage.reads)
 
     @property
-    def sampled(self) -> frozenset[Resource]:
+    def sampled(self) -> frozenset[Texture]:
         """The textures that are read by their samplers."""
-        return frozenset(read.resource for read in self.reads if read.samples)
+        return frozenset(read.texture for read in self.reads if read.samples)

@@ -15,7 +15,7 @@ from .blending import REPLACES, Blend, Mask
 from .capture import Capture
 from .expansion import Expansion
 from .kernel import ScatterOperator, WorkGroup
-from .leaves import Attribute, Buffer, HostPlace, Parameter, Resource
+from .leaves import Attribute, Buffer, HostPlace, Leaf, Parameter, Texture
 from .node import Graph, Node, Roots
 from .render_state import RenderState
 from .stages import PLACING, RASTERISED, TARGET, VERTEX, Chain, StageRow
@@ -32,6 +32,8 @@ class LightInfo:
 
     name: str
     """The host's name: ``torch``, or ``Studio.torch`` where that name is taken."""
+    entry: str
+    """The name that the rig gives it: ``torch``."""
     kind: str
     """The declaration of the light: ``Lantern``."""
     library: str
@@ -40,16 +42,23 @@ class LightInfo:
 
 
 @frozen
-class ParameterInfo:
-    """A declared parameter, with everything that a host or an editor may show."""
+class LeafInfo:
+    """A declared leaf, with everything that a host or an editor may show: one of those below."""
 
-    parameter: Parameter
+    leaf: Leaf
     declared_type: str
     """The type as written: ``rgb``, ``direction<world>``, ``Lamp[8]``."""
-    range: tuple[float, float] | None
-    default: ConstantValue | None
     doc: str
     span: Span
+
+
+@frozen
+class ParameterInfo(LeafInfo):
+    """A declared parameter."""
+
+    leaf: Parameter
+    range: tuple[float, float] | None = None
+    default: ConstantValue | None = None
     members: tuple[ParameterInfo, ...] = ()
     """One row for each member of a structure, or of an array's elements."""
     light: LightInfo | None = None
@@ -82,12 +91,10 @@ class ExternInfo:
 
 
 @frozen
-class ResourceInfo:
+class TextureInfo(LeafInfo):
     """A declared texture."""
 
-    resource: Resource
-    doc: str
-    span: Span
+    leaf: Texture
     library: str = ""
     """The declaration of the library that it is, as for parameters."""
     is_brought: bool = False
@@ -114,16 +121,14 @@ class MeshInput:
 
 
 @frozen
-class BufferInfo:
+class BufferInfo(LeafInfo):
     """A declared storage buffer."""
 
-    buffer: Buffer
+    leaf: Buffer
     element: ParameterInfo
     """The description of one element, as of a parameter."""
     count: ParameterInfo
     """The parameter that says how many there are."""
-    doc: str
-    span: Span
     of_mesh: tuple[tuple[str, AttributeInfo], ...] = ()
     """The vertex inputs whose values the members of its elements hold, by the members' names.
 
@@ -135,13 +140,10 @@ class BufferInfo:
 
 
 @frozen
-class AttributeInfo:
+class AttributeInfo(LeafInfo):
     """A declared vertex input, or one column of a declared matrix."""
 
-    attribute: Attribute
-    declared_type: str
-    doc: str
-    span: Span
+    leaf: Attribute
     matrix: str = ""
     """The declared matrix that this is a column of."""
     column: int = 0
@@ -304,7 +306,7 @@ class Shader:
 
     Those of the host's own blocks come last.
     """
-    resources: tuple[ResourceInfo, ...]
+    textures: tuple[TextureInfo, ...]
     attributes: tuple[AttributeInfo, ...]
     results: tuple[Result, ...]
     """All results of the shader.
@@ -377,7 +379,7 @@ class Shader:
         """The buffer from which the vertex stage of a draw reads the mesh, if it has one."""
         if self.chain[0] != VERTEX:
             return None
-        return next((info.buffer for info in self.buffers if info.of_mesh), None)
+        return next((info.leaf for info in self.buffers if info.of_mesh), None)
 
     @property
     def layers(self) -> int:

@@ -21,7 +21,7 @@ from .types import (
     Matrix,
     Scalar,
     ScalarKind,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -62,7 +62,7 @@ FAMILIES: Mapping[str, Family] = {
     "P": Family((*NUMBER_KINDS, "bool"), (1, 2, 3, 4), broadcasts=True),
 }
 
-TEXTURE_FAMILIES: Mapping[str, frozenset[Texture]] = {
+TEXTURE_FAMILIES: Mapping[str, frozenset[TextureType]] = {
     "F": frozenset(t for t in TEXTURES if t.sample == "float" and not t.layered),
     "D": frozenset(t for t in TEXTURES if t.sample == "depth" and not t.layered),
     "G": frozenset(t for t in TEXTURES if t.dimension in ("2d", "3d")),
@@ -123,11 +123,11 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
         return Scalar(kind)
     if letter in _OF_KIND and base is not None:
         return with_width(_OF_KIND[letter], width(base))
-    texture = next((t for t in bound.values() if isinstance(t, Texture)), None)
+    texture = next((t for t in bound.values() if isinstance(t, TextureType)), None)
     return None if texture is None else _of_texture(letter, texture)
 
 
-def _of_texture(letter: str, texture: Texture) -> Type | None:
+def _of_texture(letter: str, texture: TextureType) -> Type | None:
     """The type of a texture's coordinate, of its size, or of a texel."""
     match letter:
         case "K":

@@ -104,7 +104,7 @@ class Struct:
 
 
 @frozen(interned=True)
-class Texture:
+class TextureType:
     """A texture; dimension and sample type are part of it, since WebGPU layouts need them."""
 
     dimension: Dimension = "2d"
@@ -134,9 +134,9 @@ class Texture:
         return _PREFIXES[self.sample] + _SUFFIXES[self.dimension]
 
 
-Type = Scalar | Vector | Matrix | TallMatrix | Array | RuntimeArray | Struct | Texture
+Type = Scalar | Vector | Matrix | TallMatrix | Array | RuntimeArray | Struct | TextureType
 Numeric = Scalar | Vector
-Opaque = Texture | RuntimeArray
+Opaque = TextureType | RuntimeArray
 """Types that are read in place, and are never values by themselves."""
 
 FLOAT = Scalar("float")
@@ -157,9 +157,9 @@ _SUFFIXES: Mapping[Dimension, str] = {
 }  # fmt: skip
 
 TEXTURES = (
-    *(Texture(dimension, "float") for dimension in _SUFFIXES),
-    *(Texture(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
-    *(Texture(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
+    *(TextureType(dimension, "float") for dimension in _SUFFIXES),
+    *(TextureType(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
+    *(TextureType(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
 )
 """All texture types.
 

@@ -38,7 +38,7 @@ def listed_vertex(graph: Graph, count: int) -> Node:
 
 def as_attribute(row: SystemInput) -> Attribute:
     """A vertex input in place of a number that the pipeline supplies where nothing is lowered."""
-    return Attribute(row.name, row.type, row.domain)
+    return Attribute(row.name, row.type, step=row.domain)
 
 
 def placed(shader: Shader, is_there: Node, position: Node) -> Node:
@@ -67,7 +67,7 @@ class CornerInputs:
         self._corners = corners
         self._infos = [*shader.attributes, *map(partial(_info, span), VERTEX.inputs)]
         """The inputs of the mesh's vertices, with the numbers that they have in it."""
-        self._place = {info.attribute: place for place, info in enumerate(self._infos)}
+        self._place = {info.leaf: place for place, info in enumerate(self._infos)}
         self._read: dict[tuple[int, int], AttributeInfo] = {}
         """The inputs per primitive that are read instead, by place of an input and corner."""
         self._known: dict[Node, dict[Node, Node]] = {}
@@ -99,7 +99,7 @@ class CornerInputs:
         if not self._is_instanced:
             return self._graph.node("input", UINT, (), INSTANCE_INDEX)
         info = _info(self._infos[-1].span, counted)
-        return self.added(changed(info, attribute=changed(info.attribute, step=INSTANCES)))
+        return self.added(changed(info, leaf=changed(info.leaf, step=INSTANCES)))
 
     def added(self, info: AttributeInfo) -> Node:
         """An input that the mesh does not have, behind all others."""
@@ -109,7 +109,7 @@ class CornerInputs:
 
     def _corner_of(self, place: int, number: Node) -> Node:
         """An input at one corner; where this is not a certain one, an element of all."""
-        leaf = self._infos[place].attribute
+        leaf = self._infos[place].leaf
         if leaf.step == INSTANCES or self._corners == 1:
             return self._input(place, 0)
         if number.op == "constant" and isinstance(number.data, int):
@@ -119,7 +119,7 @@ class CornerInputs:
 
     def _input(self, place: int, corner: int) -> Node:
         info = self._infos[place]
-        leaf, mesh = info.attribute, info.mesh or MeshInput(info.attribute.name)
+        leaf, mesh = info.leaf, info.mesh or MeshInput(info.leaf.name)
         if mesh.is_of_pattern:
             pass
         elif leaf.step != INSTANCES:
@@ -127,7 +127,7 @@ class CornerInputs:
             leaf = changed(leaf, name=f"corner{corner}.{leaf.name}", step=INSTANCES)
         elif mesh.is_number:
             leaf = changed(leaf, name=f"draw.{leaf.name}")
-        self._read[place, corner] = changed(info, attribute=leaf, mesh=mesh)
+        self._read[place, corner] = changed(info, leaf=leaf, mesh=mesh)
         return self._graph.node("attribute", leaf.type, (), leaf)
 
 

@@ -33,7 +33,7 @@ def corners_in_buffer(shader: Shader) -> Shader:
     graph, notes, roots = shader.graph, shader.notes, shader.roots
     read = {node.data for node in roots.nodes if node.op == "attribute"}
     corners = [info for info in shader.attributes if _is_of_corner(info)]
-    wanted = [info for info in corners if info.attribute in read]
+    wanted = [info for info in corners if info.leaf in read]
     if not wanted:
         return shader
     before = len(graph)
@@ -42,9 +42,9 @@ def corners_in_buffer(shader: Shader) -> Shader:
     index = graph.node("input", UINT, (), INSTANCE_INDEX)
     number = graph.node("native", INT, (index,), "to_int")
     notes.names.setdefault(number.id, "primitive")
-    whole = graph.node("buffer", mesh.buffer.type, (), mesh.buffer)
+    whole = graph.node("buffer", mesh.leaf.type, (), mesh.leaf)
     element = build.index(graph, whole, number)
-    members = {info.attribute: member_name(info.attribute) for info in wanted}
+    members = {info.leaf: member_name(info.leaf) for info in wanted}
 
     def rule(graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
         assert isinstance(node.data, Attribute)
@@ -68,7 +68,7 @@ def corners_in_buffer(shader: Shader) -> Shader:
 
 def _is_of_corner(info: AttributeInfo) -> bool:
     """True if an input has a value for each primitive that is drawn as an instance."""
-    return info.mesh is not None and info.attribute.step == INSTANCES
+    return info.mesh is not None and info.leaf.step == INSTANCES
 
 
 def _span(shader: Shader) -> Span:

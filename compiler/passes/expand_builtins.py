@@ -17,7 +17,7 @@ from ..ir.operations import CALL
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
-from ..ir.types import Scalar, Texture, Type, Vector, scalar_kind, width, with_width
+from ..ir.types import Scalar, TextureType, Type, Vector, scalar_kind, width, with_width
 from .draw_constants import DrawConstants
 from .simplify import Simplifier
 
@@ -71,11 +71,13 @@ class Expanding(Simplifier):
             return self._instantiate(found, operands)
         # Textures are no arguments everywhere, so each has a function of its own.
         named = [(Formal(n), o) for n, o in zip(found.parameters, operands, strict=True)]
-        passed = [(formal, o) for formal, o in named if not isinstance(o.type, Texture)]
-        key = found, tuple(o if isinstance(o.type, Texture) else o.type for o in operands)
+        passed = [(formal, o) for formal, o in named if not isinstance(o.type, TextureType)]
+        key = found, tuple(o if isinstance(o.type, TextureType) else o.type for o in operands)
         if key not in self._functions:
             leaves = tuple(
-                o if isinstance(o.type, Texture) else self.graph.node("formal", o.type, (), formal)
+                o
+                if isinstance(o.type, TextureType)
+                else self.graph.node("formal", o.type, (), formal)
                 for formal, o in named
             )
             body = self._instantiate(found, leaves)

@@ -250,7 +250,7 @@ class _Hoisting:
         reads, name, fact = self._reads[node.id], self._naming.name(node), self._ranges.of(node)
         assert reads is not None and reads.owner is not None
         if reads.position is None:
-            own = Parameter(self._free(name), node.type, reads.owner, fact, derived=True)
+            own = Parameter(self._free(name), node.type, reads.owner, fact=fact, derived=True)
             self._single[node.id] = Derived(own, node)
         elif self._has_room(reads, node):
             table = self._table(reads, reads.owner)

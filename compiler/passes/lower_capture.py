@@ -77,7 +77,7 @@ class _Reading:
         self.span = _first_span(shader)
         """The span of the first captured value."""
         infos = list(self._infos(shader)) or [self._counted(VERTEX_INDEX)]
-        self._members = {info.attribute: member_name(info.attribute) for info in infos}
+        self._members = {info.leaf: member_name(info.leaf) for info in infos}
         self.mesh = mesh_buffer(shader, infos, is_primitive=self._of_primitives)
         """The buffer."""
         index = shader.graph.node("input", INT, (), INDEX)
@@ -92,7 +92,7 @@ class _Reading:
     @property
     def extent(self) -> Node:
         """The number of vertices that are written."""
-        count = self._graph.node("parameter", INT, (), self.mesh.buffer.count)
+        count = self._graph.node("parameter", INT, (), self.mesh.leaf.count)
         if self._listed == 1:
             return count
         vertices = self._call(INT, "mul", count, build.constant(self._graph, INT, self._listed))
@@ -108,7 +108,7 @@ class _Reading:
                 return self._call(UINT, "to_uint", number)
             leaf = as_attribute(leaf)
         assert isinstance(leaf, Attribute)
-        buffer = self.mesh.buffer
+        buffer = self.mesh.leaf
         # There are as many invocations as the elements ask for, so none is beyond the last one.
         element = build.index(
             self._graph, self._graph.node("buffer", buffer.type, (), buffer), self._element
@@ -118,7 +118,7 @@ class _Reading:
     def _infos(self, shader: Shader) -> Iterator[AttributeInfo]:
         """The inputs that are read, in the order of their declaration."""
         read = {node.data for node in reachable(shader.roots) if node.op in ("attribute", "input")}
-        yield from (info for info in shader.attributes if info.attribute in read)
+        yield from (info for info in shader.attributes if info.leaf in read)
         if not self._of_primitives:
             yield from (self._counted(row) for row in VERTEX.inputs if row in read)
 
@@ -156,7 +156,7 @@ def _written(shader: Shader, span: Span) -> BufferInfo:
     """The buffer of which each invocation writes the numbers of a vertex."""
     assert shader.capture is not None
     buffer = Buffer(free_name(CAPTURED, names_taken(shader)), RuntimeArray(UINT), WRITTEN_GROUP)
-    element = ParameterInfo(Parameter("", UINT, ""), str(UINT), None, None, "", span)
+    element = ParameterInfo(Parameter("", UINT, ""), str(UINT), "", span)
     conditions = shader.results_of(EMITTING)
     return changed(
         buffer_info(buffer, element, span), each=shader.capture.numbers + len(conditions)
@@ -180,5 +180,5 @@ def _stores(shader: Shader, written: BufferInfo, results: Iterable[Result]) -> I
                 lanes = [build.swizzle(graph, result.value, (lane,)) for lane in range(count)]
         for number, lane in enumerate(lanes, first):
             notes.spans.setdefault(lane.id, notes.spans.get(result.value.id, written.span))
-            store = Store(written.buffer, (), written.each, number, as_bits=True)
+            store = Store(written.leaf, (), written.each, number, as_bits=True)
             yield Result(STORE, COMPUTE, lane, store=store)

@@ -135,7 +135,7 @@ class _Lowering:
 
         The host sets a parameter to the layer that it draws.
         """
-        taken = {info.parameter.name for info in self._parameters}
+        taken = {info.leaf.name for info in self._parameters}
         names = (LAYER_OF_DRAW + "_" * number for number in count())
         self.layer = Parameter(next(n for n in names if n not in taken), INT, "draw")
         drawn = self._graph.node("parameter", INT, (), self.layer)
@@ -147,7 +147,7 @@ class _Lowering:
         if self.layer is None:
             return self._parameters
         doc, span = "The layer of the render targets that is drawn", self._expansion.span
-        return (*self._parameters, ParameterInfo(self.layer, str(INT), None, 0, doc, span))
+        return (*self._parameters, ParameterInfo(self.layer, str(INT), doc, span, default=0))
 
     def _rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         if node.op == "input":

@@ -25,21 +25,21 @@ def mesh_buffer(
     shader: Shader, infos: Iterable[AttributeInfo], *, is_primitive: bool
 ) -> BufferInfo:
     """The buffer that has the inputs of a vertex, or of a primitive, in each element."""
-    rows = [(member_name(info.attribute), info) for info in infos]
-    taken = {name for info in shader.buffers for name in _structs_of(info.buffer.type)}
-    taken |= {name for info in shader.parameters for name in _structs_of(info.parameter.type)}
+    rows = [(member_name(info.leaf), info) for info in infos]
+    taken = {name for info in shader.buffers for name in _structs_of(info.leaf.type)}
+    taken |= {name for info in shader.parameters for name in _structs_of(info.leaf.type)}
     struct = Struct(
         free_name(PRIMITIVE_STRUCT if is_primitive else VERTEX_STRUCT, taken),
-        tuple((name, info.attribute.type) for name, info in rows),
+        tuple((name, info.leaf.type) for name, info in rows),
     )
     span = rows[0][1].span
     # A mesh's values are taken as they are: contracts beyond their types are not checked.
     described = tuple(
-        ParameterInfo(Parameter(name, type_, ""), str(type_), None, None, info.doc, span)
+        ParameterInfo(Parameter(name, type_, ""), str(type_), info.doc, span)
         for (name, type_), (_, info) in zip(struct.members, rows, strict=True)
     )
     buffer = Buffer(free_name(MESH, names_taken(shader)), RuntimeArray(struct), WRITTEN_GROUP)
-    element = ParameterInfo(Parameter("", struct, ""), struct.name, None, None, "", span, described)
+    element = ParameterInfo(Parameter("", struct, ""), struct.name, "", span, members=described)
     return changed(buffer_info(buffer, element, span), of_mesh=tuple(rows))
 
 
@@ -52,16 +52,16 @@ def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInf
     """A buffer that nobody has declared, with the number of its elements."""
     doc = f"The number of elements of `{buffer.name}`"
     limits = (0.0, buffer.count.fact.hi)
-    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
-    return BufferInfo(buffer, element, count, "", span)
+    count = ParameterInfo(buffer.count, "int", doc, span, limits, 0)
+    return BufferInfo(buffer, str(buffer.type), "", span, element, count)
 
 
 def names_taken(shader: Shader) -> set[str]:
     """The names of all parameters, textures and buffers."""
     return {
-        *(info.parameter.name for info in shader.parameters),
-        *(info.resource.name for info in shader.resources),
-        *(info.buffer.name for info in shader.buffers),
+        *(info.leaf.name for info in shader.parameters),
+        *(info.leaf.name for info in shader.textures),
+        *(info.leaf.name for info in shader.buffers),
     }
 
 

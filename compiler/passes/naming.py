@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.leaves import Attribute, Buffer, Parameter, Resource
+from ..ir.leaves import Attribute, Buffer, Parameter, Texture
 from ..ir.node import Formal, Node
 from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.shader import Notes
@@ -87,6 +87,6 @@ class Naming:
         """The name of a value by itself; ``None`` if it has none."""
         if node.id in self._notes.names:
             return self._notes.names[node.id]
-        if isinstance(node.data, Parameter | Attribute | Resource | Buffer | Formal):
+        if isinstance(node.data, Parameter | Attribute | Texture | Buffer | Formal):
             return node.data.name.replace(".", "_")
         return None

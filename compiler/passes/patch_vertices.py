@@ -102,7 +102,7 @@ class PatchVertices:
         """The place of the vertex, or of a ``corner`` of its primitive, as a vertex input."""
         row = self._row
         of_corner = "" if corner is None else f"corner{corner}."
-        leaf = Attribute(f"pattern.{of_corner}{row.name}", row.type, VERTICES)
+        leaf = Attribute(f"pattern.{of_corner}{row.name}", row.type, step=VERTICES)
         mesh = MeshInput(row.name, corner, is_of_pattern=True)
         return self._inputs.added(
             AttributeInfo(leaf, str(row.type), "", self._patches.span, mesh=mesh)

@@ -118,7 +118,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
-        declared = (info.parameter.name for info in shader.parameters)
+        declared = (info.leaf.name for info in shader.parameters)
         roots, derived = hoist(graph, roots, notes, ranges, declared)
         verified("hoist", "guarded", roots)
     roots = apart.each(roots, lambda some, _: move_to_corners(graph, some, notes))

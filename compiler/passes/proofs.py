@@ -15,7 +15,7 @@ from ...stdlib.builtins.facts import UNKNOWN, Fact
 from ...support.frozen import changed, frozen
 from ..diagnostics.source import Span
 from ..formula import Formulas
-from ..ir.leaves import Attribute, Buffer, Parameter, Resource
+from ..ir.leaves import Attribute, Buffer, Parameter, Texture
 from ..ir.node import Node
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes
@@ -190,7 +190,7 @@ class Proofs:
                 return f"`{name}` may be anything"
             case Attribute(name=name):
                 return f"`{name}` comes from the mesh"
-            case Resource(name=name) | Buffer(name=name):
+            case Texture(name=name) | Buffer(name=name):
                 return f"`{name}` may hold anything"
             case _:
                 return ""

@@ -29,7 +29,7 @@ from ..ir.statements import (
     State,
     Statement,
 )
-from ..ir.types import Texture
+from ..ir.types import TextureType
 from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
 from .emit_strips import GroupValues
 from .naming import Naming
@@ -392,7 +392,7 @@ class Scheduler:
 
 
 def _reads_texture(node: Node) -> bool:
-    return bool(node.operands) and isinstance(node.operands[0].type, Texture)
+    return bool(node.operands) and isinstance(node.operands[0].type, TextureType)
 
 
 def is_part(node: Node) -> bool:

@@ -76,18 +76,18 @@ def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
         emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
         works.insert(0, _Work(row, delivered, emitting, groups, nodes))
     stages = [_stage(work, shader, blocks, interfaces.all) for work in works]
-    resources = tuple(
-        info.resource
-        for info in shader.resources
-        if any(info.resource in stage.resources for stage in stages)
+    textures = tuple(
+        info.leaf
+        for info in shader.textures
+        if any(info.leaf in stage.textures for stage in stages)
     )
     used = tuple(b for b in blocks if any(b in stage.blocks for stage in stages))
     buffers = tuple(
-        info.buffer
+        info.leaf
         for info in (*shader.buffers, *shader.written)
-        if any(info.buffer in stage.buffers for stage in stages)
+        if any(info.leaf in stage.buffers for stage in stages)
     )
-    return Program(shader, tuple(stages), used, resources, interfaces.all, buffers)
+    return Program(shader, tuple(stages), used, textures, interfaces.all, buffers)
 
 
 def _name_levels(results: Sequence[Result], notes: Notes) -> None:
@@ -143,8 +143,8 @@ def _placing(
 
 
 def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
-    parameters = [info.parameter for info in shader.parameters]
-    docs = {info.parameter.name: info.doc for info in shader.parameters if info.doc}
+    parameters = [info.leaf for info in shader.parameters]
+    docs = {info.leaf.name: info.doc for info in shader.parameters if info.doc}
     parameters += [value.parameter for value in derived]
     return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
@@ -195,11 +195,11 @@ def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
     read = {node.data for node in nodes if node.op == "attribute"}
     return tuple(
         Field(
-            info.attribute.name, info.attribute.type, location,
-            doc=info.doc, step=info.attribute.step,
+            info.leaf.name, info.leaf.type, location,
+            doc=info.doc, step=info.leaf.step,
         )
         for location, info in enumerate(shader.attributes)
-        if info.attribute in read
+        if info.leaf in read
     )  # fmt: skip
 
 
@@ -231,7 +231,7 @@ def _stage(
         _function(call, shader.notes, naming, together) for call in called_functions(nodes)
     )
     parameters = {node.data for node in nodes if node.op == "parameter"}
-    resources = {node.data for node in nodes if node.op == "resource"}
+    textures = {node.data for node in nodes if node.op == "texture"}
     buffers = {node.data for node in nodes if node.op == "buffer"}
     buffers |= {output.store.buffer for output in outputs if output.store}
     scheduler = Scheduler(roots, shader.notes, naming, together, groups)
@@ -239,12 +239,12 @@ def _stage(
         row=row,
         inputs=_attributes(shader, nodes) if is_first else _fields(entering),
         blocks=tuple(b for b in blocks if any(m.parameter in parameters for m in b.members)),
-        resources=tuple(i.resource for i in shader.resources if i.resource in resources),
+        textures=tuple(i.leaf for i in shader.textures if i.leaf in textures),
         functions=functions,
         region=scheduler.schedule(),
         results=outputs,
         buffers=tuple(
-            info.buffer for info in (*shader.buffers, *shader.written) if info.buffer in buffers
+            info.leaf for info in (*shader.buffers, *shader.written) if info.leaf in buffers
         ),
         builtin_inputs=tuple(
             sorted({INPUT.data(node).name for node in nodes if node.op == "input"})

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..ir.frame import Elements, Frame, Previous, RenderStep, Step, StepTexture, Use
-from ..ir.leaves import Buffer, Parameter, Resource
+from ..ir.leaves import Buffer, Parameter, Texture
 from ..ir.node import Node, reachable
 from .lifetimes import Left, attachments_of, read_by, sources_of, written_by
 
@@ -70,7 +70,7 @@ def _is_known(frame: Frame, step: Step) -> bool:
 
 
 def _is_constant(value: Node) -> bool:
-    return not any(isinstance(node.data, Parameter | Resource) for node in reachable((value,)))
+    return not any(isinstance(node.data, Parameter | Texture) for node in reachable((value,)))
 
 
 def _is_given_all(use: Use) -> bool:
@@ -79,5 +79,5 @@ def _is_given_all(use: Use) -> bool:
     return all(
         node.data.name in names
         for node in reachable(use.shader.shader.roots)
-        if isinstance(node.data, Parameter | Resource | Buffer)
+        if isinstance(node.data, Parameter | Texture | Buffer)
     )

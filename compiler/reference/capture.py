@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..ir.capture import NUMBER_SIZE
 from ..ir.expansion import EmittedStrips, Expansion
-from ..ir.leaves import Attribute, Resource
+from ..ir.leaves import Attribute, Texture
 from ..ir.node import Node, reachable
 from ..ir.operations import CROSS, INPUT
 from ..ir.shader import Shader
@@ -91,7 +91,7 @@ def captured_by_kernel(
 ) -> Listed:
     """The vertices that a kernel in place of a stream output captures, of ``count``."""
     assert shader.capture is not None
-    lengths = {info.buffer.name: count for info in shader.written}
+    lengths = {info.leaf.name: count for info in shader.written}
     lanes = computed(shader, values, textures, count, lengths, errors, rules)
     by_place = {lane.store.offset: Bounded(lane.value, lane.low, lane.high) for lane in lanes}
     everywhere = np.ones(count, np.bool_)
@@ -121,7 +121,7 @@ class _Capturing:
         self._bounds = Bounds(errors)
         self._results = [result.value for result in shader.results_of(CAPTURE)]
         self._emitting = [result.value for result in shader.results_of(EMITTING)]
-        self._readers: dict[Resource, TextureReader] = {}
+        self._readers: dict[Texture, TextureReader] = {}
 
     def of_vertices(self) -> Listed:
         """The vertices of the mesh's triangles, as they are."""
@@ -187,7 +187,7 @@ class _Capturing:
         return self._leaf(node)
 
     def _leaf(self, node: Node) -> Lanes | None:
-        if not isinstance(node.data, Resource):
+        if not isinstance(node.data, Texture):
             return self._held.value(node)
         if node.data not in self._readers:
             image = Image(self._textures[node.data.name], node.data, self._rules)

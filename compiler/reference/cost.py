@@ -15,7 +15,7 @@ from typing import NamedTuple
 from ..budget import check
 from ..ir.node import Node, binders, bodies_of, formals_of, reachable
 from ..ir.operations import FOLD, ITERATE
-from ..ir.types import Texture, numbers
+from ..ir.types import TextureType, numbers
 
 _CALL = 1 << 12
 """The cost of calling an operation of NumPy beside its work, in numbers that it computes with."""
@@ -65,7 +65,7 @@ def _weight(node: Node) -> int:
     """The cost of a node by itself, without its bodies."""
     if not node.operands:
         return 1
-    if any(isinstance(operand.type, Texture) for operand in node.operands):
+    if any(isinstance(operand.type, TextureType) for operand in node.operands):
         return _READ
     read = () if node.op in _PARTS or bodies_of(node) else node.operands
     moved = numbers(node.type) + sum(numbers(operand.type) for operand in read)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..budget import check
 from ..ir.kernel import invocations
-from ..ir.leaves import Resource
+from ..ir.leaves import Texture
 from ..ir.node import Node
 from ..ir.operations import joins_group
 from ..ir.scattering import Scattered, scattered
@@ -162,12 +162,12 @@ def _leaves(
     """The leaves of a kernel's graph for the invocations of these numbers."""
     index = exact(numbers) if has_bounds else numbers
     held = HeldValues(values, as_rounded if has_bounds else None)
-    readers: dict[Resource, Reader] = {}
+    readers: dict[Texture, Reader] = {}
 
     def value(node: Node) -> Lanes | None:
         if node.op == "input":
             return (index,)
-        if isinstance(node.data, Resource):
+        if isinstance(node.data, Texture):
             if node.data not in readers:
                 reader = TextureReader(Image(textures[node.data.name], node.data, rules))
                 readers[node.data] = reader if has_bounds else PlainReader(reader)

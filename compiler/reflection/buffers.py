@@ -23,14 +23,14 @@ def buffer_rows(infos: Sequence[BufferInfo], program: Program) -> Iterator[Buffe
     """A row for each declared buffer."""
     read = {stage.name: frozenset(stage.buffers) for stage in program.stages}
     for info in infos:
-        stages = tuple([name for name, buffers in read.items() if info.buffer in buffers])
+        stages = tuple([name for name, buffers in read.items() if info.leaf in buffers])
         yield buffer_row(info, stages)
 
 
 def buffer_row(info: BufferInfo, stages: tuple[str, ...] = ()) -> BufferRow:
     """A buffer that some stages read."""
-    stride = element_packing(info.buffer.type.element).stride
-    return BufferRow(**_elements(info), stride=stride, count=info.buffer.count.name, stages=stages)
+    stride = element_packing(info.leaf.type.element).stride
+    return BufferRow(**_elements(info), stride=stride, count=info.leaf.count.name, stages=stages)
 
 
 def result_rows(shader: Shader) -> Iterator[ResultRow]:
@@ -39,8 +39,8 @@ def result_rows(shader: Shader) -> Iterator[ResultRow]:
     scattered = {r.store: r.value for r in shader.results_of(LENGTH) if r.store is not None}
     lengths = {store.buffer: (store.operator, length) for store, length in scattered.items()}
     for info in shader.written:
-        operator, count = lengths.get(info.buffer, (None, extents[0].value))
-        element = info.buffer.type.element
+        operator, count = lengths.get(info.leaf, (None, extents[0].value))
+        element = info.leaf.type.element
         yield ResultRow(
             **_elements(info),
             stride=element_packing(element).stride * info.each,
@@ -70,7 +70,7 @@ class _Elements(TypedDict):
 
 
 def _elements(info: BufferInfo) -> _Elements:
-    buffer, packed = info.buffer, element_packing(info.buffer.type.element)
+    buffer, packed = info.leaf, element_packing(info.leaf.type.element)
     return {
         "name": buffer.name,
         "type": f"{info.element.declared_type}[]",

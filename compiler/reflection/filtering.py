@@ -49,5 +49,5 @@ def _unfilterable(use: Use) -> Iterator[tuple[Given, StepTexture]]:
 
 def _filters(shader: FrameShader, program: Program) -> frozenset[str]:
     """The names of the textures that a shader filters."""
-    rows = TextureRows(shader.shader.resources, program).textures()
+    rows = TextureRows(shader.shader.textures, program).textures()
     return frozenset(row.name for row in rows if row.layout.sample_type == "float")

@@ -65,7 +65,7 @@ def _place(found: tuple[Block, StoredMember] | None, further: int, packed: Packi
 
 def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> ParameterRow:
     """One declared parameter; ``names`` are those of all parameters."""
-    parameter = info.parameter
+    parameter = info.leaf
     counter = f"{parameter.name}.count"
     return ParameterRow(
         name=parameter.name,
@@ -92,7 +92,7 @@ class Declared(TypedDict):
 def _declaration(info: ParameterInfo) -> Declared:
     return {
         "type": info.declared_type,
-        "representation": str(info.parameter.type),
+        "representation": str(info.leaf.type),
         "range": info.range,
         "default": info.default,
         "doc": info.doc,
@@ -102,7 +102,7 @@ def _declaration(info: ParameterInfo) -> Declared:
 
 def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
     """Members of a struct or of an array's elements, with their declarations."""
-    declared = {info.parameter.name.rpartition(".")[2]: info for info in infos}
+    declared = {info.leaf.short_name: info for info in infos}
     return tuple(_member(member, declared.get(member.name)) for member in packed.members)
 
 
@@ -130,7 +130,7 @@ def derived_rows(
     places: Places, values: Mapping[Parameter, Node], infos: Sequence[ParameterInfo]
 ) -> tuple[DerivedRow, ...]:
     """The values that the host computes of parameters, with the steps that compute them."""
-    roles = {info.parameter.name: role_of(info) for info in infos}
+    roles = {info.leaf.name: role_of(info) for info in infos}
     rows: list[DerivedRow] = []
     for member in places.derived():
         parameter = member.parameter
@@ -191,11 +191,12 @@ def light_rows(parameters: Sequence[ParameterInfo]) -> tuple[LightRow, ...]:
 
 def _light_row(light: LightInfo, infos: list[ParameterInfo]) -> LightRow:
     name = light.name
-    array = next((info.parameter.type for info in infos if info.parameter.name == name), None)
-    names = [info.parameter.name for info in infos]
+    array = next((info.leaf.type for info in infos if info.leaf.name == name), None)
+    names = [info.leaf.name for info in infos]
     counter = f"{name}.count"
     return LightRow(
         name=name,
+        entry=light.entry,
         kind=light.kind,
         library=light.library or None,
         doc=light.doc,

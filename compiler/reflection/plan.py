@@ -50,9 +50,9 @@ from ..ir.frame import (
     StepTexture,
     Use,
 )
-from ..ir.leaves import Resource
-from ..ir.shader import ResourceInfo
-from ..ir.types import Texture
+from ..ir.leaves import Texture
+from ..ir.shader import TextureInfo
+from ..ir.types import TextureType
 from ..planning.plan import Copy, Plan, PlannedStep, Target
 from ..planning.textures import Shape
 from .buffers import buffer_row
@@ -81,7 +81,7 @@ class _Document:
 
     def made(self) -> FramePlan:
         frame = self._frame
-        names = frozenset(info.parameter.name for info in frame.parameters)
+        names = frozenset(info.leaf.name for info in frame.parameters)
         return FramePlan(
             plan=VERSION,
             frame=frame.name,
@@ -90,7 +90,7 @@ class _Document:
             rig=frame.rig,
             parameters=tuple(parameter_row(info, names, Places(())) for info in frame.parameters),
             lights=light_rows(frame.parameters),
-            host_textures=tuple(map(self._host_texture_row, frame.resources)),
+            host_textures=tuple(map(self._host_texture_row, frame.textures)),
             host_buffers=tuple(map(buffer_row, frame.buffers)),
             sources=dict(self._sources()),
             models=tuple(
@@ -133,24 +133,24 @@ class _Document:
         """Yields the declarations of everything that the host sets."""
         frame = self._frame
         for info in frame.parameters:
-            yield info.parameter.name, _place(info.span)
-        for texture in frame.resources:
-            yield texture.resource.name, _place(texture.span)
+            yield info.leaf.name, _place(info.span)
+        for texture in frame.textures:
+            yield texture.leaf.name, _place(texture.span)
         for buffer in frame.buffers:
-            yield buffer.buffer.name, _place(buffer.span)
+            yield buffer.leaf.name, _place(buffer.span)
 
-    def _host_texture_row(self, info: ResourceInfo) -> HostTextureRow:
-        resource: Resource = info.resource
-        assert isinstance(resource.type, Texture)
+    def _host_texture_row(self, info: TextureInfo) -> HostTextureRow:
+        texture: Texture = info.leaf
+        assert isinstance(texture.type, TextureType)
         return HostTextureRow(
-            name=resource.name,
-            type=str(resource.type),
-            dimension=resource.type.dimension,
-            sample=resource.type.sample,
-            intent=info.intent or ("color" if resource.name in self._colors else "data"),
-            group=resource.group,
-            default=resource.default,
-            default_texel=OF_SAMPLES[resource.type.sample][resource.default],
+            name=texture.name,
+            type=str(texture.type),
+            dimension=texture.type.dimension,
+            sample=texture.type.sample,
+            intent=info.intent or ("color" if texture.name in self._colors else "data"),
+            group=texture.group,
+            default=texture.default,
+            default_texel=OF_SAMPLES[texture.type.sample][texture.default],
             doc=info.doc,
         )
 
@@ -365,8 +365,8 @@ def _sources_of(given: Given) -> tuple[Source | None, ...]:
 
 def _color_textures(shader: FrameShader) -> frozenset[str]:
     """The textures of a shader that hold colours."""
-    infos = shader.shader.resources
-    return frozenset(info.resource.name for info in infos if info.intent == "color")
+    infos = shader.shader.textures
+    return frozenset(info.leaf.name for info in infos if info.intent == "color")
 
 
 def _place(span: Span) -> PlaceRow:

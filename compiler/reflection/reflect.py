@@ -63,7 +63,7 @@ def capture_row(shader: Shader) -> CaptureRow:
         topology=_primitive(shader),
         vertices=_vertices_each(shader),
         stride=capture.stride,
-        buffer=None if written is None else written.buffer.name,
+        buffer=None if written is None else written.leaf.name,
         there=capture.stride if is_told else None,
         members=tuple(
             CapturedRow(
@@ -116,9 +116,9 @@ def reflect(
     of the derived parameters in terms of the others, of declared types (not lowered to storage).
     """
     infos = shader.parameters
-    names = frozenset(info.parameter.name for info in infos)
+    names = frozenset(info.leaf.name for info in infos)
     places = Places(program.blocks)
-    textures = TextureRows(shader.resources, program)
+    textures = TextureRows(shader.textures, program)
     return Reflection(
         format=FORMAT,
         material=shader.name,
@@ -174,7 +174,7 @@ def _promise_rows(shader: Shader) -> Iterator[PromiseRow]:
 def _vertex_input_rows(
     attributes: Iterable[AttributeInfo], program: Program
 ) -> Iterator[VertexInputRow]:
-    declared = {info.attribute.name: info for info in attributes}
+    declared = {info.leaf.name: info for info in attributes}
     for field in program.vertex_inputs:
         info = declared[field.name]
         yield VertexInputRow(
@@ -195,7 +195,7 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
     """Vertex inputs that are storage buffers, for a kernel that captures."""
     for info in shader.buffers:
         for member, read in info.of_mesh:
-            leaf = read.attribute
+            leaf = read.leaf
             yield VertexInputRow(
                 name=leaf.name,
                 type=read.declared_type,
@@ -205,7 +205,7 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
                 step=_step(leaf.step),
                 column=_column_row(read),
                 mesh=_mesh_row(read.mesh),
-                buffer=InBuffer(name=info.buffer.name, member=member),
+                buffer=InBuffer(name=info.leaf.name, member=member),
                 doc=read.doc,
             )
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from ..documents.steps import STEPS, StepRow
 from ..ir.host import KEYS, PLAIN
-from ..ir.leaves import Parameter, Resource
+from ..ir.leaves import Parameter, Texture
 from ..ir.node import Folding, Node, reachable
 
 
@@ -42,6 +42,6 @@ def _data(node: Node) -> dict[str, Any]:
         return {}
     if isinstance(node.data, Folding):
         return {"operator": node.data.operator, "bound": node.data.bound}
-    if isinstance(node.data, Parameter | Resource):
+    if isinstance(node.data, Parameter | Texture):
         return {KEYS[node.op]: node.data.name}
     return {KEYS[node.op]: node.data}

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.stages import COMPUTE, CONTROL, EVALUATION, FRAGMENT, GEOMETRY, VERTEX, StageRow
-from ...compiler.ir.types import Texture
+from ...compiler.ir.types import TextureType
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import STORABLE, Profile
 
@@ -72,18 +72,18 @@ WIDE_INTEGERS = Need(
 SINGLE_FILE = Need("text that holds all stages", lambda profile: profile.single_file)
 
 
-def a_texture(feature: str, type_: Texture) -> Need:
+def a_texture(feature: str, type_: TextureType) -> Need:
     """The need of a type of textures."""
     return Need(feature, lambda profile: type_ in profile.textures)
 
 
-DEPTH_TEXTURES = a_texture("textures of depths", Texture("2d", "depth"))
-INTEGER_TEXTURES = a_texture("textures of integers", Texture("2d", "int"))
-LAYERED_TEXTURES = a_texture("textures with layers", Texture("2d_array"))
-VOLUMES = a_texture("textures of three dimensions", Texture("3d"))
+DEPTH_TEXTURES = a_texture("textures of depths", TextureType("2d", "depth"))
+INTEGER_TEXTURES = a_texture("textures of integers", TextureType("2d", "int"))
+LAYERED_TEXTURES = a_texture("textures with layers", TextureType("2d_array"))
+VOLUMES = a_texture("textures of three dimensions", TextureType("3d"))
 
 
-def feature_of_texture(type_: Texture, profile: Profile) -> str:
+def feature_of_texture(type_: TextureType, profile: Profile) -> str:
     """The name of the missing feature, for a message, where a profile lacks a type of textures."""
     needs = {
         DEPTH_TEXTURES: type_.sample == "depth",

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Literal
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
-from ...compiler.ir.types import TEXTURES, Texture
+from ...compiler.ir.types import TEXTURES, TextureType
 from ...stdlib.builtins.row import Domain
 from ...support.frozen import EMPTY, frozen
 from .forms import Forms
@@ -245,7 +245,7 @@ class Profile:
     """Inputs that this profile spells differently from its language."""
     without_inputs: frozenset[str] = frozenset()
     """Values of the pipeline that its stages have not got."""
-    textures: frozenset[Texture] = frozenset(TEXTURES)
+    textures: frozenset[TextureType] = frozenset(TEXTURES)
     """The types of textures that it has."""
     wide_integers: bool = True
     """True if integers have 32 bits, signed and unsigned, and there are operations on their

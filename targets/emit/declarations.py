@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import cached_property
 
-from ...compiler.ir.leaves import Buffer, Resource
+from ...compiler.ir.leaves import Buffer, Texture
 from ...compiler.ir.program import Block, Image, Stage, StoredMember
 from ...compiler.ir.storage import stored_type, structs_in
 from ...compiler.ir.types import RuntimeArray, Struct
@@ -53,12 +53,12 @@ class Declarations:
 
     def textures(self, stages: Iterable[Stage]) -> list[TextureView]:
         """The textures that any of the stages reads, each followed by its sampler."""
-        read = {resource for stage in stages for resource in stage.resources}
+        read = {texture for stage in stages for texture in stage.textures}
         return [
             view
-            for resource in self._context.program.resources
-            if resource in read
-            for view in self._textures[resource.name]
+            for texture in self._context.program.textures
+            if texture in read
+            for view in self._textures[texture.name]
         ]
 
     def parameters(self, passed: Passed) -> list[str]:
@@ -95,8 +95,8 @@ class Declarations:
 
     @cached_property
     def _textures(self) -> dict[str, tuple[TextureView, ...]]:
-        resources = self._context.program.resources
-        return {resource.name: tuple(self._texture(resource)) for resource in resources}
+        textures = self._context.program.textures
+        return {texture.name: tuple(self._texture(texture)) for texture in textures}
 
     def _struct(self, struct: Struct) -> StructView:
         members = tuple(
@@ -157,19 +157,19 @@ class Declarations:
             register=self._register("image", slot),
         )
 
-    def _texture(self, resource: Resource) -> Iterable[TextureView]:
+    def _texture(self, texture: Texture) -> Iterable[TextureView]:
         """A texture and its sampler, or both in one."""
         names, types = self._names, self._context.textures
-        slot = self._bindings.textures[resource.name]
+        slot = self._bindings.textures[texture.name]
         combined = self._context.profile.samplers.combined
-        spell: Callable[[Resource], str] = types.combined if combined else types.texture
+        spell: Callable[[Texture], str] = types.combined if combined else types.texture
         register = self._register("texture", slot)
-        yield TextureView(names.textures[resource.name], spell(resource), slot, register)
-        if not combined and resource.name in names.samplers:
-            slot = self._bindings.samplers[resource.name]
+        yield TextureView(names.textures[texture.name], spell(texture), slot, register)
+        if not combined and texture.name in names.samplers:
+            slot = self._bindings.samplers[texture.name]
             yield TextureView(
-                names.samplers[resource.name],
-                types.sampler(resource),
+                names.samplers[texture.name],
+                types.sampler(texture),
                 slot,
                 self._register("sampler", slot),
             )

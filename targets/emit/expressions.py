@@ -97,8 +97,8 @@ class Expressions:
     def _parameter(self, node: Node) -> Printed:
         return self._leaves.parameter(node)
 
-    def _resource(self, node: Node) -> Printed:
-        return self._leaves.resource(node)
+    def _texture(self, node: Node) -> Printed:
+        return self._leaves.texture(node)
 
     def _buffer(self, node: Node) -> Printed:
         return self._leaves.buffer(node)
@@ -247,7 +247,7 @@ class Expressions:
     PRINTERS: ClassVar[Mapping[Op, Callable[[Expressions, Node], Printed]]] = {
         "constant": _constant,
         "parameter": _parameter,
-        "resource": _resource,
+        "texture": _texture,
         "buffer": _buffer,
         "attribute": _attribute,
         "cross": _interpolated,

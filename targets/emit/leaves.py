@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, RESOURCE
+from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, TEXTURE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.stages import PATCHES, SystemInput
 from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width, with_width
@@ -62,28 +62,28 @@ class LeafPrinter:
         value, type_text = Field(*member), self._types.type(type_)
         return self._forms.stored.format(value=value, type=type_text), POSTFIX
 
-    def resource(self, node: Node) -> Printed:
+    def texture(self, node: Node) -> Printed:
         """A texture by its name."""
-        return self._names.textures[RESOURCE.data(node).name], NAME
+        return self._names.textures[TEXTURE.data(node).name], NAME
 
     def buffer(self, node: Node) -> Printed:
         """A storage buffer by its name."""
         return self._names.buffers[BUFFER.data(node).name], NAME
 
-    def texture(self, node: Node, builtin: str) -> Printed:
+    def texture_read(self, node: Node, builtin: str) -> Printed:
         """A texture as ``builtin`` reads it: together with its sampler, if the read uses that."""
         if BUILTINS[builtin].sampler is None:
-            return self.resource(node)
+            return self.texture(node)
         text = self._texture.format(
-            texture=self._names.textures[RESOURCE.data(node).name],
+            texture=self._names.textures[TEXTURE.data(node).name],
             sampler=self.sampler(node),
-            type=self._textures.combined(RESOURCE.data(node)),
+            type=self._textures.combined(TEXTURE.data(node)),
         )
         return text, POSTFIX
 
     def sampler(self, node: Node) -> str:
         """The name of a texture's sampler; empty if the texture has none."""
-        return self._names.samplers.get(RESOURCE.data(node).name, "")
+        return self._names.samplers.get(TEXTURE.data(node).name, "")
 
     def attribute(self, node: Node) -> Printed:
         """A vertex input."""

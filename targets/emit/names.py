@@ -111,11 +111,11 @@ class _Naming:
             for name, final in (buffers if self._language.buffer_blocks else {}).items()
         }
         images = {image.name: self._declare(image.name) for image in program.images}
-        textures = {item.name: self._declare(item.name) for item in program.resources}
+        textures = {item.name: self._declare(item.name) for item in program.textures}
         sampled = program.sampled
         samplers = {
             item.name: self._declare(f"{textures[item.name]}_sampler")
-            for item in program.resources
+            for item in program.textures
             if item in sampled
         }
         fields = self._fields()

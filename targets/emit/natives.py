@@ -15,7 +15,7 @@ from ...compiler.ir.types import (
     Matrix,
     Scalar,
     TallMatrix,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -34,7 +34,7 @@ def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
     spelled = table.get(name, "")
     if isinstance(spelled, Read):
         texture = operands[0]
-        assert isinstance(texture, Texture)
+        assert isinstance(texture, TextureType)
         plain = spelled.layered if texture.layered and spelled.layered else spelled.plain
         return spelled.types.get(str(texture), plain)
     if isinstance(spelled, Spelling):
@@ -112,9 +112,9 @@ class Natives:
     def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
         """Print a native that is not among the dialect's writers, or not yet."""
         types = [operand.type for operand in node.operands]
-        reads = bool(types) and isinstance(types[0], Texture)
+        reads = bool(types) and isinstance(types[0], TextureType)
         if reads:
-            operands = [self._leaves.texture(node.operands[0], builtin), *operands[1:]]
+            operands = [self._leaves.texture_read(node.operands[0], builtin), *operands[1:]]
         spelled = self._after(builtin, node) or spelling_of(builtin, types, self._table)
         if "{" in spelled:
             return self._template(spelled, node, operands)
@@ -156,7 +156,7 @@ class Natives:
         ]
 
     def _template(self, form: str, node: Node, operands: Sequence[Printed]) -> Printed:
-        textures = (operand for operand in node.operands if isinstance(operand.type, Texture))
+        textures = (operand for operand in node.operands if isinstance(operand.type, TextureType))
         text = form.format(
             *[Field(*operand) for operand in operands],
             type=self._spell_type(node.type),

@@ -9,13 +9,18 @@ are they read.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ...compiler.ir.node import Node
+from ...compiler.ir.program import Function
 from ..description.forms import Forms
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}([0-9]+){_CLOSE}")
+
+
+Mark = Callable[[str, Node], str]
+"""A function that puts a mark into a text which says what value it computes."""
 
 
 class Marks:
@@ -30,6 +35,14 @@ class Marks:
         """``text`` with a mark which says that it computes ``node``."""
         self._nodes.append(node)
         return f"{_OPEN}{len(self._nodes) - 1}{_CLOSE}{text}"
+
+    def of(self, function: Function) -> Mark:
+        """The function that marks the statements of a function.
+
+        A builtin's definition is of no material: all of it stands for a value that it computes.
+        """
+        node = function.stands_for
+        return self.mark if node is None else lambda text, _node: self.mark(text, node)
 
     def taken_out(self, text: str) -> str:
         """The finished text without its marks, which are kept here."""

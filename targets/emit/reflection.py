@@ -84,7 +84,7 @@ def backend_row(
                 language, profile,
                 names.textures[item.name], bindings.textures[item.name], "texture",
             ))
-            for item in program.resources
+            for item in program.textures
         },
         samplers={}
         if profile.samplers.combined
@@ -93,7 +93,7 @@ def backend_row(
                 language, profile,
                 names.samplers[item.name], bindings.samplers[item.name], "sampler",
             ))
-            for item in program.resources
+            for item in program.textures
             if item in sampled
         },
         vertex_inputs={

@@ -36,7 +36,7 @@ from .group_functions import GroupFunctions
 from .leaves import LeafPrinter
 from .namer import Namer
 from .natives import EmittedFunction, Natives
-from .origins import Marks
+from .origins import Mark, Marks
 from .precedence import NAME
 from .statements import INDENT, Statements
 from .strips import Strips
@@ -83,14 +83,14 @@ class StagePrinter:
         """The entry point, called ``name``."""
         stage = self._stage
         namer = self._locals()
-        expressions, statements = self._body(namer)
+        expressions, statements = self._body(namer, self._marks.mark)
         extent = stage.value_of(EXTENT)
         opening = self._opening(namer, expressions, extent)
         functions = [self._function(function) for function in stage.functions]
         guard = "" if self._groups else self._guard(expressions, extent)
         group = self._context.program.shader.work_group
         if stage.emitted:
-            strips = Strips(self._context, expressions, namer, self._marks)
+            strips = Strips(self._context, expressions, namer, self._marks.mark)
             lines = strips.emitted(stage, self._delivered)
         else:
             lines = statements.lines(stage.region)
@@ -291,10 +291,10 @@ class StagePrinter:
         test = forms.if_.format(condition=expressions.text(condition))
         return [self._marks.mark(test, condition), INDENT + forms.discard, forms.end]
 
-    def _body(self, namer: Namer) -> tuple[Expressions, Statements]:
+    def _body(self, namer: Namer, mark: Mark) -> tuple[Expressions, Statements]:
         """The two printers that every function body needs."""
         expressions = Expressions(self._context, self._leaves, self._natives, self._functions)
-        return expressions, Statements(self._context, expressions, namer, self._marks)
+        return expressions, Statements(self._context, expressions, namer, mark)
 
     def _value(self, expressions: Expressions, node: Node | None) -> str:
         """A value that a statement in the skeleton uses; empty if there is none."""
@@ -302,7 +302,8 @@ class StagePrinter:
 
     def _function(self, function: Function) -> FunctionView:
         namer = self._locals()
-        expressions, statements = self._body(namer)
+        mark = self._marks.of(function)
+        expressions, statements = self._body(namer, mark)
         forms = self._language.forms
         names = [namer.declare(formal.name) for formal, _type in function.parameters]
         for name, (formal, _type) in zip(names, function.parameters, strict=True):
@@ -324,7 +325,7 @@ class StagePrinter:
                 name=self._names.function(self._stage.name, function.body),
                 parameters=", ".join([*passed, *own]),
             ),
-            lines=[*lines, self._marks.mark(returned, function.value)],
+            lines=[*lines, mark(returned, function.value)],
         )
 
     def _locals(self) -> Namer:

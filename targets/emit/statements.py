@@ -19,7 +19,7 @@ from .context import Context
 from .expressions import Expressions
 from .literals import literal
 from .namer import Namer
-from .origins import Marks
+from .origins import Mark
 from .precedence import NAME, Field, prefix
 
 INDENT = "    "
@@ -32,7 +32,7 @@ class Statements:
     """Prints the statements of one function body."""
 
     def __init__(
-        self, context: Context, expressions: Expressions, namer: Namer, marks: Marks
+        self, context: Context, expressions: Expressions, namer: Namer, mark: Mark
     ) -> None:
         self._forms = context.language.forms
         self._literals = context.language.literals
@@ -40,7 +40,7 @@ class Statements:
         self._expressions = expressions
         self._in_place = context.in_place
         self._namer = namer
-        self._mark = marks.mark
+        self._mark = mark
 
     def lines(self, region: Region) -> list[str]:
         """The indented statements of ``region``. Names that they bind can be used afterwards."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...compiler.ir.leaves import Resource
+from ...compiler.ir.leaves import Texture
 from ...compiler.ir.program import NativeUse, Program, TextureRead
-from ...compiler.ir.types import Texture
+from ...compiler.ir.types import TextureType
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..description.spellings import TextureNames
@@ -21,25 +21,25 @@ class TextureSpeller:
         self._names = names
         self._sampled = program.sampled
 
-    def texture(self, resource: Resource) -> str:
+    def texture(self, texture: Texture) -> str:
         """The type of the texture alone."""
-        type_ = texture_type(resource)
+        type_ = texture_type(texture)
         return self._spelled(self._names.textures[type_.sample], type_)
 
-    def sampler(self, resource: Resource) -> str:
+    def sampler(self, texture: Texture) -> str:
         """The type of its sampler; empty if no read uses one."""
-        if resource not in self._sampled:
+        if texture not in self._sampled:
             return ""
-        return self._names.samplers[sampler_use(resource)]
+        return self._names.samplers[sampler_use(texture)]
 
-    def combined(self, resource: Resource) -> str:
+    def combined(self, texture: Texture) -> str:
         """The type of an object that is both; empty if the language has none."""
-        type_ = texture_type(resource)
-        compared = resource in self._sampled and sampler_use(resource) == "comparison"
+        type_ = texture_type(texture)
+        compared = texture in self._sampled and sampler_use(texture) == "comparison"
         form = self._names.compared if compared else self._names.combined.get(type_.sample, "")
         return self._spelled(form, type_)
 
-    def _spelled(self, form: str, type_: Texture) -> str:
+    def _spelled(self, form: str, type_: TextureType) -> str:
         return form.format(dimension=self._names.dimensions[type_.dimension])
 
 
@@ -57,7 +57,7 @@ def opening_lines(
     used = (*(use.builtin for use in natives), *(read.builtin for read in reads))
     extensions = (profile.requires[name] for name in used if name in profile.requires)
     precision = profile.samplers.precision
-    types = [textures.combined(read.resource) for read in reads] if precision else []
+    types = [textures.combined(read.texture) for read in reads] if precision else []
     precisions = (precision.format(type=type_) for type_ in types)
     found = dict.fromkeys((*extensions, *profile.defaults, *precisions))
     return [line for line in found if line not in profile.preamble]
@@ -78,6 +78,6 @@ def helpers(
     for read in reads:
         forms = language.helpers.get(read.builtin)
         if forms is not None:
-            form = forms[texture_type(read.resource).dimension]
-            found[form.format(texture=textures.texture(read.resource))] = None
+            form = forms[texture_type(read.texture).dimension]
+            found[form.format(texture=textures.texture(read.texture))] = None
     return list(found)

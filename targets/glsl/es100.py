@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from ...compiler.ir.types import Texture
+from ...compiler.ir.types import TextureType
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -101,7 +101,7 @@ def es100(framebuffer: Framebuffer) -> Profile:
         invariant_inputs=True,
         natives=NATIVES,
         without_inputs=frozenset({"vertex_index", "instance_index"}),
-        textures=frozenset({Texture("2d"), Texture("cube")}),
+        textures=frozenset({TextureType("2d"), TextureType("cube")}),
         wide_integers=False,
         integer_attributes=False,
         flat_varyings=False,

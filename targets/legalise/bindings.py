@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 from typing import Protocol
 
-from ...compiler.ir.leaves import Buffer, Resource
+from ...compiler.ir.leaves import Buffer, Texture
 from ...compiler.ir.program import Block, Program
 from ...support.frozen import frozen
 from ..description.profile import Profile
@@ -116,7 +116,7 @@ class _Owned:
 
     blocks: list[Block]
     buffers: list[Buffer]
-    resources: list[Resource]
+    resources: list[Texture]
 
 
 def _by_group(program: Program) -> dict[str, _Owned]:
@@ -128,6 +128,6 @@ def _by_group(program: Program) -> dict[str, _Owned]:
             owned.append(block)
     for buffer in program.buffers:
         found[buffer.group].buffers.append(buffer)
-    for resource in program.resources:
+    for resource in program.textures:
         found[resource.group].resources.append(resource)
     return found

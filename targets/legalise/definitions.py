@@ -8,10 +8,10 @@ every use of the builtin on operands of these types is printed as a call of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from ...compiler.expansion_templates import definition
-from ...compiler.ir.node import Formal, Graph, Roots, reachable
+from ...compiler.ir.node import Formal, Graph, Node, Roots, reachable
 from ...compiler.ir.program import Function, NativeUse, Program, Stage, native_uses
 from ...compiler.ir.ranges import Ranges
 from ...compiler.ir.shader import Notes
@@ -45,28 +45,35 @@ def with_definitions(program: Program, profile: Profile) -> tuple[Program, Defin
 
 def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage:
     """The stage with the functions that the profile needs, followed by its own."""
-    pending = list(_lacking(stage.natives, profile))
+    own = {_use(native): native.node for native in _lacking(stage.natives, profile)}
+    pending = list(own.items())
     if not pending:
         return stage
-    needed: dict[Use, None] = {}
+    needed: dict[Use, Node] = {}
     while pending:
-        use = pending.pop()
+        use, stands_for = pending.pop()
         needed.pop(use, None)
-        needed[use] = None
+        needed[use] = own.get(use, stands_for)
         if use not in made:
             made[use] = _function(use, profile)
-        pending += _lacking(native_uses(visible((made[use].value,))), profile)
-    functions = tuple(made[use] for use in reversed(needed))
+        inner = native_uses(visible((made[use].value,)))
+        pending += [(_use(each), stands_for) for each in _lacking(inner, profile)]
+    functions = tuple(
+        changed(made[use], stands_for=stands_for) for use, stands_for in reversed(needed.items())
+    )
     return changed(stage, functions=functions + stage.functions)
 
 
-def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterable[Use]:
+def _use(native: NativeUse) -> Use:
+    return native.builtin, native.types
+
+
+def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterator[NativeUse]:
     """The uses of builtins whose meaning the profile lacks."""
     for native in natives:
-        if native.builtin in profile.lacks or native.builtin in profile.agrees:
-            use = native.builtin, native.types
-            if not has_meaning(profile, use):
-                yield use
+        known = native.builtin in profile.lacks or native.builtin in profile.agrees
+        if known and not has_meaning(profile, _use(native)):
+            yield native
 
 
 def has_meaning(profile: Profile, use: Use) -> bool:

@@ -14,7 +14,7 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
 from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
-from ...compiler.ir.types import Texture
+from ...compiler.ir.types import TextureType
 from ...compiler.passes.walks import visible
 from ...support.frozen import frozen
 from ..description.capabilities import (
@@ -93,7 +93,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
     yield from _buffers(program, profile)
     for native in [native for stage in program.stages for native in stage.natives]:
         if native.builtin in profile.cannot and not _is_read(native):
-            yield Lack(feature_of_builtin(native.builtin), native.node)
+            yield Lack(feature_of_builtin(native.builtin), native.node.id)
     yield from _textures(program, profile)
 
 
@@ -121,20 +121,20 @@ def _buffers(program: Program, profile: Profile) -> Iterator[Lack]:
 def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
     """Types of textures that the profile lacks, and ways to read other textures."""
     absent = {
-        read.resource: read.node
+        read.texture: read.node
         for read in reversed(program.reads)
-        if texture_type(read.resource) not in profile.textures
+        if texture_type(read.texture) not in profile.textures
     }
-    for resource, node in absent.items():
-        builtins = {read.builtin for read in program.reads if read.resource == resource}
-        feature = feature_of_texture(texture_type(resource), profile)
+    for texture, node in absent.items():
+        builtins = {read.builtin for read in program.reads if read.texture == texture}
+        feature = feature_of_texture(texture_type(texture), profile)
         yield Lack(feature, node, needed_for=_way_of_comparing(builtins))
     for read in program.reads:
-        if read.resource in absent:
+        if read.texture in absent:
             continue
         if read.builtin in profile.cannot:
             yield Lack(feature_of_builtin(read.builtin), read.node)
-        compared = _is_depth(read) and read.resource in program.sampled
+        compared = _is_depth(read) and read.texture in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
 
@@ -229,8 +229,8 @@ def _first_use(stage: Stage) -> int:
 
 def _is_read(native: NativeUse) -> bool:
     """True if the use reads a texture, and so is among the program's texture reads, too."""
-    return bool(native.types) and isinstance(native.types[0], Texture)
+    return bool(native.types) and isinstance(native.types[0], TextureType)
 
 
 def _is_depth(read: TextureRead) -> bool:
-    return sampler_use(read.resource) == "comparison"
+    return sampler_use(read.texture) == "comparison"

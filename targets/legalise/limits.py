@@ -77,10 +77,8 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         # Captured values leave a stage as varyings do.
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         "attributes": program.input_locations + _missing_inputs(program, profile),
-        "textures": max(len(stage.resources) for stage in program.stages),
-        "vertex_textures": max(
-            (len(stage.resources) for stage in _of_vertices(program)), default=0
-        ),
+        "textures": max(len(stage.textures) for stage in program.stages),
+        "vertex_textures": max((len(stage.textures) for stage in _of_vertices(program)), default=0),
         **_uniform_counts(program, profile),
         "nested_blocks": max(depths),
         "inlined_operations": max(map(_inlined_operations, program.stages)),

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...compiler.ir.leaves import Buffer, Parameter, Resource
+from ...compiler.ir.leaves import Buffer, Parameter, Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage, StageName
 from ...compiler.passes.walks import visible
@@ -66,7 +66,7 @@ def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
                 blocks.add(owners[node.data])
             elif isinstance(node.data, Buffer):
                 buffers.add(node.data.name)
-            elif isinstance(node.data, Resource):
+            elif isinstance(node.data, Texture):
                 textures.add(node.data.name)
             elif node.op == "apply":
                 inner = found[node.operands[0]]
@@ -76,6 +76,6 @@ def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
         found[function.body] = Passed(
             tuple(block.name for block in program.blocks if block.name in blocks),
             tuple(buffer.name for buffer in program.buffers if buffer.name in buffers),
-            tuple(texture.name for texture in program.resources if texture.name in textures),
+            tuple(texture.name for texture in program.textures if texture.name in textures),
         )
     return found

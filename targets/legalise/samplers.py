@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from ...compiler.ir.leaves import Resource
-from ...compiler.ir.types import Texture
+from ...compiler.ir.leaves import Texture
+from ...compiler.ir.types import TextureType
 from ...stdlib.builtins.row import SamplerUse
 
 
-def texture_type(resource: Resource) -> Texture:
-    """The type of a resource. All resources are textures."""
-    assert isinstance(resource.type, Texture)
-    return resource.type
+def texture_type(texture: Texture) -> TextureType:
+    """The type of a texture. All textures are textures."""
+    assert isinstance(texture.type, TextureType)
+    return texture.type
 
 
-def sampler_use(resource: Resource) -> SamplerUse:
+def sampler_use(texture: Texture) -> SamplerUse:
     """The use of a texture's sampler: it filters or compares."""
-    return "comparison" if texture_type(resource).sample == "depth" else "filtering"
+    return "comparison" if texture_type(texture).sample == "depth" else "filtering"

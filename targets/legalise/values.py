@@ -38,7 +38,7 @@ def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str
             *((need, _reading(nodes, "input", {name})) for name, need in OF_INPUTS.items()),
             (INSTANCES, _reading(nodes, "attribute", _inputs(program, _is_of_instances))),
             (INTEGER_ATTRIBUTES, _reading(nodes, "attribute", _inputs(program, _is_whole))),
-            (WIDE_INTEGERS, (use.node for use in stage.natives if needs_wide_integers(use))),
+            (WIDE_INTEGERS, (use.node.id for use in stage.natives if needs_wide_integers(use))),
             (COMPUTED_PLACES, computed_places(stage)),
         ):
             found = [] if need.is_met(profile) else list(islice(needing, 1))

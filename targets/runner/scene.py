@@ -115,7 +115,7 @@ def light_roles(
     """
     rows = [parameters[name] for name in light.parameters]
     members: list[tuple[str, ParameterRow | MemberRow]] = (
-        [(row.name.removeprefix(f"{light.name}."), row) for row in rows]
+        [(light.member(row.name), row) for row in rows]
         if light.capacity is None
         else [(member.name, member) for row in rows for member in row.members]
     )

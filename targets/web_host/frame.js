@@ -356,9 +356,7 @@ export class PlanFrame {
    * @returns {(number | null)[]}
    */
   #lights(entry) {
-    // Plans put the rig's name before an entry whose name something else has as well.
-    const { rig, lights } = this.plan;
-    const row = lights.find(({ name }) => name === entry || name === `${rig}.${entry}`);
+    const row = this.plan.lights.find((light) => light.entry === entry);
     if (!row || row.capacity === null) return [null];
     const lit = row.count === null ? [row.capacity] : this.#values.get(row.count);
     const [length] = /** @type {number[]} */ (lit);

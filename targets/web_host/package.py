@@ -150,17 +150,16 @@ class _Package:
             for drawn in step.draws
             for use in drawn.uses
         }
-        own = {row.name.removeprefix(f"{plan.rig}."): row for row in plan.lights}
+        own = {row.entry: row for row in plan.lights}
         for row in reflection.lights:
-            entry = row.name.removeprefix(f"{reflection.rig}.")
-            if (of_plan := own.get(entry)) is None:
+            if (of_plan := own.get(row.entry)) is None:
                 continue
             if row.capacity is not None:
                 yield row.name, of_plan.name
                 if row.count is not None and of_plan.count is not None:
                     yield row.count, of_plan.count
                 continue
-            is_one = of_plan.capacity is not None and lit.get(number) == entry
+            is_one = of_plan.capacity is not None and lit.get(number) == row.entry
             source = f"{of_plan.name}[]" if is_one else of_plan.name
             for name in row.parameters:
                 yield name, source + name.removeprefix(row.name)

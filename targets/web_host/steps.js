@@ -102,7 +102,7 @@ class Computation {
     switch (row.op) {
       case "parameter":
         return this.#parameter(row.parameter);
-      case "resource":
+      case "texture":
         return this.#sizeOf(row.texture);
       case "constant":
         return constantOf(row.value);

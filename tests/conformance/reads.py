@@ -10,7 +10,7 @@ import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from burnish.compiler.ir.types import TEXTURES, Dimension, Texture
+from burnish.compiler.ir.types import TEXTURES, Dimension, TextureType
 
 TARGETS = 2
 """The number of colours that a material writes, each an expression of its own."""
@@ -70,41 +70,41 @@ class Reads:
             return f"vec4({self._load(name, kind, depth)} mod {_modulus(kind)}) / 16"
         if kind.sample == "depth":
             return self._compared(name, kind, depth)
-        ways: list[Callable[[str, Texture, int], str]] = [
+        ways: list[Callable[[str, TextureType, int], str]] = [
             self._implicit, self._implicit, self._level, self._grad
         ]  # fmt: skip
         ways += [self._gather] if kind.dimension != "3d" else []
         ways += [self._load] if kind.dimension != "cube" else []
         return self._chance.choice(ways)(name, kind, depth)
 
-    def _implicit(self, name: str, kind: Texture, depth: int) -> str:
+    def _implicit(self, name: str, kind: TextureType, depth: int) -> str:
         return f"{name}({self._where(kind, depth)})"
 
-    def _level(self, name: str, kind: Texture, depth: int) -> str:
+    def _level(self, name: str, kind: TextureType, depth: int) -> str:
         return f"{name}.level({self._where(kind, depth)}, 3 * {self.scalar(depth)})"
 
-    def _grad(self, name: str, kind: Texture, depth: int) -> str:
+    def _grad(self, name: str, kind: TextureType, depth: int) -> str:
         changes = ", ".join(
             f"{self._number(0.02, 0.3)} * {self.place(_extents(kind.dimension), 0)}"
             for _ in range(2)
         )
         return f"{name}.grad({self._where(kind, depth)}, {changes})"
 
-    def _gather(self, name: str, kind: Texture, depth: int) -> str:
+    def _gather(self, name: str, kind: TextureType, depth: int) -> str:
         return f"{name}.gather({self._where(kind, depth)}, {self._chance.randrange(4)})"
 
-    def _load(self, name: str, kind: Texture, depth: int) -> str:
+    def _load(self, name: str, kind: TextureType, depth: int) -> str:
         extents = 3 if kind.dimension == "3d" else 2
         layer = f", {self._layer()}" if kind.layered else ""
         return f"{name}.load(ivec{extents}(20 * {self.place(extents, depth)}){layer}, 0)"
 
-    def _compared(self, name: str, kind: Texture, depth: int) -> str:
+    def _compared(self, name: str, kind: TextureType, depth: int) -> str:
         where, reference = self._where(kind, depth), self.scalar(depth)
         if kind.dimension != "cube" and self._chance.random() < 0.3:
             return f"{name}.gather({where}, {reference})"
         return f"vec4({name}({where}, {reference}))"
 
-    def _where(self, kind: Texture, depth: int) -> str:
+    def _where(self, kind: TextureType, depth: int) -> str:
         place = self.place(_extents(kind.dimension), depth)
         return f"{place}, {self._layer()}" if kind.layered else place
 
@@ -176,11 +176,11 @@ def _extents(dimension: Dimension) -> int:
     return 3 if dimension in ("3d", "cube") else 2
 
 
-def _modulus(kind: Texture) -> str:
+def _modulus(kind: TextureType) -> str:
     return "16u" if kind.sample == "uint" else "16"
 
 
-def _state(chance: random.Random, kind: Texture) -> str:
+def _state(chance: random.Random, kind: TextureType) -> str:
     """The settings of a texture's sampler."""
     if kind.sample in ("int", "uint"):
         return ""

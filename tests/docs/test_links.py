@@ -1,4 +1,4 @@
-"""Links between the pages lead somewhere."""
+"""Links between the pages lead somewhere, and files that they name are there."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from ..structure.kit import files
 from .kit import PAGES, ROOT
 
 LINK = re.compile(r"\]\((?!https?:)([^)#\s]*)(?:#([^)\s]*))?\)")
@@ -29,3 +30,22 @@ def test_links(page: Path) -> None:
         target = page.parent / path if path else page
         assert target.exists(), path
         assert not anchor or anchor in anchors(target), anchor
+
+
+NAMED_FILE = re.compile(r"`([\w/.]+\.(?:py|js|mjs|toml|j2|lark))`")
+"""A file of this tree that a page names: its last parts may do."""
+NOT_IN_THE_TREE = "generated/"
+"""The folder of files that are made when the package is built."""
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_files_that_are_named_are_there(page: Path) -> None:
+    there = [f"/{path.relative_to(ROOT).as_posix()}" for path in files(ROOT)]
+    named = dict.fromkeys(NAMED_FILE.findall(page.read_text(encoding="utf-8")))
+    missing = [
+        name
+        for name in named
+        if not name.startswith(NOT_IN_THE_TREE)
+        and not any(path.endswith(f"/{name}") for path in there)
+    ]
+    assert not missing

@@ -56,6 +56,26 @@ def test_a_branch_begins_with_its_condition() -> None:
     assert text[condition.start : condition.end] == "uv.x > 0.5"
 
 
+def test_a_definition_stands_where_it_is_used() -> None:
+    """A builtin that a profile lacks is a function of no material: it is one with its use."""
+    text = """
+        material M {
+            param far : uint = 6
+            alpha = float(count_bits(far + 1))
+            color = vec3(float(first_trailing_bit(far)))
+        }
+    """
+    (material,) = burnish.compile(text, "glsl:gl330", hoist=False).materials
+    file = next(file for file in material.files if file.stage == "fragment")
+    lines = file.text.split("\n")
+    places: dict[str, set[str]] = {}
+    for number, span in file.spans.items():
+        above = (line for line in reversed(lines[:number]) if FUNCTION.match(line))
+        places.setdefault(next(above), set()).add(text[span.start : span.end])
+    assert places["int count_bits(uint x) {"] == {"count_bits(far + 1)"}
+    assert places["int first_trailing_bit(uint x) {"] == {"first_trailing_bit(far)"}
+
+
 def test_source_maps_are_made_when_somebody_looks_into_them(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

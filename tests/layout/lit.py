@@ -11,7 +11,7 @@ from burnish.compiler.documents.backends import (
     VertexInputNameRow,
 )
 from burnish.compiler.ir.build import constant
-from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.leaves import Attribute, Parameter, Texture
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import (
     Field,
@@ -29,9 +29,9 @@ from burnish.compiler.ir.shader import (
     Notes,
     ParameterInfo,
     RenderTarget,
-    ResourceInfo,
     Result,
     Shader,
+    TextureInfo,
 )
 from burnish.compiler.ir.stages import CLIP_POSITION, FRAGMENT, TARGET, VARYING, VERTEX
 from burnish.compiler.ir.statements import Region
@@ -44,7 +44,7 @@ from burnish.compiler.ir.types import (
     VEC4,
     Array,
     Struct,
-    Texture,
+    TextureType,
 )
 from burnish.compiler.layout import layout_blocks
 from burnish.support.frozen import changed
@@ -63,12 +63,11 @@ COS_OUTER = Parameter("torch.cos_outer", FLOAT, "rig", derived=True)
 TIME = Parameter("time", FLOAT, "frame")
 """Declared, but nothing reads its block."""
 
-ALBEDO = Resource(
+ALBEDO = Texture(
     "albedo",
-    Texture(),
+    TextureType(),
     "material",
-    "white",
-    (("filter", "linear"), ("mip", "linear"), ("wrap", "repeat")),
+    state=(("filter", "linear"), ("mip", "linear"), ("wrap", "repeat")),
 )
 UV = Attribute("uv", VEC2)
 
@@ -83,11 +82,11 @@ def _info(
     members: tuple[ParameterInfo, ...] = (),
     light: LightInfo | None = None,
 ) -> ParameterInfo:
-    return ParameterInfo(parameter, declared, range_, default, doc, HERE, members, light)
+    return ParameterInfo(parameter, declared, doc, HERE, range_, default, members, light)
 
 
-_TORCH = LightInfo("torch", "Spot", "std.lights.Spot", "Over the table.")
-_LAMPS = LightInfo("lamps", "Lamp", "", "")
+_TORCH = LightInfo("torch", "torch", "Spot", "std.lights.Spot", "Over the table.")
+_LAMPS = LightInfo("lamps", "lamps", "Lamp", "", "")
 
 PARAMETERS = (
     _info(TIME, "float", "Seconds since the start."),
@@ -113,7 +112,7 @@ _GRAPH = Graph()
 _BLOCKS = tuple(
     block
     for block in layout_blocks(
-        [*(info.parameter for info in PARAMETERS), COS_OUTER], docs={"power": "Specular exponent"}
+        [*(info.leaf for info in PARAMETERS), COS_OUTER], docs={"power": "Specular exponent"}
     )
     if block.name != "Frame"
 )
@@ -128,7 +127,7 @@ SHADER = Shader(
     graph=_GRAPH,
     notes=Notes(),
     parameters=PARAMETERS,
-    resources=(ResourceInfo(ALBEDO, "Multiplies the base colour", HERE),),
+    textures=(TextureInfo(ALBEDO, "texture2d", "Multiplies the base colour", HERE),),
     attributes=(AttributeInfo(UV, "vec2", "Texture coordinates", HERE),),
     results=(
         Result(CLIP_POSITION, VERTEX, _ORIGIN),
@@ -145,7 +144,7 @@ PROGRAM = Program(
             row=VERTEX,
             inputs=(Field("uv", VEC2, 0),),
             blocks=(),
-            resources=(),
+            textures=(),
             functions=(),
             region=Region(()),
             results=(Output(CLIP_POSITION, _ORIGIN), Output(VARYING, _UV_NODE, _SLOT)),
@@ -154,7 +153,7 @@ PROGRAM = Program(
             row=FRAGMENT,
             inputs=(_SLOT,),
             blocks=_BLOCKS,
-            resources=(ALBEDO,),
+            textures=(ALBEDO,),
             reads=(TextureRead("sample", ALBEDO, 0),),
             functions=(),
             region=Region(()),
@@ -162,7 +161,7 @@ PROGRAM = Program(
         ),
     ),
     blocks=_BLOCKS,
-    resources=(ALBEDO,),
+    textures=(ALBEDO,),
     interfaces=(Interface("vertex", "fragment", (Varying(_SLOT, (_UV_NODE,)),)),),
 )
 

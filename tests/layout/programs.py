@@ -43,12 +43,12 @@ def extern_program_of(declared: Sequence[tuple[Type, int]]) -> Program:
         stored = stored_type(type_)
         offset = -(-(end + gap) // alignment(stored)) * alignment(stored)
         parameter = Parameter(f"Host.m{number}", type_, "frame", host=place)
-        info = ParameterInfo(parameter, str(type_), None, None, "", NOWHERE)
+        info = ParameterInfo(parameter, str(type_), "", NOWHERE)
         members.append(ExternMemberInfo(f"m{number}", offset, info))
         end = offset + byte_size(stored)
     extern = ExternInfo(place, "frame", "", NOWHERE, tuple(members))
     graph = Graph()
-    shown = graph.node("parameter", VEC4, (), members[-1].info.parameter)
+    shown = graph.node("parameter", VEC4, (), members[-1].info.leaf)
     return _showing(graph, layout_blocks((), externs=(extern,)), shown)
 
 
@@ -59,7 +59,7 @@ def _showing(graph: Graph, blocks: tuple[Block, ...], shown: Node) -> Program:
         row=VERTEX,
         inputs=(),
         blocks=(),
-        resources=(),
+        textures=(),
         functions=(),
         region=nothing,
         results=(Output(CLIP_POSITION, origin),),
@@ -68,7 +68,7 @@ def _showing(graph: Graph, blocks: tuple[Block, ...], shown: Node) -> Program:
         row=FRAGMENT,
         inputs=(),
         blocks=blocks,
-        resources=(),
+        textures=(),
         functions=(),
         region=nothing,
         results=(Output(TARGET, shown, Field("color", VEC4, 0)),),

@@ -19,7 +19,7 @@ from burnish.compiler.ir.types import (
     Array,
     Matrix,
     Struct,
-    Texture,
+    TextureType,
     Type,
     Vector,
 )
@@ -148,7 +148,9 @@ def test_groups_come_in_order_each_with_its_derived_block() -> None:
     assert [member.name for member in blocks[4].members[:2]] == ["w", "wet"]
 
 
-@pytest.mark.parametrize("impossible", [Texture(), Array(Array(FLOAT, 2), 2), Array(Texture(), 2)])
+@pytest.mark.parametrize(
+    "impossible", [TextureType(), Array(Array(FLOAT, 2), 2), Array(TextureType(), 2)]
+)
 def test_what_a_block_cannot_hold_is_an_error(impossible: Type) -> None:
     with pytest.raises(TypeError, match="cannot be kept in a uniform block"):
         stored_type(impossible)

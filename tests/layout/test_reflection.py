@@ -54,6 +54,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
     assert to_json(reflection.lights) == [
         {
             "name": "torch",
+            "entry": "torch",
             "kind": "Spot",
             "library": "std.lights.Spot",
             "doc": "Over the table.",
@@ -63,6 +64,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
         },
         {
             "name": "lamps",
+            "entry": "lamps",
             "kind": "Lamp",
             "library": None,
             "doc": "",
@@ -75,7 +77,7 @@ def test_a_light_array_tells_its_members_and_its_count(reflection: Reflection) -
 
 def test_a_parameter_that_nothing_reads_has_no_place(reflection: Reflection) -> None:
     rows = {row.name: row for row in reflection.parameters}
-    assert list(rows) == [info.parameter.name for info in PARAMETERS]
+    assert list(rows) == [info.leaf.name for info in PARAMETERS]
     assert (rows["time"].block, rows["time"].offset) == (None, None)
 
 

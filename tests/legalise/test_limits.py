@@ -151,4 +151,4 @@ def test_any_native_may_be_what_a_profile_cannot_do() -> None:
     program = staged("material M { color = vec3(ddx(uv.x)) + ddy(uv.y) }").program
     (found,) = lacks(program, profile)
     assert found.feature == "derivatives"
-    assert found.node in {native.node for stage in program.stages for native in stage.natives}
+    assert found.node in {native.node.id for stage in program.stages for native in stage.natives}

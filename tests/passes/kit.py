@@ -23,7 +23,7 @@ from burnish.compiler.ir.types import (
     Matrix,
     Scalar,
     Struct,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -148,7 +148,7 @@ class World:
             return value if node.type == leaf.type else stored(leaf.type, value)
         if isinstance(leaf, Attribute):
             return self._drawn(f"attribute {leaf.name}", leaf.type, UNKNOWN)
-        if node.op == "resource":
+        if node.op == "texture":
             return (Smooth(node.type),)
         if isinstance(leaf, Buffer):
             return (BufferReader(self._contents(leaf), leaf, node.type),)
@@ -255,7 +255,7 @@ class Smooth:
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
         """The value of a read."""
-        assert isinstance(self.type, Texture)
+        assert isinstance(self.type, TextureType)
         if name.startswith("texture_"):
             sizes = {"texture_size": (16,) * self.type.extents, "texture_layers": (3,)}
             return sizes.get(name, (5,))

@@ -91,7 +91,7 @@ class RandomValues:
 
     def _leaf(self, type_: Type) -> Node:
         fact = self._fact(type_)
-        leaf = Parameter(f"p{len(self.graph)}", type_, "material", fact)
+        leaf = Parameter(f"p{len(self.graph)}", type_, "material", fact=fact)
         return self.graph.node("parameter", type_, (), leaf)
 
     def _fact(self, type_: Type) -> Fact:

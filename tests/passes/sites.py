@@ -177,7 +177,9 @@ class Sites(RandomValues):
         source = self._value(whole, source_term)
         number = build.constant(self.graph, INT, self._chance.randrange(count))
         fact = Fact(0.0, float(count - 1)).as_kind("int")
-        anywhere = self.graph.node("parameter", INT, (), Parameter("at", INT, "material", fact))
+        anywhere = self.graph.node(
+            "parameter", INT, (), Parameter("at", INT, "material", fact=fact)
+        )
         position = anywhere if heads_of(position_term) is None else number
         return self.graph.node("index", element, (source, position))
 
@@ -213,7 +215,7 @@ class Sites(RandomValues):
         if self._chance.random() < 0.8:
             return build.constant(self.graph, INT, self._chance.randint(0, bound))
         fact = Fact(0.0, float(bound)).as_kind("int")
-        return self.graph.node("parameter", INT, (), Parameter("n", INT, "material", fact))
+        return self.graph.node("parameter", INT, (), Parameter("n", INT, "material", fact=fact))
 
     def _body(self, type_: Type, formal: Formal) -> Node:
         """A term that depends on the turn, or does not."""

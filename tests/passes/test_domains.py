@@ -6,10 +6,10 @@ import pytest
 
 from burnish.compiler.ir import build
 from burnish.compiler.ir.domains import Domains, MixedDomainsError
-from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.leaves import Attribute, Parameter, Texture
 from burnish.compiler.ir.node import Formal, Graph, Node
 from burnish.compiler.ir.stages import FLAT, FRAGMENTS, INSTANCES, RASTERISED, VERTICES, inputs_of
-from burnish.compiler.ir.types import FLOAT, INT, VEC2, VEC4, Texture
+from burnish.compiler.ir.types import FLOAT, INT, VEC2, VEC4, TextureType
 
 GRAPH = Graph()
 
@@ -19,7 +19,7 @@ def parameter() -> Node:
 
 
 def attribute(step: str = VERTICES) -> Node:
-    return GRAPH.node("attribute", FLOAT, (), Attribute(f"a_{step}", FLOAT, step))
+    return GRAPH.node("attribute", FLOAT, (), Attribute(f"a_{step}", FLOAT, step=step))
 
 
 def supplied(name: str) -> Node:
@@ -32,7 +32,7 @@ def added(*operands: Node) -> Node:
 
 
 def read(coordinate: Node) -> Node:
-    texture = GRAPH.node("resource", Texture(), (), Resource("t", Texture(), "material"))
+    texture = GRAPH.node("texture", TextureType(), (), Texture("t", TextureType(), "material"))
     operands = (texture, build.vector(GRAPH, (coordinate, coordinate)))
     assert operands[1].type == VEC2
     return build.swizzle(GRAPH, GRAPH.node("call", VEC4, operands, "sample"), (0,))

@@ -152,7 +152,7 @@ class Many:
         self._worlds = worlds
 
     def __call__(self, node: Node) -> Lanes | None:
-        if node.op == "resource":
+        if node.op == "texture":
             return (Smooth(node.type, np),)
         values = [world(node) for world in self._worlds]
         together: Lanes | None = None if values[0] is None else stacked(values)
@@ -163,7 +163,7 @@ class One(Many):
     """Evaluates one world, with the textures of many."""
 
     def __call__(self, node: Node) -> Lanes | None:
-        return super().__call__(node) if node.op == "resource" else self._worlds[0](node)
+        return super().__call__(node) if node.op == "texture" else self._worlds[0](node)
 
 
 def stacked(values: Sequence[Any]) -> Any:

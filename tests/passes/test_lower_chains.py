@@ -109,7 +109,7 @@ def lowered(
     whole: Shader, root: Node, place: Primitive, corners: Sequence[Lanes], vertex: int
 ) -> Lanes:
     """The value of a root of a lowered shader at one vertex of the draw."""
-    meshes = {info.attribute: info.mesh for info in whole.attributes}
+    meshes = {info.leaf: info.mesh for info in whole.attributes}
     counted = {PATCH_INDEX.name: place.number, "instance_index": place.instance}
 
     def leaf(node: Node) -> Lanes | None:
@@ -152,8 +152,8 @@ def test_every_vertex_has_what_both_say(members: str) -> None:
     made = lower_stages(whole)
     assert made.chain == RASTERISED
     pattern = [info for info in made.attributes if info.mesh and info.mesh.is_of_pattern]
-    assert {info.attribute.step for info in pattern} == {VERTICES}
-    assert all(i.attribute.step == INSTANCES for i in made.attributes if i not in pattern)
+    assert {info.leaf.step for info in pattern} == {VERTICES}
+    assert all(i.leaf.step == INSTANCES for i in made.attributes if i not in pattern)
     dice, count = random.Random(members), 9
     values = values_of(attributes(whole), dice, count)
     for number in range(4):

@@ -137,7 +137,7 @@ def attributes(whole: Shader) -> list[Attribute]:
 
 def parameter(whole: Shader, leaf: Parameter) -> Lanes:
     """The default of a parameter."""
-    default = next(i.default for i in whole.parameters if i.parameter == leaf)
+    default = next(i.default for i in whole.parameters if i.leaf == leaf)
     return default if isinstance(default, tuple) else (default,)
 
 
@@ -179,7 +179,7 @@ def directly(
 
 def lowered(whole: Shader, root: Node, place: Primitive, vertex: int, instance: int) -> Lanes:
     """The value of a root of a lowered shader at one vertex of the draw."""
-    meshes = {info.attribute: info.mesh for info in whole.attributes}
+    meshes = {info.leaf: info.mesh for info in whole.attributes}
     counted = {
         "primitive_index": place.number, "instance_index": place.instance,
     }  # fmt: skip
@@ -222,7 +222,7 @@ def test_every_vertex_has_what_the_expansion_says(members: str) -> None:
     assert expansion is not None
     made = lower_expansion(whole)
     assert made.chain == RASTERISED
-    assert {info.attribute.step for info in made.attributes} <= {INSTANCES}
+    assert {info.leaf.step for info in made.attributes} <= {INSTANCES}
     dice, corners, count = random.Random(members), CORNERS[expansion.primitive], 9
     values = values_of(attributes(whole), dice, count)
     told = [result.value for result in whole.results_of(EMITTING)]
@@ -262,7 +262,7 @@ def test_only_corners_that_are_read_are_inputs() -> None:
     )
     (whole,) = elaborated(text)
     made = lower_expansion(whole)
-    assert [info.attribute.name for info in made.attributes] == [
+    assert [info.leaf.name for info in made.attributes] == [
         "corner2.vertex_position",
         "corner1.vertex_uv",
     ]

@@ -123,7 +123,7 @@ def directly(whole: Shader, root: Node, place: Primitive, where: Lanes) -> Lanes
 
 def lowered(whole: Shader, root: Node, place: Primitive, where: Lanes) -> Lanes:
     """The value of a root of a lowered shader at one vertex of the draw."""
-    meshes = {info.attribute: info.mesh for info in whole.attributes}
+    meshes = {info.leaf: info.mesh for info in whole.attributes}
     counted = {"patch_index": place.number, "instance_index": place.instance}
 
     def leaf(node: Node) -> Lanes | None:
@@ -156,8 +156,8 @@ def test_every_vertex_has_what_the_tessellation_says(members: str) -> None:
     made = lower_tessellation(whole)
     assert made.chain == RASTERISED
     pattern = [info for info in made.attributes if info.mesh and info.mesh.is_of_pattern]
-    assert {info.attribute.step for info in made.attributes} - {INSTANCES} <= {VERTICES}
-    assert all(i.attribute.step == INSTANCES for i in made.attributes if i not in pattern)
+    assert {info.leaf.step for info in made.attributes} - {INSTANCES} <= {VERTICES}
+    assert all(i.leaf.step == INSTANCES for i in made.attributes if i not in pattern)
     dice, count = random.Random(members), 9
     values = values_of(attributes(whole), dice, count)
     before = [whole.results_of(kind)[0].value for kind in (CLIP_POSITION, TARGET)]

@@ -26,7 +26,9 @@ class Kit:
         self.graph = Graph()
 
     def leaf(self, name: str, type_: Type = FLOAT, fact: Fact = UNKNOWN) -> Node:
-        return self.graph.node("parameter", type_, (), Parameter(name, type_, "material", fact))
+        return self.graph.node(
+            "parameter", type_, (), Parameter(name, type_, "material", fact=fact)
+        )
 
     def call(self, name: str, *operands: Node, type_: Type | None = None) -> Node:
         return self.graph.node("call", type_ or operands[0].type, operands, name)

@@ -31,7 +31,7 @@ class Toy:
 
     def parameter(self, name: str, type_: Type) -> Node:
         leaf = Parameter(name, type_, "material")
-        self.parameters.append(ParameterInfo(leaf, str(type_), None, None, "", HERE))
+        self.parameters.append(ParameterInfo(leaf, str(type_), "", HERE))
         return self.graph.node("parameter", type_, (), leaf)
 
     def call(self, name: str, type_: Type, *operands: Node) -> Node:
@@ -44,6 +44,6 @@ class Toy:
     def shader(self, results: Sequence[Result], *chain: StageRow, **more: Any) -> Shader:
         return Shader(
             name="Toy", doc="", pass_name="P", rig_name="R", graph=self.graph, notes=self.notes,
-            parameters=tuple(self.parameters), resources=(), attributes=tuple(self.attributes),
+            parameters=tuple(self.parameters), textures=(), attributes=tuple(self.attributes),
             results=tuple(results), chain=chain, **more,
         )  # fmt: skip

@@ -97,9 +97,9 @@ def defaults(given: Shader) -> dict[str, Lanes]:
     values: dict[str, Lanes] = {}
     for info in given.parameters:
         if isinstance(info.default, tuple):
-            values[info.parameter.name] = info.default
+            values[info.leaf.name] = info.default
         elif info.default is not None:
-            values[info.parameter.name] = (info.default,)
+            values[info.leaf.name] = (info.default,)
     return values
 
 
@@ -121,7 +121,7 @@ def picture(
     **values: Lanes,
 ) -> Expected:
     """The picture with the given values, or else the declared ones; textures are white."""
-    white = {info.resource.name: WHITE for info in given.resources}
+    white = {info.leaf.name: WHITE for info in given.textures}
     return draw(
         given,
         {**defaults(given), **values},

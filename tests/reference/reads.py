@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from burnish.compiler.ir.leaves import Resource
-from burnish.compiler.ir.types import Dimension, Sample, Texture
+from burnish.compiler.ir.leaves import Texture
+from burnish.compiler.ir.types import Dimension, Sample, TextureType
 from burnish.compiler.reference.bounds import Bounded, exact
 from burnish.compiler.reference.picture.sampler import TextureReader
 from burnish.compiler.reference.picture.scene import RasterRules, Texels
@@ -30,7 +30,7 @@ class Read:
         **state: str,
     ) -> None:
         whole = tuple(sorted({**DEFAULTS, **state}.items()))
-        resource = Resource("t", Texture(dimension, sample), "material", "white", whole)
+        resource = Texture("t", TextureType(dimension, sample), "material", state=whole)
         arrays = tuple(np.asarray(level) for level in levels)
         self.reader = TextureReader(Image(Texels(arrays), resource, rules))
 

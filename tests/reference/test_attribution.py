@@ -38,7 +38,7 @@ def explained(
 ) -> Explanation:
     """Explain one pixel of a material that draws ``value``; ``s`` is interpolated."""
     given = passing(f"attribute s : vec2\nattribute t : float\n{members}", discard=discard)
-    textures = {info.resource.name: texture for info in given.resources}
+    textures = {info.leaf.name: texture for info in given.textures}
     return explain(given, defaults(given), textures, TRIANGLE, rules, errors, x, y)
 
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from burnish.compiler.ir.leaves import Resource
-from burnish.compiler.ir.types import Texture
+from burnish.compiler.ir.leaves import Texture
+from burnish.compiler.ir.types import TextureType
 from burnish.compiler.reference.bounds import Bounded, exact
 from burnish.compiler.reference.picture.sampler import TextureReader
 from burnish.compiler.reference.picture.scene import Texels
@@ -33,7 +33,7 @@ PLACE = exact(np.full((1, 1, 1), 0.4))
 def reader(texels: Texels, rules: Any, **state: str) -> TextureReader:
     """A texture of colours as shaders read it."""
     whole = tuple(sorted({**DEFAULTS, **state}.items()))
-    resource = Resource("t", Texture("2d", "float"), "material", "white", whole)
+    resource = Texture("t", TextureType("2d", "float"), "material", state=whole)
     return TextureReader(Image(texels, resource, rules))
 
 

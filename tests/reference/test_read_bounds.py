@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from burnish.compiler.ir.leaves import Resource
-from burnish.compiler.ir.types import Texture
+from burnish.compiler.ir.leaves import Texture
+from burnish.compiler.ir.types import TextureType
 from burnish.compiler.reference.bounds import Bounded, exact
 from burnish.compiler.reference.picture.sampler import TextureReader
 from burnish.compiler.reference.picture.scene import RasterRules, Texels
@@ -264,7 +264,7 @@ def test_a_device_decodes_srgb_to_within_half_a_step() -> None:
     """Encoded, the bounds are half a step to either side; alpha is not encoded."""
     codes = np.arange(256) / 255
     linear = np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
-    resource = Resource("t", Texture("2d", "float"), "material", "white", tuple(DEFAULTS.items()))
+    resource = Texture("t", TextureType("2d", "float"), "material", state=tuple(DEFAULTS.items()))
     for code in range(256):
         texel = np.array([[[linear[code], 0.0, 1.0, codes[code]]]])
         reader = TextureReader(Image(Texels((texel,), is_srgb=True), resource, DEVICE))

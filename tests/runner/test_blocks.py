@@ -38,7 +38,7 @@ PLAIN = burnish.compile("material M { param a : float = 1  color = vec3(a) }", (
 def reflected(declared: list[Parameter]) -> Reflection:
     """A reflection, of which the parts are right that an instance reads."""
     blocks = layout_blocks(declared)
-    infos = [ParameterInfo(p, str(p.type), None, None, "", NOWHERE) for p in declared]
+    infos = [ParameterInfo(p, str(p.type), "", NOWHERE) for p in declared]
     names = frozenset(p.name for p in declared)
     plain = PLAIN.blocks[0]
     return changed(

@@ -65,7 +65,7 @@ def flat(value: Any) -> list[float]:
 
 
 def parameter_nodes(shader: Shader) -> list[Node]:
-    parameters = [info.parameter for info in shader.parameters]
+    parameters = [info.leaf for info in shader.parameters]
     return [shader.graph.node("parameter", p.type, (), p) for p in parameters]
 
 

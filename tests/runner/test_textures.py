@@ -43,7 +43,7 @@ def test_defaults_are_made_and_given_ones_are_kept() -> None:
 
 
 @pytest.mark.parametrize("type_", types.TEXTURES, ids=str)
-def test_every_default_of_the_language_is_a_texture(type_: types.Texture) -> None:
+def test_every_default_of_the_language_is_a_texture(type_: types.TextureType) -> None:
     for name in kind_of(type_).defaults:
         texture = default_texture(name, type_.dimension, type_.sample)
         assert (texture.dimension, texture.sample) == (type_.dimension, type_.sample)

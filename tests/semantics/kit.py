@@ -9,7 +9,7 @@ from typing import Any
 
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
-from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.leaves import Attribute, Parameter, Texture
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.shader import Shader
@@ -39,7 +39,7 @@ class Painted:
         return self.color(*operands[0])
 
 
-LEAVES = ("parameter", "resource", "attribute", "input")
+LEAVES = ("parameter", "texture", "attribute", "input")
 
 
 def shader(source: str | Path, rig: str | None = None, pass_: str | None = None) -> Shader:
@@ -61,12 +61,12 @@ def shader(source: str | Path, rig: str | None = None, pass_: str | None = None)
 
 def leaves(whole: Shader, given: Given) -> LeafValues:
     """The values of leaves: those ``given``, or their defaults, or those of ``MESH``."""
-    defaults = {info.parameter.name: info.default for info in whole.parameters}
+    defaults = {info.leaf.name: info.default for info in whole.parameters}
     known: Mapping[str, Any] = {**defaults, **MESH, **given}
 
     def found(node: Node) -> Lanes | None:
         leaf = node.data
-        name = leaf.name if isinstance(leaf, Parameter | Attribute | Resource) else str(leaf)
+        name = leaf.name if isinstance(leaf, Parameter | Attribute | Texture) else str(leaf)
         default = known.get(name) if node.op in LEAVES else None
         return default if default is None or isinstance(default, tuple) else (default,)
 

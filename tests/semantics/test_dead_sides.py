@@ -152,7 +152,7 @@ material M { alpha = node(uv, vec2(1, 0)).x }
 def test_a_default_is_not_computed_of_a_side_that_is_not_taken() -> None:
     heavy = "sum i in 0..4096 : (sum j in 0..4096 : sin(float(i * j)))"
     found = shader(f"material M {{ param p : float = if 1 == 0 then ({heavy}) else 2 }}")
-    (p,) = (info for info in found.parameters if info.parameter.name == "p")
+    (p,) = (info for info in found.parameters if info.leaf.name == "p")
     assert p.default == 2
 
 

@@ -67,7 +67,7 @@ def test_chains_have_no_limit(chain: str) -> None:
 def test_counts_of_arrays_chain_without_limit() -> None:
     links = "\n".join(f"a{i} : int[a{i + 1}[0]] = [a{i + 1}[0]]" for i in range(300))
     text = f"{links}\na300 : int[1] = [1]\nmaterial M {{ param p : float[a0[0]]\nalpha = p[0] }}"
-    (parameter,) = [info for info in shader(text).parameters if info.parameter.name == "p"]
+    (parameter,) = [info for info in shader(text).parameters if info.leaf.name == "p"]
     assert parameter.declared_type == "float[1]"
 
 

@@ -30,7 +30,7 @@ def test_members_are_names_of_the_file() -> None:
 def test_a_library_name_is_bound_by_an_equation() -> None:
     text = f"{BLOCK} material M {{ eye = places[1]  color = vec3(eye) }}"
     whole = shader(text)
-    assert "eye" not in [info.parameter.name for info in whole.parameters]
+    assert "eye" not in [info.leaf.name for info in whole.parameters]
     assert color(text, {"PerFrame.places": ((1, 2, 3), (4, 5, 6))}) == (4, 5, 6)
 
 
@@ -41,7 +41,7 @@ def test_a_slot_hides_a_member_of_its_name() -> None:
 def test_a_members_parameter_is_called_after_its_block() -> None:
     """A material may have a parameter of the same name as the member."""
     text = f"{BLOCK} material M {{ param far : float = 1  color = vec3(far + scale) }} scale = 2"
-    names = [info.parameter.name for info in shader(text).parameters]
+    names = [info.leaf.name for info in shader(text).parameters]
     assert {"far", "PerFrame.far"} <= {*names}
 
 

@@ -21,7 +21,7 @@ SUMMED = "mixin Summed { k : float = inherited.k + 3 }"
 
 
 def parameters(text: str) -> dict[str, ParameterInfo]:
-    return {info.parameter.name: info for info in shader(text).parameters}
+    return {info.leaf.name: info for info in shader(text).parameters}
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_it_is_found_wherever_it_is_written(value: str) -> None:
 
 def test_the_parameter_stays_one_as_it_was_declared() -> None:
     k = parameters(BASE + "material M : Base { /// Tenfold\nk = 10 * inherited.k }")["k"]
-    assert (k.range, k.default, k.doc, k.parameter.group) == ((0, 16), 0.25, "How much", "draw")
+    assert (k.range, k.default, k.doc, k.leaf.group) == ((0, 16), 0.25, "How much", "draw")
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_the_nearest_declaration_of_a_parameter_describes_it() -> None:
     abstract material N : Base { param k : float in 0..8 = 4  raw = inherited.k }
     material M : N { k = 7  color = vec3(raw) }"""
     k = parameters(BASE + heirs)["k"]
-    assert (k.range, k.default, k.parameter.group) == ((0, 8), 4, "material")
+    assert (k.range, k.default, k.leaf.group) == ((0, 8), 4, "material")
 
 
 def test_a_derived_value_is_never_called_as_a_parameter() -> None:
@@ -162,8 +162,8 @@ def test_a_parameter_in_front_of_a_vertex_input() -> None:
     given: Given = {"tint": (1.0, 2.0, 3.0)}
     assert color(text, given) == (3, 6, 9)
     whole = shader(text)
-    assert "tint" in {info.parameter.name for info in whole.parameters}
-    assert "tint" in {info.attribute.name for info in whole.attributes}
+    assert "tint" in {info.leaf.name for info in whole.parameters}
+    assert "tint" in {info.leaf.name for info in whole.attributes}
 
 
 PICTURES = """
@@ -189,7 +189,7 @@ def test_textures(heir: str, expected: Lanes, maps: list[str]) -> None:
     text = f"{PICTURES} material M : Base {{ {heir} }}"
     given: Given = {"paint": CHECKS, "other": CHECKS}  # type: ignore[dict-item]
     assert color(text, given) == pytest.approx(expected)
-    assert [info.resource.name for info in shader(text).resources] == maps
+    assert [info.leaf.name for info in shader(text).textures] == maps
 
 
 def test_a_pass_builds_on_a_parameter_of_the_material() -> None:

@@ -35,8 +35,8 @@ def test_a_kernel_has_one_stage_and_an_extent() -> None:
     assert made.chain == COMPUTED
     assert {result.stage for result in made.results} == set(COMPUTED)
     assert len(made.results_of(EXTENT)) == 1
-    assert [info.buffer.name for info in made.written] == ["r"]
-    assert [info.buffer.name for info in made.buffers] == ["b"]
+    assert [info.leaf.name for info in made.written] == ["r"]
+    assert [info.leaf.name for info in made.buffers] == ["b"]
 
 
 def test_structures_are_written_part_by_part_as_they_are_stored() -> None:

@@ -99,7 +99,7 @@ def test_attributes_that_two_mixins_bring_along_are_one() -> None:
     material Made : Surface + A + B {}
     """
     whole = shader(text)
-    assert [info.attribute.name for info in whole.attributes].count("paint") == 1
+    assert [info.leaf.name for info in whole.attributes].count("paint") == 1
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ import pytest
 from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
-DELIVERS = "compiler/semantics/shading/blending.py"
+DELIVERS = "compiler/semantics/shading/passes/blending.py"
 
 KNOB = (
     (GRAMMAR, "_member: param |", "_member: knob | param |"),
@@ -53,7 +53,7 @@ KINDS: tuple[MemberKind, ...] = (
         opening=("NAME", "="),
         records=("material",),
         inheritance="overridden",
-        contribution="parameter",
+        contribution="leaf",
         form="a knob is `knob name = 0.5`",
         doc="a number that the host sets",
     ),""",
@@ -65,17 +65,18 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         CONTRIBUTES,
-        "\n_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {",
+        "\n_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str, str], Leaves]] = {",
         """
-def _of_knob(ctx: Context, definition: Definition, name: str) -> Leaves:
+def _of_knob(ctx: Context, definition: Definition, name: str, owner: str) -> Leaves:
     knob = definition.member
     assert isinstance(knob, Knob)
     number = ast.TypeName(knob.span, ast.Name("float", knob.name.span))
     param = ast.Param(knob.span, knob.doc, knob.name, number, None, None, knob.value)
-    return _of_param(ctx, Definition(param, definition.owner, definition.level), name)
+    parameter = Definition(param, definition.owner, definition.level)
+    return _of_param(ctx, parameter, name, owner)
 
 
-_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
+_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str, str], Leaves]] = {
     Knob: _of_knob,""",
     ),
 )
@@ -117,8 +118,8 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         DELIVERS,
-        "from ...syntax import ast\n",
-        "from ...syntax import ast\nfrom ...syntax.ast.members import Mixing\n",
+        "from ....syntax import ast\n",
+        "from ....syntax import ast\nfrom ....syntax.ast.members import Mixing\n",
     ),
     (
         DELIVERS,
@@ -185,7 +186,7 @@ for name in ("Over", "Added", "Both"):
 
 
 def test_of_a_kind_without_names_the_nearest_counts(package: Path) -> None:
-    alpha = {"source": "src_alpha", "destination": "one_minus_src_alpha", "operation": "add"}
+    alpha = {"source": "src-alpha", "destination": "one-minus-src-alpha", "operation": "add"}
     added = {"source": "one", "destination": "one", "operation": "add"}
     assert run(package, BLENDING) == (
         f"Over {[alpha]}\nAdded {[added, added]}\nBoth {[added, added, None]}\n"

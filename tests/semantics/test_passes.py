@@ -168,8 +168,8 @@ def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
     material = "material M { param k : float = 2  map t : texture2d  color = k * t(uv).rgb }"
     whole = drawn("pass P : Forward { param k : float = 3  map t : texture2d"
                   "  color = inherited.color * k * t(uv).rgb }", material)  # fmt: skip
-    assert {"k", "P.k"} < {info.parameter.name for info in whole.parameters}
-    assert {info.resource.name for info in whole.resources} == {"t", "P.t"}
+    assert {"k", "P.k"} < {info.leaf.name for info in whole.parameters}
+    assert {info.leaf.name for info in whole.textures} == {"t", "P.t"}
     given: Given = {
         "t": (Painted(lambda _u, _v: (1, 10, 100, 1)),),
         "P.t": (Painted(lambda _u, _v: (1, 2, 3, 1)),),
@@ -180,7 +180,7 @@ def test_leaves_of_a_pass_are_not_those_of_its_material() -> None:
 def test_an_attribute_of_both_is_one() -> None:
     material = "material M { attribute tint : vec3  color = tint }"
     whole = drawn("pass P : Forward { attribute tint : vec3 }", material)
-    assert [info.attribute.name for info in whole.attributes].count("tint") == 1
+    assert [info.leaf.name for info in whole.attributes].count("tint") == 1
     with pytest.raises(CompileError, match="`tint` is vec3 in `M`, and vec2 here"):
         drawn("pass P : Forward { attribute tint : vec2 }", material)
 

@@ -57,8 +57,8 @@ def test_a_parameter_that_is_taken_back_is_none() -> None:
         material M : O { k = 2  map t : texture2d  a = uv }
     """
     whole = shader(text)
-    assert "k" not in {info.parameter.name for info in whole.parameters}
-    assert "a" not in {info.attribute.name for info in whole.attributes}
+    assert "k" not in {info.leaf.name for info in whole.parameters}
+    assert "a" not in {info.leaf.name for info in whole.attributes}
 
 
 def test_an_override_reaches_what_the_surface_computes() -> None:
@@ -93,7 +93,7 @@ limit = 8
 
 @pytest.fixture(scope="module")
 def parameters() -> dict[str, ParameterInfo]:
-    return {info.parameter.name: info for info in shader(PARAMETERS).parameters}
+    return {info.leaf.name: info for info in shader(PARAMETERS).parameters}
 
 
 DEFAULTS = {
@@ -118,11 +118,11 @@ def test_ranges(parameters: dict[str, ParameterInfo]) -> None:
     ranges = {name: parameters[name].range for name in DEFAULTS}
     bounded = {name: limits for name, limits in ranges.items() if limits is not None}
     assert bounded == {"a": (0.5, 2), "b": (-1, 1), "d": (1, 8)}
-    assert parameters["c"].parameter.fact.unit
+    assert parameters["c"].leaf.fact.unit
 
 
 def test_groups_types_and_remarks(parameters: dict[str, ParameterInfo]) -> None:
-    groups = {name: parameters[name].parameter.group for name in DEFAULTS}
+    groups = {name: parameters[name].leaf.group for name in DEFAULTS}
     assert [groups[name] for name in "abcei"] == ["material", "draw", "weather", "frame", "view"]
     written = [parameters[name].declared_type for name in "cegf"]
     assert written == ["direction<world>", "Layer[2]", "rgb", "angle"]
@@ -131,7 +131,7 @@ def test_groups_types_and_remarks(parameters: dict[str, ParameterInfo]) -> None:
 
 def test_a_parameter_that_is_set_is_none_any_more() -> None:
     text = "abstract material B { param k : float = 1 }  material M : B { k = 2 }"
-    assert "k" not in {info.parameter.name for info in shader(text).parameters}
+    assert "k" not in {info.leaf.name for info in shader(text).parameters}
 
 
 def test_a_parameter_has_the_value_that_the_host_sets() -> None:
@@ -150,7 +150,7 @@ def test_what_a_texture_is_until_it_is_bound() -> None:
         map plain : texture2d
         map bumps : texture2d per draw = flat_normal with { wrap = mirror, mip = none }
     }"""
-    plain, bumps = (info.resource for info in shader(text).resources)
+    plain, bumps = (info.leaf for info in shader(text).textures)
     assert (plain.default, plain.group) == ("white", "material")
     assert dict(plain.state) == {"filter": "linear", "mip": "linear", "wrap": "repeat"}
     assert (bumps.default, bumps.group) == ("flat_normal", "draw")

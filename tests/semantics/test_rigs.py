@@ -56,10 +56,10 @@ def test_no_light_shines_until_the_host_counts() -> None:
 
 def test_a_count_is_a_constant() -> None:
     text = "many = 1 + 2\n" + GLOW + "rig R { lamps : Glow[many] }\nmaterial M {}"
-    assert "lamps" in {info.parameter.name for info in shader(text).parameters}
-    infos = {info.parameter.name: info for info in shader(text).parameters}
+    assert "lamps" in {info.leaf.name for info in shader(text).parameters}
+    infos = {info.leaf.name: info for info in shader(text).parameters}
     assert infos["lamps"].declared_type == "Glow[3]"
-    assert [member.parameter.name for member in infos["lamps"].members] == ["power"]
+    assert [member.leaf.name for member in infos["lamps"].members] == ["power"]
 
 
 def test_all_kinds_of_entries_together() -> None:
@@ -78,7 +78,7 @@ def test_a_rig_sets_slots_of_its_lights() -> None:
 
 def test_a_parameter_that_a_rig_sets_is_none_for_the_host() -> None:
     text = GLOW + "rig R { a : Glow { power = 5 }  b : Glow }\nmaterial M {}"
-    names = {info.parameter.name for info in shader(text).parameters}
+    names = {info.leaf.name for info in shader(text).parameters}
     assert "a.power" not in names
     assert "b.power" in names
 
@@ -195,10 +195,10 @@ def test_a_material_need_not_know_the_names_of_lights(member: str, expected: lis
                    lamps : Dot[2] }}
         material M {{ {member} }}
     """)
-    lights = [info.parameter.name for info in whole.parameters if info.light]
+    lights = [info.leaf.name for info in whole.parameters if info.light]
     assert lights == expected
 
 
 def test_the_library_s_rig_takes_no_name_from_a_material() -> None:
     whole = shader("material Sky { param sun : direction<world> = vec3(0, 1, 0) }")
-    assert {"sun", "Daylight.sun.direction"} < {info.parameter.name for info in whole.parameters}
+    assert {"sun", "Daylight.sun.direction"} < {info.leaf.name for info in whole.parameters}

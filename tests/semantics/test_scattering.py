@@ -19,7 +19,7 @@ def test_each_scatter_has_four_results() -> None:
     (store,) = {result.store for result in made.results[1:]}
     assert store is not None
     assert (store.buffer.name, store.operator) == ("few", "add")
-    assert [info.buffer.name for info in made.written] == ["few"]
+    assert [info.leaf.name for info in made.written] == ["few"]
 
 
 def test_results_say_for_how_many_elements_a_kernel_runs() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from burnish.compiler.ir.node import Node, reachable
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
-from burnish.compiler.ir.types import Texture
+from burnish.compiler.ir.types import TextureType
 
 from .kit import shader
 
@@ -54,7 +54,7 @@ def reads(expression: str, type_: str = "vec4", more: str = "") -> list[Node]:
     form = LANES.get(type_) or f"vec3(float({INTEGERS[type_]}))"
     text = f"material M {{ {MAPS} {more} color = {form.format(expression)} }}"
     nodes = reachable(result.value for result in shader(text).results_of(TARGET))
-    return [node for node in nodes if any(isinstance(o.type, Texture) for o in node.operands)]
+    return [node for node in nodes if any(isinstance(o.type, TextureType) for o in node.operands)]
 
 
 @pytest.mark.parametrize(("expression", "expected"), READS.items())

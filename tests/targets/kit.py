@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from burnish.compiler.ir import build
-from burnish.compiler.ir.leaves import Parameter, Resource
-from burnish.compiler.ir.node import Node
+from burnish.compiler.ir.build import constant
+from burnish.compiler.ir.leaves import Parameter, Texture
+from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.program import NativeUse, Program
 from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import (
@@ -19,7 +20,7 @@ from burnish.compiler.ir.types import (
     Matrix,
     Scalar,
     ScalarKind,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -132,17 +133,17 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
         matrix = chosen["M"]
         assert isinstance(matrix, Matrix)
         return Vector("float", matrix.size)
-    if word in "LQUJ" and not any(isinstance(t, Texture) for t in chosen.values()):
+    if word in "LQUJ" and not any(isinstance(t, TextureType) for t in chosen.values()):
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
         return Scalar(base.kind) if word == "L" else with_width(OF_KIND[word], width(base))
-    texture = next((type_ for type_ in chosen.values() if isinstance(type_, Texture)), None)
+    texture = next((type_ for type_ in chosen.values() if isinstance(type_, TextureType)), None)
     if word in "KWE" and texture is not None:
         return _of_texture(word, texture)
     return FIXED[word]
 
 
-def _of_texture(word: str, texture: Texture) -> Type:
+def _of_texture(word: str, texture: TextureType) -> Type:
     if word == "K":
         return Vector("float", 3 if texture.dimension in ("3d", "cube") else 2)
     if word == "W":
@@ -170,10 +171,11 @@ def can_have(selected: Selected, program: Program) -> bool:
 
 def has(profile: Profile, row: Builtin, operands: tuple[Type, ...]) -> bool:
     """True if a profile that has a builtin also has it for operands of these types."""
-    textures = [type_ for type_ in operands if isinstance(type_, Texture)]
+    textures = [type_ for type_ in operands if isinstance(type_, TextureType)]
     if row.name in profile.cannot or not profile.textures.issuperset(textures):
         return False
-    return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, 0))
+    node = constant(Graph(), INT, 0)
+    return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, node))
 
 
 def program_of_rows(profile: Profile) -> Program:
@@ -186,17 +188,17 @@ def program_of_rows(profile: Profile) -> Program:
         kind: Parameter(f"some_{kind}", type_, "material")
         for kind, type_ in (("float", FLOAT), ("int", INT), ("uint", UINT))
     }
-    textures: dict[str, Resource] = {}
+    textures: dict[str, Texture] = {}
     material = block("Material", "material", [(parameter, "") for parameter in lanes.values()])
 
-    def texture(type_: Texture, how: str) -> Node:
+    def texture(type_: TextureType, how: str) -> Node:
         name = f"{type_}_{how}"
-        resource = textures.setdefault(name, Resource(name, type_, "material"))
-        return make.graph.node("resource", type_, (), resource)
+        texture = textures.setdefault(name, Texture(name, type_, "material"))
+        return make.graph.node("texture", type_, (), texture)
 
     def call(row: Builtin, operands: tuple[Type, ...], result: Type) -> Node:
         how = "loaded" if row.sampler is None else "sampled"
-        nodes = [texture(t, how) if isinstance(t, Texture) else operand(t) for t in operands]
+        nodes = [texture(t, how) if isinstance(t, TextureType) else operand(t) for t in operands]
         for place in row.constants:
             nodes[place] = build.constant(make.graph, INT, 2)
         return make.native(row.name, result, *nodes)
@@ -222,5 +224,6 @@ def program_of_rows(profile: Profile) -> Program:
         if is_native(row, operands) and has(profile, row, operands)
     ]
     color = build.constant(make.graph, VEC4, (0.5, 0.5, 0.5, 1.0))
-    resources = tuple(textures.values())
-    return tiny(color, make, (material,), resources=resources, region=Region(tuple(lets)))
+    return tiny(
+        color, make, (material,), textures=tuple(textures.values()), region=Region(tuple(lets))
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from burnish.compiler.ir import build
-from burnish.compiler.ir.leaves import Attribute, Parameter, Resource
+from burnish.compiler.ir.leaves import Attribute, Parameter, Texture
 from burnish.compiler.ir.node import Formal, Graph, Node, reachable
 from burnish.compiler.ir.program import (
     Block,
@@ -47,7 +47,7 @@ from burnish.compiler.ir.types import (
     Matrix,
     Struct,
     TallMatrix,
-    Texture,
+    TextureType,
     Type,
 )
 from burnish.support.frozen import changed
@@ -125,7 +125,7 @@ def size_of(type_: Type) -> int:
 def stage(row: StageRow, *results: Output, **parts: object) -> Stage:
     """A stage with nothing in it but its results and ``parts``."""
     empty: dict[str, object] = {
-        "inputs": (), "blocks": (), "resources": (), "functions": (), "region": Region(()),
+        "inputs": (), "blocks": (), "textures": (), "functions": (), "region": Region(()),
     }  # fmt: skip
     made = Stage(row=row, results=results, **{**empty, **parts})  # type: ignore[arg-type]
     lets = [item.node for item in made.region.statements if isinstance(item, Let)]
@@ -155,7 +155,7 @@ def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: o
             stage(FRAGMENT, written("color", color), **parts),
         ),
         blocks=blocks,
-        resources=fragment.get("resources", ()),  # type: ignore[arg-type]
+        textures=fragment.get("textures", ()),  # type: ignore[arg-type]
         interfaces=between(),
     )
 
@@ -248,7 +248,7 @@ def plastic() -> Program:
     lamps = Parameter("lamps", Array(lamp, 8), "rig")
     lamp_count = Parameter("lamps.count", INT, "rig")
     sun_cos = Parameter("sun.cos_outer", FLOAT, "rig", derived=True)
-    albedo = Resource("albedo", Texture(), "material")
+    albedo = Texture("albedo", TextureType(), "material")
     view = block("View", "view", [(to_clip, ""), (eye, "Where the camera stands, in world space")])
     rig = block("Rig", "rig", [(sun, ""), (lamp_count, ""), (lamps, "")])
     derived = block("RigDerived", "rig", [(sun_cos, "cos(outer)")], derived=True)
@@ -263,7 +263,7 @@ def plastic() -> Program:
     p = make.crossing(position_world)
     to_eye = make.native("normalize", VEC3, make.native("sub", VEC3, make.parameter(eye), p))
     texel = make.native(
-        "sample", VEC4, make.graph.node("resource", Texture(), (), albedo), make.crossing(uv)
+        "sample", VEC4, make.graph.node("texture", TextureType(), (), albedo), make.crossing(uv)
     )
     tint = make.native(
         "mul", VEC3, make.parameter(base), build.swizzle(make.graph, texel, (0, 1, 2))
@@ -293,7 +293,7 @@ def plastic() -> Program:
         written("color", build.vector(make.graph, (faded, one)), doc="Linear colour"),
         inputs=fields,
         blocks=(view, rig, derived, material),
-        resources=(albedo,),
+        textures=(albedo,),
         functions=(shade,),
         region=Region(
             (
@@ -321,7 +321,7 @@ def plastic() -> Program:
         ),
         stages=(vertex, fragment),
         blocks=(view, rig, derived, material, draw),
-        resources=(albedo,),
+        textures=(albedo,),
         interfaces=between(*varyings),
     )
 
@@ -397,6 +397,6 @@ def odd() -> Program:
         shader=shader_called("Odd", graph),
         stages=(vertex, fragment),
         blocks=(material,),
-        resources=(),
+        textures=(),
         interfaces=between(Varying(field, (id_,))),
     )

@@ -13,7 +13,7 @@ from itertools import count, product
 import pytest
 
 import burnish
-from burnish.compiler.ir.types import Scalar, Texture, Type, Vector, scalar_kind
+from burnish.compiler.ir.types import Scalar, TextureType, Type, Vector, scalar_kind
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin
 from burnish.targets.toolchain import Job, Toolchain
@@ -62,12 +62,12 @@ def operand(type_: Type, lane: str) -> str:
     return value if isinstance(type_, Scalar) else f"{type_}({value})"
 
 
-def uses(row: Builtin) -> Iterator[tuple[Texture | None, str]]:
+def uses(row: Builtin) -> Iterator[tuple[TextureType | None, str]]:
     """Uses of a builtin as floats, and the textures that they read: each choosing expression once
     in each operand."""
     numbers = count(1)
     for operands, result in shapes(row):
-        texture = operands[0] if isinstance(operands[0], Texture) else None
+        texture = operands[0] if isinstance(operands[0], TextureType) else None
         given = operands[1:] if texture else operands
         for place, form in product(range(len(given) - len(row.constants)), CHOOSING.values()):
             n = next(numbers)

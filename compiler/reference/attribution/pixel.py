@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ...ir.leaves import Attribute, Resource
+from ...ir.leaves import Attribute, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
@@ -92,7 +92,7 @@ class PixelShader:
         self._row, self._column = (y + rows_above(rules, SIDE)) % SIDE, x % SIDE
         self._targets = tuple(result.value for result in shader.results_of(TARGET))
         self._discard = next((result.value for result in shader.results_of(DISCARD)), None)
-        read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Resource))
+        read = (node.data for node in reachable(shader.roots) if isinstance(node.data, Texture))
         self._readers = {r: AttributionReader(textures[r.name], r, rules) for r in read}
         vertices = StageEvaluator(shader, values, textures, rules, errors).vertices(geometry)
         faces = faces_of(
@@ -119,7 +119,7 @@ class PixelShader:
             if node.op == "cross":
                 corners = vertex.value(node.operands[0])
                 return changed(FRAGMENTS, node, [corners], self._interpolated(node, corners))
-            if isinstance(node.data, Resource):
+            if isinstance(node.data, Texture):
                 return (self._readers[node.data],)
             if node.op != "input":
                 return self._held.value(node)
@@ -193,7 +193,7 @@ class PixelShader:
             if isinstance(node.data, Attribute):
                 lanes = self._geometry.attributes[node.data.name][self._corners]
                 return tuple(np.moveaxis(lanes, -1, 0))
-            if isinstance(node.data, Resource):
+            if isinstance(node.data, Texture):
                 return (self._readers[node.data],)
             if node.op == "input":
                 return (inputs[INPUT.data(node).name][self._corners],)
@@ -217,10 +217,10 @@ class PixelShader:
 class AttributionReader:
     """Reads a texture without rounding; or, at coordinates with bounds, as a device may."""
 
-    def __init__(self, texels: Texels, resource: Resource, rules: RasterRules) -> None:
+    def __init__(self, texels: Texels, texture: Texture, rules: RasterRules) -> None:
         exactly = replace(rules, subtexel_bits=None, mip_bits=None, mixing_bits=None)
-        self._exact = TextureReader(Image(texels, resource, exactly))
-        self._rounding = TextureReader(Image(texels, resource, rules))
+        self._exact = TextureReader(Image(texels, texture, exactly))
+        self._rounding = TextureReader(Image(texels, texture, rules))
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
         """The value of the builtin ``name``; ``operands`` are those after the texture."""

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ....support.frozen import changed
-from ...ir.leaves import Attribute, Buffer, Parameter, Resource
+from ...ir.leaves import Attribute, Buffer, Parameter, Texture
 from ...ir.node import Binder, Formal, Node, formals_of
 from ...ir.operations import INPUT
 from ...ir.shader import Shader
@@ -99,7 +99,7 @@ class _Held:
 
         Another texture may have other numbers there, though here they are the same.
         """
-        return isinstance(node.data, Resource) and bool(self._textures[node.data.name].low)
+        return isinstance(node.data, Texture) and bool(self._textures[node.data.name].low)
 
     def data_of(self, node: Node) -> Iterator[bytes]:
         """The data of a node besides its operation; of a leaf, the value that the device finds."""
@@ -108,7 +108,7 @@ class _Held:
                 yield from _of_value(self._values[node.data.name])
             case Attribute():
                 yield from _of_value(self._geometry.attributes[node.data.name])
-            case Resource():
+            case Texture():
                 yield repr(changed(node.data, name="")).encode()
                 texels = self._textures[node.data.name]
                 yield from _of_value((texels.levels, texels.is_srgb))

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ....stdlib.builtins import BUILTINS
-from ...ir.leaves import Attribute, Resource
+from ...ir.leaves import Attribute, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
@@ -106,8 +106,8 @@ class StageEvaluator:
         self.pixels_at_once = at_once(self._at_pixels, PIXELS_AT_ONCE)
         """The number of pixels for which ``fragments`` may be called at once."""
         everywhere = (*nodes, *reachable((self._position,)))
-        read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Resource))
-        texels = {resource: _texels(textures, resource) for resource in read}
+        read = dict.fromkeys(n.data for n in everywhere if isinstance(n.data, Texture))
+        texels = {texture: _texels(textures, texture) for texture in read}
         self._images = {r: Image(each, r, rules) for r, each in texels.items()}
         self.found = Found.of((*self._targets, self._position), texels.values(), rules)
         """The places where nothing is defined, as far as it is known."""
@@ -131,7 +131,7 @@ class StageEvaluator:
         def leaves(node: Node) -> Lanes | None:
             if isinstance(node.data, Attribute):
                 return self._given(attribute_lanes(geometry, node.data))
-            if isinstance(node.data, Resource):
+            if isinstance(node.data, Texture):
                 return (readers[node.data],)
             return (
                 (inputs[INPUT.data(node).name],) if node.op == "input" else self._held.value(node)
@@ -164,7 +164,7 @@ class StageEvaluator:
                 if CROSS.data(node).mode == "flat":
                     return place.flat(values)
                 return all_remembered(self._given(place.perspective(values)))
-            if isinstance(node.data, Resource):
+            if isinstance(node.data, Texture):
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
@@ -255,10 +255,10 @@ def _radius(lane: Bounded) -> Floats:
     return np.nan_to_num(np.asarray(off, np.float64), nan=np.inf, posinf=np.inf)
 
 
-def _texels(textures: Mapping[str, Texels], resource: Resource) -> Texels:
-    if resource.name not in textures:
-        raise ValueError(f"The texture `{resource.name}` has no picture.")
-    return textures[resource.name]
+def _texels(textures: Mapping[str, Texels], texture: Texture) -> Texels:
+    if texture.name not in textures:
+        raise ValueError(f"The texture `{texture.name}` has no picture.")
+    return textures[texture.name]
 
 
 def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:

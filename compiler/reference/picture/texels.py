@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...ir.leaves import Resource
-from ...ir.types import Texture
+from ...ir.leaves import Texture
+from ...ir.types import TextureType
 from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
 from .cube import across_edges, beyond_corner
@@ -42,11 +42,11 @@ EVERY_LANE = slice(None)
 class Image:
     """A texture's levels in one table, and its sampler's state."""
 
-    def __init__(self, texels: Texels, resource: Resource, rules: RasterRules) -> None:
-        assert isinstance(resource.type, Texture)
+    def __init__(self, texels: Texels, texture: Texture, rules: RasterRules) -> None:
+        assert isinstance(texture.type, TextureType)
         self.rules = rules
-        self.type = resource.type
-        self.state: Mapping[str, str] = dict(resource.state)
+        self.type = texture.type
+        self.state: Mapping[str, str] = dict(texture.state)
         shapes = [level.shape[:-1] if level.ndim == 4 else (1, *level.shape[:-1])
                   for level in texels.levels]  # fmt: skip
         layers, heights, widths = np.array(shapes).T

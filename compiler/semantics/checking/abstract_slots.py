@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics.nearest import nearest_in
-from ...ir.types import RuntimeArray, Texture
+from ...ir.types import RuntimeArray, TextureType
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..state.scope import Instance
@@ -17,7 +17,7 @@ def way_to_set(instance: Instance, definition: Definition, declared: Declared) -
     declaration = record.symbol.declaration
     assert isinstance(declaration, ast.Record | ast.Mixin)
     kind = declaration.kind
-    if isinstance(declared.type, Texture):
+    if isinstance(declared.type, TextureType):
         return f"declare a texture with `map {name} : {declared.text}`"
     if isinstance(declared.type, RuntimeArray):
         return f"declare a buffer with `buffer {name} : {declared.text}`"

@@ -8,7 +8,7 @@ from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...ir.node import Node
-from ...ir.types import Array, Opaque, Texture, Type
+from ...ir.types import Array, Opaque, TextureType, Type
 from ...syntax import ast
 from ...syntax.quoting import counted
 from ..declarations.contracts import as_declared
@@ -52,7 +52,7 @@ def array(ctx: Context, e: ast.Array, elements: Sequence[Node], scope: Scope) ->
         return FAILURE
     for element, written in zip(elements, e.elements, strict=True):
         if isinstance(element.type, Opaque):
-            what = "textures" if isinstance(element.type, Texture) else "buffers"
+            what = "textures" if isinstance(element.type, TextureType) else "buffers"
             ctx.report.add(
                 rules.WRONG_TYPE, written.span, expected="a value", found=element.type,
                 hint=f"{what} cannot be elements: gather what is read of them",

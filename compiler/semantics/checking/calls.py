@@ -16,7 +16,7 @@ from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
 from ...ir.operations import CALL
-from ...ir.types import TEXTURES, Texture
+from ...ir.types import TEXTURES, TextureType
 from ...syntax import ast
 from ...syntax.rewriting import called_here
 from ..declarations import assignments
@@ -72,7 +72,7 @@ def _of_value(
     failed: bool,
 ) -> Value:
     """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
-    if isinstance(owner, Node) and isinstance(owner.type, Texture):
+    if isinstance(owner, Node) and isinstance(owner.type, TextureType):
         if not textures.can_read(ctx, owner.type, callee.name) or failed:
             return FAILURE
         return textures.read(ctx, owner, arguments, e, callee.name)

@@ -12,7 +12,7 @@ from ...ir.types import (
     Matrix,
     Scalar,
     ScalarKind,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -33,7 +33,7 @@ CONVERSIONS = {"float": "to_float", "int": "to_int", "uint": "to_uint"}
 
 def is_constructor(name: str) -> bool:
     """True if a name is that of a type that can be called."""
-    return name in NAMED and not isinstance(NAMED[name].representation, Texture)
+    return name in NAMED and not isinstance(NAMED[name].representation, TextureType)
 
 
 def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Node | Failure:

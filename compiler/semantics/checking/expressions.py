@@ -21,7 +21,7 @@ from ...ir.types import (
     Matrix,
     Opaque,
     RuntimeArray,
-    Texture,
+    TextureType,
     Vector,
 )
 from ...srgb import linear
@@ -117,7 +117,7 @@ def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope)
 
 def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
     operands = operand, index
-    if isinstance(operand.type, Texture):
+    if isinstance(operand.type, TextureType):
         ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
         return FAILURE
     position = fit(ctx, index, INT, "int", e.index.span)
@@ -219,7 +219,7 @@ def _conditional(ctx: Context, e: ast.Conditional, operands: Sequence[Node], sco
     if isinstance(condition, Failure):
         return FAILURE
     if isinstance(then.type, Opaque):
-        what = "textures" if isinstance(then.type, Texture) else "buffers"
+        what = "textures" if isinstance(then.type, TextureType) else "buffers"
         ctx.report.add(
             rules.WRONG_TYPE, e.then.span, expected="a value", found=then.type,
             hint=f"choose between what is read, not between {what}",

@@ -14,7 +14,6 @@ from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import close
-from ...ir.leaves import Parameter
 from ...ir.node import Formal, Node
 from ...ir.types import INT, Scalar, Struct, Vector, scalar_kind
 from ...syntax import ast
@@ -74,7 +73,7 @@ def _summed(ctx: Context, body: LightBody, span: Span, surface: Instance) -> Nod
         if isinstance(contribution, Failure):
             return FAILURE
         if formal is not None:
-            count = None if entry.count is None else _parameter(ctx, entry.count)
+            count = None if entry.count is None else build.read(ctx.tree, entry.count)
             contribution = folded(
                 ctx.tree, "add", entry.bound, contribution, formal, ctx.follow, count
             )
@@ -183,29 +182,15 @@ def _twin(ctx: Context, entry: RigEntry, surface: Instance) -> Twin:
 def _new_instance(
     ctx: Context, entry: RigEntry, surface: Instance
 ) -> tuple[Instance, Formal | None]:
-    if entry.kind == "buffer":
-        (buffer,) = entry.buffers
-        return _element(ctx, entry, surface, ctx.tree.node("buffer", buffer.type, (), buffer))
-    if entry.kind == "array":
-        return _element(ctx, entry, surface, _parameter(ctx, entry.parameters[0]))
-    resources = {
-        resource.name.removeprefix(f"{entry.name}."): ctx.tree.node(
-            "resource", resource.type, (), resource
-        )
-        for resource in entry.resources
-    } | {
-        buffer.name.removeprefix(f"{entry.name}."): ctx.tree.node("buffer", buffer.type, (), buffer)
-        for buffer in entry.buffers
-    }
+    if entry.kind != "single":
+        (leaf,) = entry.leaves
+        return _element(ctx, entry, surface, build.read(ctx.tree, leaf))
     instance = Instance(
         entry.record, entry.short_name, surface,
-        resources=resources, replaced=dict(entry.replaced),
+        leaves={leaf.short_name: build.read(ctx.tree, leaf) for leaf in entry.leaves},
+        replaced=dict(entry.replaced),
     )  # fmt: skip
     check_overrides(ctx, instance)
-    instance.parameters = {
-        parameter.name.removeprefix(f"{entry.name}."): _parameter(ctx, parameter)
-        for parameter in entry.parameters
-    }
     return instance, None
 
 
@@ -218,13 +203,7 @@ def _element(
     assert isinstance(element.type, Struct)
     instance = Instance(
         entry.record, entry.short_name, surface, replaced=dict(entry.replaced),
-        parameters={
-            name: build.member(ctx.tree, element, name) for name, _ in element.type.members
-        },
+        leaves={name: build.member(ctx.tree, element, name) for name, _ in element.type.members},
     )  # fmt: skip
     check_overrides(ctx, instance)
     return instance, formal
-
-
-def _parameter(ctx: Context, parameter: Parameter) -> Node:
-    return ctx.tree.node("parameter", parameter.type, (), parameter)

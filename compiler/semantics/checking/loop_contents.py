@@ -31,7 +31,7 @@ LARGEST_WRITTEN_OUT = 4096
 Folds in folds multiply, and there are far fewer varyings than that.
 """
 
-_VARYING = frozenset({"cross", "attribute", "input", "resource"})
+_VARYING = frozenset({"cross", "attribute", "input", "texture"})
 
 
 def too_deep(ctx: Context, e: ast.Fold | ast.Iterate, around: int) -> bool:

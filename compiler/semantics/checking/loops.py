@@ -22,7 +22,7 @@ from ...ir.node import (
     Iterating,
     Node,
 )
-from ...ir.types import BOOL, INT, Opaque, Scalar, Texture, Type, Vector, width
+from ...ir.types import BOOL, INT, Opaque, Scalar, TextureType, Type, Vector, width
 from ...syntax import ast
 from ...syntax.quoting import spanned
 from ..declarations.fitting import fit
@@ -245,7 +245,7 @@ def iterate(
 def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
     """Variables for the states that a loop begins with."""
     if isinstance(initial.type, Opaque):
-        what = "texture" if isinstance(initial.type, Texture) else "buffer"
+        what = "texture" if isinstance(initial.type, TextureType) else "buffer"
         ctx.report.add(
             rules.WRONG_TYPE, e.initial.span, expected="a value", found=initial.type,
             hint=f"a {what} cannot change from one iteration to the next",

@@ -20,7 +20,7 @@ from ...ir.types import (
     RuntimeArray,
     Scalar,
     Struct,
-    Texture,
+    TextureType,
     Vector,
     scalar_kind,
     width,
@@ -98,7 +98,7 @@ def _parts(operands: Sequence[Node]) -> str:
             return f"name the members that count: `a.{node.type.members[0][0]}`"
         if isinstance(node.type, Array):
             return "name the elements that count: `a[0]`, or `sum i in 0..n : a[i]`"
-        if isinstance(node.type, Texture):
+        if isinstance(node.type, TextureType):
             return advice.READ
         if isinstance(node.type, RuntimeArray):
             return advice.ELEMENTS

@@ -10,7 +10,7 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Formal, Node, bare
 from ...ir.stages import GROUP
-from ...ir.types import BOOL, INT, Opaque, Texture
+from ...ir.types import BOOL, INT, Opaque, TextureType
 from ...syntax import ast
 from ..declarations import contracts
 from ..declarations.assignments import assigned
@@ -199,11 +199,11 @@ def corner_slot(ctx: Context, corner: Corner, name: str, span: Span) -> Node | F
     if holder.surface is not None and not holder.has(name) and holder.surface.has(name):
         holder = holder.surface
     value = slot_or_report(ctx, holder, name, span)
-    if isinstance(value, Node) and not isinstance(value.type, Texture):
+    if isinstance(value, Node) and not isinstance(value.type, TextureType):
         value = ctx.crossings.checked_at_vertex(value, span)
     if not isinstance(value, Node):
         return FAILURE
-    if isinstance(value.type, Texture):
+    if isinstance(value.type, TextureType):
         return value
     return ctx.crossings.at_corner(value, corner.number, corner.crossing)
 
@@ -312,15 +312,10 @@ def _report_abstract(ctx: Context, instance: Instance, definition: Definition, s
 
 def _leaf(ctx: Context, instance: Instance, member: ast.ReadMember) -> Node | Failure:
     """The leaf of a member whose value comes from outside; a failure if it is declared wrongly."""
-    name = member.name.text
-    match ast.kind_of(member).contribution:
-        case "parameter":
-            return instance.parameters.get(name, FAILURE)
-        case "resource":
-            return instance.resources.get(name, FAILURE)
-        case _:
-            read = instance.attributes.get(name)
-            return FAILURE if read is None else ctx.crossings.attribute(read, instance.origin)
+    read = instance.leaves.get(member.name.text, FAILURE)
+    if isinstance(member, ast.Attribute) and isinstance(read, Node):
+        return ctx.crossings.attribute(read, instance.origin)
+    return read
 
 
 def _typing(instance: Instance, name: str) -> Record:
@@ -370,7 +365,7 @@ def light_slot(ctx: Context, light: LightVariable, name: ast.Name) -> Value:
     if isinstance(sample, Failure):
         return FAILURE
     if isinstance(sample.type, Opaque):
-        what = "texture" if isinstance(sample.type, Texture) else "buffer"
+        what = "texture" if isinstance(sample.type, TextureType) else "buffer"
         ctx.report.add(
             rules.WRONG_TYPE, name.span, expected="a value", found=sample.type,
             hint=f"read the {what} in a slot of the light",

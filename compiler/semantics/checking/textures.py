@@ -17,7 +17,7 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.node import Node
 from ...ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
-from ...ir.types import INT, Texture, Type
+from ...ir.types import INT, TextureType, Type
 from ...syntax import ast
 from ...syntax.quoting import counted, spanned
 from ..declarations.fitting import fit
@@ -54,7 +54,7 @@ def read(
     """A texture called, or one of its methods."""
     if isinstance(texture, Failure):
         return FAILURE
-    if not isinstance(texture, Node) or not isinstance(texture.type, Texture):
+    if not isinstance(texture, Node) or not isinstance(texture.type, TextureType):
         place = Span(e.callee.span.source, e.callee.span.end, e.callee.span.end)
         said = f"a product is written `{spanned(e.callee.span)} * (…)`"
         hint = fix_it(said, (place, " * "))
@@ -71,7 +71,7 @@ def read(
     return builtin_call(ctx, way.row.name, (texture, *operands), e.span, "a texture read")
 
 
-def can_read(ctx: Context, type_: Texture, method: ast.Name) -> bool:
+def can_read(ctx: Context, type_: TextureType, method: ast.Name) -> bool:
     """True if textures of a type have a read; reports if they have not."""
     if next(_ways(type_, method.text), None) is None:
         _no_way(ctx, type_, method.text, method.span)
@@ -79,7 +79,7 @@ def can_read(ctx: Context, type_: Texture, method: ast.Name) -> bool:
     return True
 
 
-def _ways(type_: Texture, method: str) -> Iterator[_Way]:
+def _ways(type_: TextureType, method: str) -> Iterator[_Way]:
     """The reads of textures of a type by a method: one, if at all."""
     for row in _READS:
         for signature in row.signatures if row.method == method else ():
@@ -94,7 +94,7 @@ def _ways(type_: Texture, method: str) -> Iterator[_Way]:
                 yield _Way(row, tuple(names), operands, meaning(result, bound))
 
 
-def _no_way(ctx: Context, type_: Texture, method: str, span: Span) -> None:
+def _no_way(ctx: Context, type_: TextureType, method: str, span: Span) -> None:
     known = {str(row.method): None for row in _READS if next(_ways(type_, str(row.method)), None)}
     listed = ", ".join(f"`{name}`" for name in known if name)
     if "" in known:

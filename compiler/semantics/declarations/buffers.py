@@ -17,7 +17,9 @@ from ..types.typenames import Declared
 from .written_types import declared_type
 
 
-def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> BufferInfo | None:
+def buffer_of(
+    ctx: Context, definition: Definition, name: str, group: str, owner: str
+) -> BufferInfo | None:
     """The buffer that a ``buffer`` declares; ``None`` after reporting why it is none."""
     member = definition.member
     assert isinstance(member, ast.Buffer)
@@ -28,30 +30,31 @@ def buffer_of(ctx: Context, definition: Definition, name: str, group: str) -> Bu
         _report_type(ctx, member, declared)
         return None
     facts = tuple((short, part.fact) for short, part in declared.members)
-    buffer = Buffer(name, declared.type, group, declared.fact, facts, declared.meaning)
+    buffer = Buffer(name, declared.type, group, owner, declared.fact, facts, declared.meaning)
     doc = f"The number of elements of `{name}`"
     limits = (0.0, buffer.count.fact.hi)
     span = member.name.span
-    count = ParameterInfo(buffer.count, "int", limits, 0, doc, span)
+    count = ParameterInfo(buffer.count, "int", doc, span, limits, 0)
     element = changed(declared, type=declared.type.element, text=declared.text.removesuffix("[]"))
-    return BufferInfo(buffer, element_info(element, span), count, member.doc, span)
+    return BufferInfo(buffer, declared.text, member.doc, span, element_info(element, span), count)
 
 
 def light_buffer(name: str, array: ParameterInfo, light: str, span: Span, doc: str) -> BufferInfo:
     """Any number of lights of one type; ``array`` has one of them as its element."""
-    one = array.parameter
+    one = array.leaf
     assert isinstance(one.type, Array)
     buffer = Buffer(
         name, RuntimeArray(one.type.element), one.group, member_facts=one.member_facts,
         meaning=one.meaning,
     )  # fmt: skip
-    element = Parameter("", one.type.element, "", one.fact, one.member_facts, meaning=one.meaning)
+    element = Parameter(
+        "", one.type.element, fact=one.fact, member_facts=one.member_facts, meaning=one.meaning
+    )
     limits = (0.0, buffer.count.fact.hi)
     shining = f"The number of `{name}` that shine"
-    count = ParameterInfo(buffer.count, "int", limits, 0, shining, span)
-    return BufferInfo(
-        buffer, ParameterInfo(element, light, None, None, "", span, array.members), count, doc, span
-    )
+    count = ParameterInfo(buffer.count, "int", shining, span, limits, 0)
+    described = ParameterInfo(element, light, "", span, members=array.members)
+    return BufferInfo(buffer, f"{light}[]", doc, span, described, count)
 
 
 def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
@@ -73,17 +76,17 @@ def _report_type(ctx: Context, member: ast.Buffer, declared: Declared) -> None:
 
 def element_info(declared: Declared, span: Span) -> ParameterInfo:
     """The description of an element of a declared type, in the form of a parameter."""
-    one = Parameter("", declared.type, "", declared.fact, meaning=declared.meaning)
+    one = Parameter("", declared.type, fact=declared.fact, meaning=declared.meaning)
     members = member_infos(declared, span)
-    return ParameterInfo(one, declared.text, None, None, "", span, members)
+    return ParameterInfo(one, declared.text, "", span, members=members)
 
 
 def member_infos(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
     """The members of a structure, as they were written."""
     return tuple(
         ParameterInfo(
-            Parameter(name, part.type, "", part.fact, meaning=part.meaning),
-            part.text, None, None, "", span, member_infos(part, span),
+            Parameter(name, part.type, fact=part.fact, meaning=part.meaning),
+            part.text, "", span, members=member_infos(part, span),
         )
         for name, part in declared.members
     )  # fmt: skip

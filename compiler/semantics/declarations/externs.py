@@ -40,7 +40,7 @@ def extern_value(ctx: Context, symbol: Symbol, span: Span) -> Node | Failure:
     info = ctx.externs.parameters.get((symbol.module, symbol.name))
     if info is None:
         return FAILURE
-    return ctx.tree.node("parameter", info.parameter.type, (), info.parameter)
+    return ctx.tree.node("parameter", info.leaf.type, (), info.leaf)
 
 
 def read_externs(ctx: Context, module: Module) -> None:
@@ -68,7 +68,7 @@ def _block(ctx: Context, symbol: Symbol, block: ast.ExternBlock) -> ExternInfo:
         info = _member(ctx, symbol, block, member, place)
         ctx.externs.parameters[symbol.module, member.name.text] = info
         offset = _whole(ctx, member.offset, LARGEST_OFFSET)
-        if info is not None and _fits(ctx, member, info.parameter.type, offset):
+        if info is not None and _fits(ctx, member, info.leaf.type, offset):
             members.append(ExternMemberInfo(member.name.text, offset, info))
     members.sort(key=lambda info: info.offset)
     _check_overlaps(ctx, members)
@@ -82,9 +82,9 @@ def _member(
     declared = ast.Param(
         member.span, member.doc, member.name, member.type, None, group, member.default
     )
-    name = f"{block.name.text}.{member.name.text}"
-    info = parameter_of(ctx, Definition(declared, symbol, 0), name)
-    return info and changed(info, parameter=changed(info.parameter, host=place))
+    definition = Definition(declared, symbol, 0)
+    info = parameter_of(ctx, definition, member.name.text, block.name.text)
+    return info and changed(info, leaf=changed(info.leaf, host=place))
 
 
 def _whole(ctx: Context, number: ast.Number, largest: int) -> int:
@@ -142,7 +142,7 @@ def _check_overlaps(ctx: Context, members: Iterable[ExternMemberInfo]) -> None:
                 name=member.name, offset=member.offset, other=last.name, end=end,
                 labels=[Label(last.info.span, f"ends at byte {end}")],
             )  # fmt: skip
-        end = member.offset + byte_size(stored_type(member.info.parameter.type))
+        end = member.offset + byte_size(stored_type(member.info.leaf.type))
         last = member
 
 

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import hypot
+from typing import TypeVar
 
 from ....stdlib.builtins.facts import UNKNOWN, Fact
-from ....support.frozen import EMPTY, changed, frozen
+from ....support.frozen import EMPTY, changed
 from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.nearest import nearest, respelt
 from ...diagnostics.source import Span
-from ...ir.leaves import Attribute, Parameter
+from ...ir.leaves import Attribute, Parameter, behind
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
 from ...ir.shader import (
@@ -19,8 +20,9 @@ from ...ir.shader import (
     BufferInfo,
     ConstantValue,
     ExternInfo,
+    LeafInfo,
     ParameterInfo,
-    ResourceInfo,
+    TextureInfo,
 )
 from ...ir.stages import INSTANCES, VERTICES
 from ...ir.types import (
@@ -30,7 +32,7 @@ from ...ir.types import (
     Matrix,
     Opaque,
     Scalar,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -48,7 +50,7 @@ from ..types.meaning_rules import weakened
 from ..types.typenames import Declared
 from .buffers import buffer_of, member_infos
 from .contracts import as_declared, needs_unit
-from .textures import resource, unknown_word
+from .textures import texture_of, unknown_word
 from .written_types import declared_type, named_struct
 
 DEFAULT_GROUPS: Mapping[str, str] = {
@@ -64,62 +66,51 @@ STEPS = (VERTICES, INSTANCES)
 """The domains that an attribute can be declared ``per``; the first is the default."""
 
 
-@frozen
-class Leaves:
-    """A record's leaves in declaration order."""
+Leaves = tuple[LeafInfo, ...]
+"""A record's leaves in declaration order."""
 
-    parameters: tuple[ParameterInfo, ...] = ()
-    resources: tuple[ResourceInfo, ...] = ()
-    buffers: tuple[BufferInfo, ...] = ()
-    attributes: tuple[AttributeInfo, ...] = ()
+Kind = TypeVar("Kind", bound=LeafInfo)
+
+
+def of_kind(kind: type[Kind], leaves: Iterable[LeafInfo]) -> tuple[Kind, ...]:
+    """Those of some leaves that are of one kind."""
+    return tuple(info for info in leaves if isinstance(info, kind))
 
 
 def all_parameters(
-    leaves: Sequence[Leaves], externs: Iterable[ExternInfo]
+    leaves: Sequence[LeafInfo], externs: Iterable[ExternInfo]
 ) -> tuple[ParameterInfo, ...]:
     """All parameters of a shader.
 
     They are the declared ones, those that count elements, and the members of the host's blocks.
     """
-    own = [info for part in leaves for info in part.parameters]
-    counts = [info.count for part in leaves for info in part.buffers]
-    return (*own, *counts, *(member.info for block in externs for member in block.members))
+    counts = (info.count for info in of_kind(BufferInfo, leaves))
+    members = (member.info for block in externs for member in block.members)
+    return (*of_kind(ParameterInfo, leaves), *counts, *members)
 
 
 def leaves_of(
-    ctx: Context, record: Record, prefix: str = "", given: Mapping[str, Definition] = EMPTY
+    ctx: Context, record: Record, owner: str = "", given: Mapping[str, Definition] = EMPTY
 ) -> Leaves:
     """The parameters, textures, buffers and vertex inputs that instances of ``record`` read.
 
     One that a derived record, or a rig entry (``given``), has set by an equation is none any more,
-    unless an equation builds on it.
+    unless an equation builds on it. A host calls them by their names behind that of ``owner``.
     """
-    found = [
-        _LEAVES_OF[type(definition.member)](ctx, definition, prefix + name)
+    return tuple(
+        changed(info, library=_library_name(record, name))
+        if isinstance(info, ParameterInfo | TextureInfo)
+        else info
         for name, definition in leaf_definitions(record, given)
-    ]
-    return Leaves(
-        tuple(
-            changed(info, library=_library_name(record, info.parameter.name))
-            for each in found
-            for info in each.parameters
-        ),
-        tuple(
-            changed(info, library=_library_name(record, info.resource.name))
-            for each in found
-            for info in each.resources
-        ),
-        tuple(info for each in found for info in each.buffers),
-        tuple(info for each in found for info in each.attributes),
+        for info in _LEAVES_OF[type(definition.member)](ctx, definition, name, owner)
     )
 
 
-def _library_name(record: Record, of_leaf: str) -> str:
+def _library_name(record: Record, name: str) -> str:
     """The name in the library of a parameter or a texture; an empty text for others.
 
     A host tells it by this from others that only have the same name.
     """
-    name = of_leaf.rpartition(".")[2]
     declared = (ast.Param, ast.Texture)
     owners = (each.owner for each in record.definitions[name] if isinstance(each.member, declared))
     found = next(filter(None, map(library_name, owners)), "")
@@ -134,59 +125,43 @@ def library_name(symbol: Symbol) -> str:
     return f"std.{module.path.stem}.{symbol.name}"
 
 
-def _of_param(ctx: Context, definition: Definition, name: str) -> Leaves:
-    info = _parameter(ctx, definition, name)
-    return Leaves() if info is None else Leaves(parameters=(info,))
-
-
 _STANDARD: dict[tuple[Symbol, str, str], ParameterInfo] = {}
-"""Parameters of the standard library that have been met: by owner, declared name and leaf's name.
-They are the same in every compile, and checking their ranges and defaults takes a while."""
+"""Parameters of the standard library that have been met: by the record that declares them, by their
+name, and by the owner of the leaf. They are the same in every compile, and checking their ranges
+and defaults takes a while."""
 
 
-def _parameter(ctx: Context, definition: Definition, name: str) -> ParameterInfo | None:
+def _of_param(ctx: Context, definition: Definition, name: str, owner: str) -> Leaves:
     if not definition.owner.module.is_standard:
-        return parameter_of(ctx, definition, name)
-    key = definition.owner, definition.member.name.text, name
+        return _found(parameter_of(ctx, definition, name, owner))
+    key = definition.owner, name, owner
     known = _STANDARD.get(key)
     if known is not None:
-        return known
+        return (known,)
     before = ctx.report.count
-    info = parameter_of(ctx, definition, name)
+    info = parameter_of(ctx, definition, name, owner)
     # A structure is called as is best in each program (``named_struct``).
     if info is not None and not info.members and ctx.report.count == before:
         _STANDARD[key] = info
-    return info
+    return _found(info)
 
 
-def _of_texture(ctx: Context, definition: Definition, name: str) -> Leaves:
+def _of_texture(ctx: Context, definition: Definition, name: str, owner: str) -> Leaves:
     member = definition.member
     assert isinstance(member, ast.Texture)
-    info = resource(ctx, definition, name, _group(ctx, definition, member.group))
-    return Leaves() if info is None else Leaves(resources=(info,))
+    group = _group(ctx, definition, member.group)
+    return _found(texture_of(ctx, definition, behind(owner, name), group, owner))
 
 
-def _of_buffer(ctx: Context, definition: Definition, name: str) -> Leaves:
+def _of_buffer(ctx: Context, definition: Definition, name: str, owner: str) -> Leaves:
     member = definition.member
     assert isinstance(member, ast.Buffer)
-    info = buffer_of(ctx, definition, name, _group(ctx, definition, member.group))
-    return Leaves() if info is None else Leaves(buffers=(info,))
+    group = _group(ctx, definition, member.group)
+    return _found(buffer_of(ctx, definition, behind(owner, name), group, owner))
 
 
-def _of_attribute(ctx: Context, definition: Definition, name: str) -> Leaves:
-    return Leaves(attributes=tuple(_attribute(ctx, definition, name)))
-
-
-_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str], Leaves]] = {
-    ast.Param: _of_param,
-    ast.Texture: _of_texture,
-    ast.Buffer: _of_buffer,
-    ast.Attribute: _of_attribute,
-}
-"""By the class of a member, the function that makes the leaf of its definition.
-
-There is one row for each kind whose contribution is a parameter, a resource or an attribute.
-"""
+def _found(info: LeafInfo | None) -> Leaves:
+    return () if info is None else (info,)
 
 
 def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
@@ -202,8 +177,10 @@ def _group(ctx: Context, definition: Definition, named: ast.Name | None) -> str:
     return named.text
 
 
-def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterInfo | None:
-    """The leaf that a ``param`` declares, called ``name``; ``None`` after reporting."""
+def parameter_of(
+    ctx: Context, definition: Definition, name: str, owner: str
+) -> ParameterInfo | None:
+    """The leaf that a ``param`` declares, by the name and its owner; ``None`` after reporting."""
     member = definition.member
     assert isinstance(member, ast.Param)
     module = definition.owner.module
@@ -211,7 +188,7 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     if declared is None:
         return None
     if isinstance(declared.type, Opaque):
-        word = "map" if isinstance(declared.type, Texture) else "buffer"
+        word = "map" if isinstance(declared.type, TextureType) else "buffer"
         what = "texture" if word == "map" else "storage buffer"
         other = "" if word == "map" else ", or write how many elements there are: `[4]`"
         ctx.report.add(
@@ -226,11 +203,11 @@ def parameter_of(ctx: Context, definition: Definition, name: str) -> ParameterIn
     fact = declared.fact if limits is None else Fact(*limits)
     default = _default(ctx, member, definition, declared, limits)
     parameter = Parameter(
-        name, declared.type, _group(ctx, definition, member.group), fact,
+        behind(owner, name), declared.type, _group(ctx, definition, member.group), owner, fact,
         tuple((short, part.fact) for short, part in declared.members), meaning=declared.meaning,
     )  # fmt: skip
     return ParameterInfo(
-        parameter, declared.text, limits, default, member.doc, member.name.span,
+        parameter, declared.text, member.doc, member.name.span, limits, default,
         member_infos(declared, member.name.span),
     )  # fmt: skip
 
@@ -328,48 +305,62 @@ def _unit(ctx: Context, value: ConstantValue, written: ast.Expression) -> Consta
     return tuple(lane / length for lane in lanes)
 
 
-def _attribute(ctx: Context, definition: Definition, name: str) -> list[AttributeInfo]:
+def _of_attribute(ctx: Context, definition: Definition, name: str, _owner: str) -> Leaves:
     """A vertex input; for a matrix one for each column, as no API has more than vectors."""
     member = definition.member
     assert isinstance(member, ast.Attribute)
     declared = declared_type(ctx, member.type, definition.owner.module)
     if declared is None:
-        return []
+        return ()
     type_, doc, span = declared.type, member.doc, member.name.span
     if member.rate is not None and member.rate.text not in STEPS:
         unknown_word(ctx, "step", member.rate, STEPS)
     step = INSTANCES if member.rate and member.rate.text == INSTANCES else VERTICES
     if isinstance(type_, Matrix):
         column = Vector("float", type_.size)
-        return [
-            AttributeInfo(Attribute(f"{name}.{i}", column, step), str(column), doc, span, name, i)
+        return tuple(
+            AttributeInfo(
+                Attribute(f"{name}.{i}", column, step=step), str(column), doc, span, name, i
+            )
             for i in range(type_.size)
-        ]
+        )
     if not isinstance(type_, Scalar | Vector) or scalar_kind(type_) == "bool":
         ctx.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)
-        return []
-    attribute = Attribute(name, type_, step, weakened(declared.meaning))
-    return [AttributeInfo(attribute, declared.text, doc, span)]
+        return ()
+    attribute = Attribute(name, type_, step=step, meaning=weakened(declared.meaning))
+    return (AttributeInfo(attribute, declared.text, doc, span),)
+
+
+_LEAVES_OF: Mapping[type, Callable[[Context, Definition, str, str], Leaves]] = {
+    ast.Param: _of_param,
+    ast.Texture: _of_texture,
+    ast.Buffer: _of_buffer,
+    ast.Attribute: _of_attribute,
+}
+"""By the class of a member, the function that makes its leaves, by the name and the owner's.
+
+There is one row for each kind whose contribution is a leaf.
+"""
 
 
 def as_array(ctx: Context, name: str, light: str, infos: tuple[ParameterInfo, ...], count: int,
              group: str) -> ParameterInfo:  # fmt: skip
     """The parameters of ``count`` lights of one type as one array of structs."""
-    members = tuple((info.parameter.name.rpartition(".")[2], info) for info in infos)
-    struct = named_struct(ctx, light, tuple((short, i.parameter.type) for short, i in members))
-    facts = tuple((short, info.parameter.fact) for short, info in members)
-    meanings = tuple((short, info.parameter.meaning) for short, info in members)
+    members = tuple((info.leaf.short_name, info) for info in infos)
+    struct = named_struct(ctx, light, tuple((short, i.leaf.type) for short, i in members))
+    facts = tuple((short, info.leaf.fact) for short, info in members)
+    meanings = tuple((short, info.leaf.meaning) for short, info in members)
     meaning = Meaning("struct", members=meanings)
     parameter = Parameter(name, Array(struct, count), group, member_facts=facts, meaning=meaning)
     rows = tuple(
-        changed(info, parameter=changed(info.parameter, name=short)) for short, info in members
+        changed(info, leaf=changed(info.leaf, name=short, owner="")) for short, info in members
     )
     first = infos[0]
-    return ParameterInfo(parameter, f"{light}[{count}]", None, None, "", first.span, rows)
+    return ParameterInfo(parameter, f"{light}[{count}]", "", first.span, members=rows)
 
 
 def count_parameter(name: str, bound: int, group: str, of: ParameterInfo) -> ParameterInfo:
     """The parameter for the number of lights that shine, of at most ``bound``."""
-    parameter = Parameter(f"{name}.count", INT, group, Fact(0.0, float(bound), kind="int"))
+    parameter = Parameter(f"{name}.count", INT, group, name, Fact(0.0, float(bound), kind="int"))
     doc = f"The number of `{name}` that shine"
-    return ParameterInfo(parameter, "int", (0, bound), 0, doc, of.span, light=of.light)
+    return ParameterInfo(parameter, "int", doc, of.span, (0, bound), 0, light=of.light)

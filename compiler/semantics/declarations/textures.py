@@ -9,9 +9,9 @@ from ....support.frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
 from ...ir import default_textures
-from ...ir.leaves import Resource
-from ...ir.shader import ResourceInfo
-from ...ir.types import Array, Intent, Texture
+from ...ir.leaves import Texture
+from ...ir.shader import TextureInfo
+from ...ir.types import Array, Intent, TextureType
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
@@ -61,7 +61,7 @@ DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
 """All words for the texture that stands in until a host binds one."""
 
 
-def kind_of(texture: Texture) -> Kind:
+def kind_of(texture: TextureType) -> Kind:
     """The kind of textures of this type."""
     is_cube = texture.dimension == "cube"
     match texture.sample:
@@ -73,14 +73,16 @@ def kind_of(texture: Texture) -> Kind:
             return INTEGERS
 
 
-def resource(ctx: Context, definition: Definition, name: str, group: str) -> ResourceInfo | None:
+def texture_of(
+    ctx: Context, definition: Definition, name: str, group: str, owner: str
+) -> TextureInfo | None:
     """The texture that a ``map`` declares; ``None`` after reporting why it is none."""
     member = definition.member
     assert isinstance(member, ast.Texture)
     declared = declared_type(ctx, member.type, definition.owner.module)
     if declared is None:
         return None
-    if not isinstance(declared.type, Texture):
+    if not isinstance(declared.type, TextureType):
         ctx.report.add(
             rules.WRONG_TYPE, member.type.span, expected="a texture type", found=declared.text,
             hint="layers of one texture are a `texture2d_array`"
@@ -100,9 +102,11 @@ def resource(ctx: Context, definition: Definition, name: str, group: str) -> Res
     written = said.pop("intent", None)
     intent = next((each for each in kind.intents if each == written), None)
     state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
-    found = Resource(name, declared.type, group, default, tuple(sorted(state.items())))
+    found = Texture(name, declared.type, group, owner, default, tuple(sorted(state.items())))
     is_brought = member.brought is not None
-    return ResourceInfo(found, member.doc, member.name.span, is_brought=is_brought, intent=intent)
+    return TextureInfo(
+        found, declared.text, member.doc, member.name.span, is_brought=is_brought, intent=intent
+    )
 
 
 def _check_bringer(ctx: Context, definition: Definition) -> None:

@@ -10,7 +10,7 @@ from ....support.frozen import EMPTY
 from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir import build
-from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, Texture, Type, numbers
+from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, TextureType, Type, numbers
 from ...syntax import ast
 from ..names.modules import Module, Symbol
 from ..names.not_types import not_a_type
@@ -37,7 +37,7 @@ They take a megabyte. No API has uniform blocks of more than a sixteenth of that
 
 
 _OPAQUE_MEMBER: Mapping[type, str] = {
-    Texture: "textures are declared with `map`, in a material, light or pass",
+    TextureType: "textures are declared with `map`, in a material, light or pass",
     RuntimeArray: "a member is an array of a known length, `T[4]`; any number of elements is a "
     "`buffer` of a material, light or pass",
 }
@@ -97,7 +97,7 @@ def _fitting(ctx: Context, declared: Declared, span: Span) -> Declared | None:
 
 def _unsized(ctx: Context, written: ast.TypeName, declared: Declared) -> Declared | None:
     """``T[]``, the type of a storage buffer."""
-    if isinstance(declared.type, Texture):
+    if isinstance(declared.type, TextureType):
         ctx.report.add(
             rules.WRONG_TYPE, written.span, expected="a type of values", found=declared.text,
             hint="layers of one texture are a `texture2d_array`",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...ir.leaves import Parameter, Resource
+from ...ir.leaves import Parameter, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import BINDING, builtin_of
 from ...ir.types import INT
@@ -21,7 +21,7 @@ def in_frame(
     tree: Tree,
     extent: Node,
     number_of: Callable[[Parameter], Node | None],
-    size_of: Callable[[Resource], Node | None],
+    size_of: Callable[[Texture], Node | None],
 ) -> Node | None:
     """``extent`` as a tree of the frame; ``None`` where the frame does not give all of it.
 
@@ -32,11 +32,11 @@ def in_frame(
         found: Node | None
         if isinstance(node.data, Parameter):
             found = number_of(node.data)
-        elif isinstance(node.data, Resource):
+        elif isinstance(node.data, Texture):
             continue
         elif builtin_of(node) == SIZE:
             texture, level = node.operands[0], node.operands[-1]
-            assert isinstance(texture.data, Resource)
+            assert isinstance(texture.data, Texture)
             is_first = len(node.operands) == 1 or (level.op, level.data) == ("constant", 0)
             found = (
                 size_of(texture.data) if is_first and level.type in (INT, texture.type) else None

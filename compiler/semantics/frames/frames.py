@@ -12,12 +12,13 @@ from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...ir.frame import Elements, Frame, FrameOutput, Models, Step, StepTexture
+from ...ir.shader import BufferInfo, TextureInfo
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..checking.slots import slot
 from ..checking.step_needs import Dependencies, Need
 from ..checking.unknown_names import unknown
-from ..declarations.parameters import Leaves, all_parameters, leaves_of
+from ..declarations.parameters import Leaves, all_parameters, leaves_of, of_kind
 from ..inheritance.flattening import Records, root_of
 from ..inheritance.records import Record
 from ..lowering.outlining import lowered
@@ -101,8 +102,7 @@ class _Checking:
     def _made(
         self, declaration: ast.Record, outputs: list[FrameOutput], needed: tuple[Step, ...]
     ) -> Frame:
-        lights = tuple(leaves for _, leaves in self._entries)
-        everything = (self._leaves, *lights)
+        of_lights = [info for _, leaves in self._entries for info in leaves]
         values, _graph, _notes = lowered(self._ctx, self._steps.numbers.nodes)
         used = {use.shader for step in needed for use in step.uses}
         drawn = [shader for shader in self._shaders.made if shader in used]
@@ -113,9 +113,9 @@ class _Checking:
             span=declaration.name.span,
             rig=self._around.rig.name,
             values=tuple(values),
-            parameters=all_parameters(everything, self._ctx.externs.infos),
-            resources=self._leaves.resources,
-            buffers=self._leaves.buffers,
+            parameters=all_parameters((*self._leaves, *of_lights), self._ctx.externs.infos),
+            textures=of_kind(TextureInfo, self._leaves),
+            buffers=of_kind(BufferInfo, self._leaves),
             models=tuple(
                 Models(name, tuple(m.name for m in each.materials), each.member.doc,
                        each.member.name.span)

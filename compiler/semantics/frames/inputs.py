@@ -14,8 +14,8 @@ from ...diagnostics import rules
 from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
 from ...ir.frame import Elements, FromHost, Given, Previous, Source, StepTexture
-from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
-from ...ir.types import Texture, Type
+from ...ir.shader import BufferInfo, ParameterInfo, Shader, TextureInfo
+from ...ir.types import TextureType, Type
 from ...syntax import ast
 from ..checking.unknown_names import unknown
 from ..declarations.contracts import as_declared
@@ -39,8 +39,8 @@ Later = tuple[Previous, Type, Span]
 def type_of(left: StepTexture | Elements) -> Type:
     """The type of texture or of buffer by which something is read that a step leaves."""
     if isinstance(left, Elements):
-        return left.info.buffer.type
-    return Texture(left.dimension, "depth" if left.is_depth else "float")
+        return left.info.leaf.type
+    return TextureType(left.dimension, "depth" if left.is_depth else "float")
 
 
 class Inputs:
@@ -130,12 +130,12 @@ class Inputs:
         source = self._made(written, name)
         if isinstance(source, Failure):
             return source
-        if isinstance(wanted, ResourceInfo):
+        if isinstance(wanted, TextureInfo):
             return self.texture(source, written, wanted)
         return self._buffer(source, written, wanted)
 
     def _number(self, written: ast.Expression, wanted: ParameterInfo) -> Source | Failure:
-        leaf = wanted.parameter
+        leaf = wanted.leaf
         declared = Declared(
             leaf.type, wanted.declared_type, changed(UNKNOWN, unit=leaf.fact.unit), leaf.meaning
         )
@@ -144,17 +144,17 @@ class Inputs:
         return self._numbers.number(on_host(self._ctx, fitted, written.span))
 
     def texture(
-        self, source: Made, written: ast.Expression, wanted: ResourceInfo
+        self, source: Made, written: ast.Expression, wanted: TextureInfo
     ) -> Source | Failure:
         """A result as the texture that a shader reads."""
-        type_ = wanted.resource.type
-        assert isinstance(type_, Texture)
+        type_ = wanted.leaf.type
+        assert isinstance(type_, TextureType)
         return self._read(source, written, type_, "texture")
 
     def _buffer(
         self, source: Made, written: ast.Expression, wanted: BufferInfo
     ) -> Source | Failure:
-        return self._read(source, written, wanted.buffer.type, "buffer")
+        return self._read(source, written, wanted.leaf.type, "buffer")
 
     def _read(
         self, source: Made, written: ast.Expression, wanted: Type, what: str
@@ -181,9 +181,7 @@ class Inputs:
         if not check_readable(self._ctx.report, read, written.span):
             return Failure()
         found = (
-            self._instance.resources[read.name].type
-            if isinstance(read, FromHost)
-            else (type_of(read))
+            self._instance.bound[read.name].type if isinstance(read, FromHost) else (type_of(read))
         )
         if type(found) is not type(wanted):
             self._ctx.report.add(rules.NOT_LEFT, written.span, what=what)
@@ -220,7 +218,5 @@ def _declared(wanted: Input) -> str:
     match wanted:
         case ParameterInfo(declared_type=declared):
             return declared
-        case ResourceInfo(resource=resource):
-            return str(resource.type)
-        case BufferInfo(buffer=buffer):
-            return str(buffer.type)
+        case TextureInfo(leaf=leaf) | BufferInfo(leaf=leaf):
+            return str(leaf.type)

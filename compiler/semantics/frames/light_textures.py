@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...ir.frame import Given, Source
-from ...ir.leaves import Resource
+from ...ir.leaves import Texture
 from ...ir.node import reachable
-from ...ir.shader import ResourceInfo, Shader
+from ...ir.shader import Shader, TextureInfo
 from ...syntax import ast
 from ..checking.step_needs import Need
 from ..inheritance.records import Definition
@@ -51,7 +51,7 @@ class Bringing:
         found = []
         for light in self._lights.values():
             for name, info in _textures(light, shader):
-                host, written = info.resource.name, f"{light.name}.{name}"
+                host, written = info.leaf.name, f"{light.name}.{name}"
                 if inputs.sets(host) or inputs.sets(written):
                     continue
                 definition = light.instance.record.definitions[name][0]
@@ -67,7 +67,7 @@ class Bringing:
         return tuple(found)
 
     def _source(
-        self, light: EquationOwner, definition: Definition, info: ResourceInfo, inputs: Inputs
+        self, light: EquationOwner, definition: Definition, info: TextureInfo, inputs: Inputs
     ) -> Source | Failure:
         """The source of a light's texture, with all steps that make it."""
         member = definition.member
@@ -93,13 +93,13 @@ class Bringing:
         )  # fmt: skip
 
 
-def _textures(light: EquationOwner, shader: Shader) -> Iterator[tuple[str, ResourceInfo]]:
+def _textures(light: EquationOwner, shader: Shader) -> Iterator[tuple[str, TextureInfo]]:
     """The textures of a light that a shader reads, by the light's names for them."""
-    read = {n.data.name for n in reachable(shader.roots) if isinstance(n.data, Resource)}
+    read = {n.data.name for n in reachable(shader.roots) if isinstance(n.data, Texture)}
     inputs = inputs_of(shader)
     for name, (definition, *_) in light.instance.record.definitions.items():
         if isinstance(definition.member, ast.Texture):
             for host in (f"{light.name}.{name}", f"{shader.rig_name}.{light.name}.{name}"):
                 info = inputs.get(host)
-                if isinstance(info, ResourceInfo) and host in read:
+                if isinstance(info, TextureInfo) and host in read:
                     yield name, info

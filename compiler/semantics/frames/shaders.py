@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.diagnostic import Report
 from ...ir.frame import FrameShader
-from ...ir.shader import BufferInfo, ParameterInfo, ResourceInfo, Shader
+from ...ir.shader import BufferInfo, ParameterInfo, Shader, TextureInfo
 from ...syntax import ast
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
@@ -20,7 +20,7 @@ from ..shading.elaborate import elaborate
 from ..shading.kernels.kernel import kernel_shader
 from ..shading.room import has_room
 
-Input = ParameterInfo | ResourceInfo | BufferInfo
+Input = ParameterInfo | TextureInfo | BufferInfo
 """An input of a shader that a host, or a frame, sets."""
 
 
@@ -103,12 +103,12 @@ def _alone(rig: Symbol, light: ast.RigEntry) -> Symbol:
 
 def inputs_of(shader: Shader) -> Mapping[str, Input]:
     """The inputs of a shader that can be set, by the names that hosts know."""
-    counts = {info.count.parameter.name for info in shader.buffers}
+    counts = {info.count.leaf.name for info in shader.buffers}
     found: dict[str, Input] = {
-        info.parameter.name: info for info in shader.parameters if info.parameter.name not in counts
+        info.leaf.name: info for info in shader.parameters if info.leaf.name not in counts
     }
-    found |= {info.resource.name: info for info in shader.resources}
-    return found | {info.buffer.name: info for info in shader.buffers}
+    found |= {info.leaf.name: info for info in shader.textures}
+    return found | {info.leaf.name: info for info in shader.buffers}
 
 
 def host_name(shader: Shader, name: str, inputs: Mapping[str, Input]) -> str | None:

@@ -29,7 +29,7 @@ from ...ir.frame import (
     StepTexture,
     Use,
 )
-from ...ir.leaves import Parameter, Resource
+from ...ir.leaves import Parameter, Texture
 from ...ir.node import Node
 from ...ir.shader import RenderTarget
 from ...ir.stages import EXTENT, IMAGE, TARGET
@@ -149,7 +149,7 @@ class Steps:
     def _named(self, e: ast.Reference, around: StepContext) -> Made:
         if e.name in around.states:
             return around.states[e.name]
-        if around.owner is self._frame and e.name in self._frame.instance.resources:
+        if around.owner is self._frame and e.name in self._frame.instance.bound:
             return FromHost(e.name)
         return self._slot((e.name, OUTERMOST), e.span, around.owner)
 
@@ -174,7 +174,7 @@ class Steps:
         is_step = owner.dependencies.is_step
         known = [n for n in owner.instance.record.definitions if is_step((n, OUTERMOST))]
         if owner is self._frame:
-            known += self._frame.instance.resources
+            known += self._frame.instance.bound
             if name in DEFAULTS:
                 hint = OF_A_DEFAULT.format(name)
                 self._ctx.report.add(rules.UNKNOWN_NAME, span, kind="step", name=name, hint=hint)
@@ -283,7 +283,7 @@ class Steps:
             if (state := result.state) is not None
         }
         buffers = {
-            info.buffer.name: Elements(f"{name}.{info.buffer.name}", info, info.doc, e.span)
+            info.leaf.name: Elements(f"{name}.{info.leaf.name}", info, info.doc, e.span)
             for info in shader.shader.written
         }
         self._add(KernelStep(name, use, images, buffers, "", e.span))
@@ -298,12 +298,12 @@ class Steps:
             source = given.get(parameter.name)
             return nodes[source] if isinstance(source, int) else None
 
-        def size_of(resource: Resource) -> Node | None:
-            source = given.get(resource.name)
+        def size_of(texture: Texture) -> Node | None:
+            source = given.get(texture.name)
             if isinstance(source, Previous):
                 source = source.initially
             if isinstance(source, FromHost):
-                read = self._frame.instance.resources[source.name]
+                read = self._frame.instance.bound[source.name]
                 level = build.constant(tree, INT, 0)
                 return tree.node("call", IVEC2, (read, level), SIZE)
             is_whole = isinstance(source, StepTexture) and not source.size.level

@@ -16,7 +16,7 @@ from ...ir.types import (
     Matrix,
     RuntimeArray,
     Scalar,
-    Texture,
+    TextureType,
     Type,
     Vector,
     scalar_kind,
@@ -43,11 +43,11 @@ def fitting_type(found: Type, wanted: Type, declared: str, span: Span) -> Hint:
     """A hint how to make the value at ``span``, whose type is not the wanted one, fit."""
     text = spanned(span)
     match found, wanted:
-        case Texture(), _:
-            return "" if isinstance(wanted, Texture) else READ
+        case TextureType(), _:
+            return "" if isinstance(wanted, TextureType) else READ
         case RuntimeArray(), _:
             return ELEMENTS
-        case _, Texture():
+        case _, TextureType():
             return "what is read from a texture needs a slot with a name of its own"
         case Vector(kind="bool"), Scalar(kind="bool"):
             one = f"`all({text})` or `any({text})` makes one bool"
@@ -121,7 +121,7 @@ def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, span: Span)
 def joined_types(operator: str, left: Type, right: Type) -> str:
     """A hint how to mend an operator between bools and numbers, or a vector before a matrix."""
     kinds = [scalar_kind(type_) for type_ in (left, right) if isinstance(type_, Scalar | Vector)]
-    if isinstance(left, Texture) or isinstance(right, Texture):
+    if isinstance(left, TextureType) or isinstance(right, TextureType):
         return READ
     if operator in ("and", "or"):
         return "`and` and `or` take bools: compare the number first, as in `x > 0`"
@@ -145,7 +145,7 @@ def is_read(name: str) -> bool:
 
 def missing_member(type_: Type, name: str, whole: Span) -> Hint:
     """The hint for ``v.name``, which does not exist; it stands at ``whole``."""
-    if isinstance(type_, Texture):
+    if isinstance(type_, TextureType):
         return f"reads are called: `{name}(…)`" if is_read(name) else READ
     if isinstance(type_, RuntimeArray):
         return "elements are read by their number, `b[i]`, and `b.count` is how many there are"

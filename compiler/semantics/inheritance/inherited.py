@@ -11,9 +11,7 @@ from collections.abc import Iterator, Mapping
 from ...syntax import ast
 from .records import Definition, Record
 
-LEAVES = tuple(
-    kind.node for kind in ast.KINDS if kind.contribution in ("parameter", "resource", "attribute")
-)
+LEAVES = tuple(kind.node for kind in ast.KINDS if kind.contribution == "leaf")
 """Members whose values come from outside: from the host, or from the mesh."""
 
 _WALKED = (ast.Expression, ast.Turns, ast.Strips, *(kind.node for kind in ast.KINDS))

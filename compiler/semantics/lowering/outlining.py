@@ -17,7 +17,7 @@ from typing import TypeAlias
 from ....support.frozen import record
 from ...ir import build
 from ...ir.binding import close, freed, open_body
-from ...ir.leaves import Buffer, Resource
+from ...ir.leaves import Buffer, Texture
 from ...ir.node import Formals, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
 from ...ir.rewrite import rewrite
@@ -135,7 +135,7 @@ class _Sharing:
         Further functions of this name are told apart by their types.
         """
         kept = (given.data for given in group.callee.given if isinstance(given, Node))
-        bound = [leaf.name for leaf in kept if isinstance(leaf, Resource | Buffer)]
+        bound = [leaf.name for leaf in kept if isinstance(leaf, Texture | Buffer)]
         name = "_".join([group.callee.symbol.name, *bound])
         if name in self._names:
             types = [given[0] for given in group.callee.given if not isinstance(given, Node)]

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache, partial
-from typing import TypeVar
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...ir.leaves import Buffer, Parameter, Resource
-from ...ir.shader import BufferInfo
+from ...ir.leaves import Buffer, behind
+from ...ir.shader import AttributeInfo, BufferInfo, LeafInfo
 from ...syntax import ast
 from ..checking.expressions import RULES
 from ..declarations.overrides import check_replacements
-from ..declarations.parameters import Leaves, leaves_of
+from ..declarations.parameters import Leaves, leaves_of, of_kind
 from ..inheritance.flattening import Records
 from ..inheritance.records import Record
 from ..names.modules import Module, Symbol
@@ -153,48 +152,29 @@ def is_declared_abstract(record: Record) -> bool:
 
 def _apart(leaves: Leaves, others: Leaves, drawn: Record) -> Leaves:
     """A pass's parameters, textures and buffers under names that its material does not use."""
-    taken = {info.parameter.name for info in others.parameters}
-    taken |= {info.resource.name for info in others.resources}
-    taken |= {info.buffer.name for info in others.buffers}
-    parameters = tuple(
-        changed(info, parameter=_prefixed(info.parameter, drawn))
-        if info.parameter.name in taken
-        else info
-        for info in leaves.parameters
-    )
-    resources = tuple(
-        changed(info, resource=_prefixed(info.resource, drawn))
-        if info.resource.name in taken
-        else info
-        for info in leaves.resources
-    )
-    buffers = tuple(
-        _renamed(info, drawn) if info.buffer.name in taken else info for info in leaves.buffers
-    )
-    return changed(leaves, parameters=parameters, resources=resources, buffers=buffers)
+    taken = {info.leaf.name for info in others if not isinstance(info, AttributeInfo)}
+    return tuple(_owned(info, drawn) if info.leaf.name in taken else info for info in leaves)
 
 
-def _renamed(info: BufferInfo, drawn: Record) -> BufferInfo:
-    buffer = _prefixed(info.buffer, drawn)
-    return changed(info, buffer=buffer, count=changed(info.count, parameter=buffer.count))
-
-
-Leaf = TypeVar("Leaf", Parameter, Resource, Buffer)
-
-
-def _prefixed(leaf: Leaf, drawn: Record) -> Leaf:
-    return changed(leaf, name=f"{drawn.name}.{leaf.name}")
+def _owned(info: LeafInfo, drawn: Record) -> LeafInfo:
+    """A pass's leaf with the pass as its owner; a vertex input is one with the material's."""
+    if isinstance(info, AttributeInfo):
+        return info
+    leaf = changed(info.leaf, name=behind(drawn.name, info.leaf.name), owner=drawn.name)
+    if isinstance(info, BufferInfo) and isinstance(leaf, Buffer):
+        return changed(info, leaf=leaf, count=changed(info.count, leaf=leaf.count))
+    return changed(info, leaf=leaf)
 
 
 def _check_attributes(ctx: Context, leaves: Leaves, others: Leaves, material: Record) -> None:
     """A vertex input that a pass and its material declare is one."""
-    known = {info.attribute.name: info for info in others.attributes}
-    for info in leaves.attributes:
-        other = known.get(info.attribute.name)
-        if other is not None and other.attribute != info.attribute:
+    known = {info.leaf.name: info for info in of_kind(AttributeInfo, others)}
+    for info in of_kind(AttributeInfo, leaves):
+        other = known.get(info.leaf.name)
+        if other is not None and other.leaf != info.leaf:
             ctx.report.add(
                 rules.OVERRIDE_CHANGES_TYPE, info.span,
-                name=info.attribute.name, base=material.name,
+                name=info.leaf.name, base=material.name,
                 expected=other.declared_type, found=info.declared_type,
                 labels=[Label(other.span, "declared here")],
             )  # fmt: skip

@@ -11,10 +11,13 @@ from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.render_state import RenderState
 from ...ir.shader import (
+    AttributeInfo,
+    BufferInfo,
     PatchPattern,
     RenderTarget,
     Result,
     Shader,
+    TextureInfo,
 )
 from ...ir.stages import (
     CAPTURE,
@@ -30,7 +33,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.externs import read_externs
 from ..declarations.fitting import fit, typed
-from ..declarations.parameters import all_parameters
+from ..declarations.parameters import all_parameters, of_kind
 from ..inheritance.records import Record
 from ..lowering.outlining import lowered
 from ..names.modules import Symbol
@@ -143,8 +146,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     steps = setting.surface.steps
-    leaves, lights = setting.leaves, tuple(light for _, light in setting.entries)
-    everything = (*leaves, *lights)
+    own = [info for leaves in setting.leaves for info in leaves]
+    everything = [*own, *(info for _, leaves in setting.entries for info in leaves)]
     told = _of_pattern(steps)
     written = [result.value for result in results]
     values, graph, notes = lowered(ctx, [*written, *told])
@@ -157,12 +160,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         graph=graph,
         notes=notes,
         parameters=all_parameters(everything, ctx.externs.infos),
-        resources=with_intents(
-            tuple(resource for part in everything for resource in part.resources),
-            ctx.meanings,
-            written,
-        ),
-        attributes=tuple({a.attribute: a for ls in leaves for a in ls.attributes}.values()),
+        textures=with_intents(of_kind(TextureInfo, everything), ctx.meanings, written),
+        attributes=tuple({a.leaf: a for a in of_kind(AttributeInfo, own)}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
         chain=_chain(setting),
@@ -170,7 +169,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
         pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
-        buffers=tuple(buffer for part in everything for buffer in part.buffers),
+        buffers=of_kind(BufferInfo, everything),
         render_state=render_state_of(ctx, setting.passing.record),
     )
 

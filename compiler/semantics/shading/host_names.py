@@ -2,27 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from itertools import product
 
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
-from ...ir.shader import ExternInfo
+from ...ir.leaves import behind
+from ...ir.shader import (
+    AttributeInfo,
+    BufferInfo,
+    ExternInfo,
+    LeafInfo,
+    ParameterInfo,
+    TextureInfo,
+)
 from ...syntax import ast
-from ..declarations.parameters import Leaves
+from ..declarations.parameters import Leaves, of_kind
 from ..names.modules import Module, Symbol
 from ..state.scope import RigEntry
 
 Entry = tuple[RigEntry, Leaves]
-"""A light of a rig with its parameters, textures and buffers."""
+"""A light of a rig with its leaves."""
 
-Named = tuple[str, str, Span]
-"""A name, the thing that its first word stands for, and the place of its declaration."""
+
+@frozen
+class Named:
+    """A thing that a host sets by name."""
+
+    root: str
+    """The first word of its name: what owns it, or its own name."""
+    name: str
+    what: str
+    """What its root stands for, as messages say it."""
+    span: Span
+    """The span of its declaration."""
 
 
 def names_taken(leaves: Iterable[Leaves], module: Module) -> frozenset[str]:
     """The names of parameters, textures, buffers and the file's blocks, which no light can have."""
-    words = {name.partition(".")[0] for name, _, _ in _of_leaves(leaves)}
+    words = {named.root for named in _of_leaves(leaves)}
     blocks = {
         symbols[0].name
         for symbols in module.declared.values()
@@ -36,14 +56,14 @@ def light_name(rig: Symbol, name: str, taken: Container[str]) -> str:
 
     Who writes a material need not know the lights under which it is drawn.
     """
-    return f"{rig.name}.{name}" if name in taken else name
+    return behind(rig.name, name) if name in taken else name
 
 
 def check_host_names(
     report: Report,
     rig: Symbol,
     module: Module,
-    leaves: Iterable[Leaves],
+    leaves: Sequence[Leaves],
     entries: Iterable[Entry],
     externs: Iterable[ExternInfo],
 ) -> None:
@@ -52,31 +72,32 @@ def check_host_names(
     Names of things in a light or a block begin with its name, as members of a structure do with the
     parameter's, so first words have to differ. Among things of one kind they do.
     """
-    leaves = tuple(leaves)
     lights = _of_lights(rig, entries, names_taken(leaves, module))
-    known: dict[str, tuple[str, Span]] = {}
-    for name, what, span in (*_of_leaves(leaves), *lights, *_of_blocks(externs)):
-        other, place = known.setdefault(name.partition(".")[0], (what, span))
-        if other != what:
+    known: dict[str, Named] = {}
+    for named in (*_of_leaves(leaves), *lights, *_of_blocks(externs)):
+        other = known.setdefault(named.root, named)
+        if other.what != named.what:
             report.add(
-                rules.HOST_NAME_TAKEN, span, what=what, other=other, name=name,
-                labels=[Label(place, "declared here")],
+                rules.HOST_NAME_TAKEN, named.span, what=named.what, other=other.what,
+                name=named.name, labels=[Label(other.span, "declared here")],
             )  # fmt: skip
 
 
+_WORDS: Mapping[type[LeafInfo], str] = {
+    ParameterInfo: "a parameter",
+    TextureInfo: "a texture",
+    BufferInfo: "a buffer",
+}
+"""The kinds of leaves that a host sets by name, as messages call them."""
+
+
 def _of_leaves(leaves: Iterable[Leaves]) -> Iterator[Named]:
-    for group in leaves:
-        for info in group.parameters:
-            yield _apart(info.parameter.name, "a parameter", info.span)
-        for texture in group.resources:
-            yield _apart(texture.resource.name, "a texture", texture.span)
-        for buffer in group.buffers:
-            yield _apart(buffer.buffer.name, "a buffer", buffer.span)
-
-
-def _apart(name: str, what: str, span: Span) -> Named:
-    """A pass's own begins with its name where the material has the other."""
-    return name, "a pass" if "." in name else what, span
+    """A pass's own leaf begins with the pass's name where the material has the other."""
+    for group, (kind, word) in product(leaves, _WORDS.items()):
+        for info in of_kind(kind, group):
+            leaf = info.leaf
+            what = "a pass" if leaf.owner else word
+            yield Named(leaf.owner or leaf.name, leaf.name, what, info.span)
 
 
 def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> Iterator[Named]:
@@ -85,11 +106,13 @@ def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> 
     ``entries`` may have been made for another material, beside which they have other names.
     """
     for entry, leaves in entries:
-        if leaves.parameters or leaves.resources or leaves.buffers:
-            yield light_name(rig, entry.short_name, taken), "a light", entry.span
+        short = entry.short_name
+        if any(not isinstance(info, AttributeInfo) for info in leaves):
+            root = rig.name if short in taken else short
+            yield Named(root, light_name(rig, short, taken), "a light", entry.span)
 
 
 def _of_blocks(externs: Iterable[ExternInfo]) -> Iterator[Named]:
     for block in externs:
         if block.members:
-            yield block.place.name, "a block", block.span
+            yield Named(block.place.name, block.place.name, "a block", block.span)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from itertools import chain
 
+from ...ir import build
 from ...ir.node import Node
-from ...ir.shader import AttributeInfo
+from ...ir.shader import AttributeInfo, BufferInfo, ParameterInfo, TextureInfo
 from ...ir.types import Matrix
 from ..declarations.overrides import check_overrides
-from ..declarations.parameters import Leaves
+from ..declarations.parameters import Leaves, of_kind
 from ..inheritance.records import Record
 from ..names.modules import Symbol
 from ..state.context import Context
@@ -17,20 +19,7 @@ from ..state.scope import Instance, Scope
 
 def instance_of(ctx: Context, record: Record, leaves: Leaves) -> Instance:
     """A material or pass whose parameters, textures, buffers and vertex inputs are ``leaves``."""
-    nodes: dict[str, Node] = {}
-    for declared in leaves.parameters:
-        short = declared.parameter.name.rpartition(".")[2]
-        nodes[short] = ctx.tree.node("parameter", declared.parameter.type, (), declared.parameter)
-    resources = {}
-    for texture in leaves.resources:
-        read = texture.resource
-        short = read.name.rpartition(".")[2]
-        resources[short] = ctx.tree.node("resource", read.type, (), read)
-    for info in leaves.buffers:
-        short = info.buffer.name.rpartition(".")[2]
-        resources[short] = ctx.tree.node("buffer", info.buffer.type, (), info.buffer)
-    inputs = dict(_vertex_inputs(ctx, leaves.attributes))
-    instance = Instance(record, parameters=nodes, resources=resources, attributes=inputs)
+    instance = Instance(record, leaves=dict(_reads(ctx, leaves)))
     check_overrides(ctx, instance)
     return instance
 
@@ -42,15 +31,18 @@ def pass_scope(owner: Symbol, passing: Instance, level: int) -> Scope:
     return Scope(owner.module, passing, level, surface, {"material": surface})
 
 
-def _vertex_inputs(ctx: Context, infos: Iterable[AttributeInfo]) -> Iterator[tuple[str, Node]]:
-    """Yields the read of each declared vertex input; a matrix is put together from its columns."""
+_KINDS = (ParameterInfo, TextureInfo, BufferInfo, AttributeInfo)
+"""The kinds of leaves in the order in which graphs show them."""
+
+
+def _reads(ctx: Context, leaves: Leaves) -> Iterator[tuple[str, Node]]:
+    """Yields the read of each leaf, by its own name; a matrix is put together from its columns."""
     columns: dict[str, list[Node]] = {}
-    for info in infos:
-        leaf = info.attribute
-        node = ctx.tree.node("attribute", leaf.type, (), leaf)
-        if info.matrix:
+    for info in chain.from_iterable(of_kind(kind, leaves) for kind in _KINDS):
+        node = build.read(ctx.tree, info.leaf)
+        if isinstance(info, AttributeInfo) and info.matrix:
             columns.setdefault(info.matrix, []).append(node)
         else:
-            yield leaf.name, node
+            yield info.leaf.short_name, node
     for name, nodes in columns.items():
         yield name, ctx.tree.node("matrix", Matrix(len(nodes)), tuple(nodes))

@@ -10,12 +10,12 @@ from collections.abc import Iterable
 
 from ....stdlib.builtins import BUILTINS
 from ....support.frozen import changed
-from ...ir.leaves import Resource
+from ...ir.leaves import Texture
 from ...ir.meaning import COLORS, Meaning
 from ...ir.node import Node, reachable
 from ...ir.operations import CALL, SWIZZLE
-from ...ir.shader import ResourceInfo
-from ...ir.types import Array, Texture, Vector
+from ...ir.shader import TextureInfo
+from ...ir.types import Array, TextureType, Vector
 from ..types.meanings import Meanings
 
 _BY_LANE = frozenset({"sum", "difference", "product", "quotient", "remainder", "lanes", "limits"})
@@ -28,28 +28,28 @@ _MADE_OF = {
 
 
 def with_intents(
-    resources: tuple[ResourceInfo, ...], meanings: Meanings, roots: Iterable[Node]
-) -> tuple[ResourceInfo, ...]:
+    textures: tuple[TextureInfo, ...], meanings: Meanings, roots: Iterable[Node]
+) -> tuple[TextureInfo, ...]:
     """The textures of a shader, each with its intent.
 
     That is ``color`` for those whose texels become colours, unless a declaration says otherwise.
     ``roots`` are the values that the shader writes, as checked trees.
     """
-    if not any(_may_hold_colors(info) for info in resources):
-        return resources
+    if not any(_may_hold_colors(info) for info in textures):
+        return textures
     found = _read_for(meanings, roots)
     return tuple(
-        changed(info, intent="color") if _may_hold_colors(info) and info.resource in found else info
-        for info in resources
+        changed(info, intent="color") if _may_hold_colors(info) and info.leaf in found else info
+        for info in textures
     )
 
 
-def _may_hold_colors(info: ResourceInfo) -> bool:
-    type_ = info.resource.type
-    return info.intent is None and isinstance(type_, Texture) and type_.sample == "float"
+def _may_hold_colors(info: TextureInfo) -> bool:
+    type_ = info.leaf.type
+    return info.intent is None and isinstance(type_, TextureType) and type_.sample == "float"
 
 
-def _read_for(meanings: Meanings, roots: Iterable[Node]) -> frozenset[Resource]:
+def _read_for(meanings: Meanings, roots: Iterable[Node]) -> frozenset[Texture]:
     """The textures whose texels become colours, in the values that these roots need."""
     pending = [node for node in reachable(roots) if _is_color(meanings.of(node))]
     seen = set(pending)
@@ -76,14 +76,14 @@ def _may_be_color(node: Node, meaning: Meaning | None) -> bool:
     return is_vector and (meaning is None or _is_color(meaning))
 
 
-def _whole_texels_of(node: Node) -> Resource | None:
+def _whole_texels_of(node: Node) -> Texture | None:
     """The texture that a node reads texels of, with all of their lanes."""
     if node.op != "call":
         return None
     row = BUILTINS[CALL.data(node)]
     texture = node.operands[0].data
     is_read = row.method is not None and not row.constants
-    return texture if is_read and isinstance(texture, Resource) else None
+    return texture if is_read and isinstance(texture, Texture) else None
 
 
 def _made_of(node: Node) -> tuple[Node, ...]:

@@ -7,17 +7,17 @@ from collections.abc import Container
 from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...ir.shader import LightInfo
+from ...ir.shader import LightInfo, ParameterInfo
 from ...syntax import ast
 from ..checking.turns import LONGEST
 from ..declarations.buffers import light_buffer
 from ..declarations.parameters import (
     DEFAULT_GROUPS,
-    Leaves,
     as_array,
     count_parameter,
     leaves_of,
     library_name,
+    of_kind,
 )
 from ..declarations.written_types import count_of
 from ..hints.advice import nearest_or_all
@@ -97,41 +97,38 @@ def _entry(
 ) -> Entry | None:
     given = _overrides(ctx, rig, written, record)
     replaced = {slot: Replacement(definition=definition) for slot, definition in given.items()}
-    leaves = leaves_of(ctx, record, f"{name}.", given)
-    light = LightInfo(name, record.name, library_name(record.symbol), written.doc)
-    infos = tuple(changed(info, light=light) for info in leaves.parameters)
-    resources = tuple(info.resource for info in leaves.resources)
-    buffers = tuple(info.buffer for info in leaves.buffers)
+    leaves = leaves_of(ctx, record, name, given)
+    place, short, group = written.name.span, written.name.text, DEFAULT_GROUPS["light"]
+    light = LightInfo(name, short, record.name, library_name(record.symbol), written.doc)
     if written.number == "one":
-        parameters = tuple(info.parameter for info in leaves.parameters)
-        entry = RigEntry(
-            name, written.name.span, record, "single", parameters, resources, buffers,
-            replaced=replaced,
-        )  # fmt: skip
-        return entry, changed(leaves, parameters=infos)
+        own = tuple(
+            changed(info, light=light) if isinstance(info, ParameterInfo) else info
+            for info in leaves
+        )
+        read = tuple(info.leaf for info in own)
+        return RigEntry(name, short, place, record, "single", read, replaced=replaced), own
     bound = LONGEST if written.count is None else count_of(ctx, written.count, rig.module)
     if bound is None:
         return None
-    if leaves.resources or leaves.buffers or not leaves.parameters:
-        ctx.report.add(rules.NO_ARRAY_OF, written.name.span, light=record.name)
+    parameters = of_kind(ParameterInfo, leaves)
+    if not parameters or len(parameters) < len(leaves):
+        ctx.report.add(rules.NO_ARRAY_OF, place, light=record.name)
         return None
-    group = DEFAULT_GROUPS["light"]
     if written.number == "any":
-        one = as_array(ctx, name, record.name, leaves.parameters, 1, group)
-        info = light_buffer(name, one, record.name, written.name.span, written.doc)
+        one = as_array(ctx, name, record.name, parameters, 1, group)
+        info = light_buffer(name, one, record.name, place, written.doc)
         entry = RigEntry(
-            name, written.name.span, record, "buffer", (), (), (info.buffer,), bound,
-            info.buffer.count, replaced,
-        )  # fmt: skip
-        return entry, Leaves(buffers=(info,))
-    array = as_array(ctx, name, record.name, leaves.parameters, bound, group)
-    array = changed(array, span=written.name.span, light=light)
+            name, short, place, record, "buffer", (info.leaf,), bound, info.leaf.count, replaced
+        )
+        return entry, (info,)
+    array = as_array(ctx, name, record.name, parameters, bound, group)
+    array = changed(array, span=place, light=light)
     count = count_parameter(name, bound, group, array) if written.number == "at_most" else None
     entry = RigEntry(
-        name, written.name.span, record, "array", (array.parameter,), (), (), bound,
-        count.parameter if count is not None else None, replaced,
+        name, short, place, record, "array", (array.leaf,), bound,
+        None if count is None else count.leaf, replaced,
     )  # fmt: skip
-    return entry, Leaves(parameters=(array,) if count is None else (array, count))
+    return entry, (array,) if count is None else (array, count)
 
 
 def _overrides(

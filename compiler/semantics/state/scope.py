@@ -8,11 +8,12 @@ from typing import Literal
 from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
-from ...ir.leaves import Buffer, Parameter, Resource
+from ...ir.leaves import Leaf, Parameter
 from ...ir.node import Node
 from ...ir.shader import PatchPattern, Result
 from ...ir.stages import VERTEX, Crossing, StageRow, SystemInput
 from ...ir.tessellation import Tessellation
+from ...ir.types import Opaque
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
@@ -47,15 +48,17 @@ class Instance:
     """Put before names in the output: ``sun`` gives ``sun_to_light``."""
     surface: Instance | None = None
     """The material instance whose slots are visible behind this record's own names."""
-    parameters: Mapping[str, Node] = fresh(factory=dict)
-    """The value of each ``param``; for one light of many, a member of an array element."""
-    resources: Mapping[str, Node] = fresh(factory=dict)
-    """The textures and buffers."""
-    attributes: Mapping[str, Node] = fresh(factory=dict)
+    leaves: Mapping[str, Node] = fresh(factory=dict)
+    """What it reads from outside, by name; for one light of many, members of an array element."""
     replaced: dict[str, Replacement] = fresh(factory=dict)
     made: DerivedVertices | None = None
     """The slots at vertices that are made of those of a mesh, of the surface and the pass."""
     values: dict[tuple[str, int], Node | Failure] = fresh(factory=dict)
+
+    @property
+    def bound(self) -> Mapping[str, Node]:
+        """Its textures and buffers, which the host binds by their names."""
+        return {name: leaf for name, leaf in self.leaves.items() if isinstance(leaf.type, Opaque)}
 
     @property
     def origin(self) -> Origin | None:
@@ -267,24 +270,15 @@ class RigEntry:
 
     name: str
     """The host's name: ``sun``, or ``Rig.sun`` where that name is taken."""
+    short_name: str
+    """The name that the rig gives it."""
     span: Span
     """The span of the name."""
     record: Record
     kind: Literal["single", "array", "buffer"]
-    parameters: tuple[Parameter, ...]
-    """The parameters of the entry.
-
-    A single light has one for each ``param``, an array the array of structs, and a buffer none, as
-    the lights are the elements of the only one of ``buffers``.
-    """
-    resources: tuple[Resource, ...]
-    buffers: tuple[Buffer, ...] = ()
+    leaves: tuple[Leaf, ...]
+    """The leaves of a single light; of several lights the array or the buffer that holds them."""
     bound: int = 1
     count: Parameter | None = None
     """The run-time count of ``[<= N]`` and ``[]``."""
     replaced: Mapping[str, Replacement] = fresh(factory=dict)
-
-    @property
-    def short_name(self) -> str:
-        """The name that the rig gives it."""
-        return self.name.rpartition(".")[2]

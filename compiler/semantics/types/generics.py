@@ -14,7 +14,7 @@ from ....support.frozen import frozen
 from ...ir.meaning import Meaning
 from ...ir.signatures import Family
 from ...ir.types import TEXTURES as ALL_TEXTURES
-from ...ir.types import Array, Matrix, Scalar, Texture, Type, Vector
+from ...ir.types import Array, Matrix, Scalar, TextureType, Type, Vector
 from ...syntax import ast
 from . import overloads
 from .meaning_rules import joined, weakened
@@ -29,7 +29,7 @@ FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, TEXTURES, SPACES, WIDTHS, COU
 SOME_SPACE, SOME_COUNT = ("world",), (16,)
 """The examples of any space, and of any number of elements."""
 
-_WHOLE: Mapping[str, type[Matrix | Texture]] = {MATRICES: Matrix, TEXTURES: Texture}
+_WHOLE: Mapping[str, type[Matrix | TextureType]] = {MATRICES: Matrix, TEXTURES: TextureType}
 """Families of types without lanes that could adapt."""
 
 

@@ -29,11 +29,11 @@ Inheritance = Literal["overridden", "replaced", "gathered"]
 - ``gathered``: it has no name, and those of the whole chain count together.
 """
 
-Contribution = Literal["parameter", "resource", "attribute", "value", "result", "drawn"]
+Contribution = Literal["leaf", "value", "result", "drawn"]
 """The contribution of a member to a shader.
 
-It is a value that the host sets, a texture or a buffer that it binds, an input of the vertices, a
-value that others read, a result of the shader, or something that is drawn.
+It is a leaf (a value that the host sets, a texture or a buffer that it binds, or an input of the
+vertices), a value that others read, a result of the shader, or something that is drawn.
 """
 
 
@@ -135,7 +135,7 @@ KINDS: tuple[MemberKind, ...] = (
         opening=("NAME", ":"),
         records=RECORD_KINDS,
         inheritance="overridden",
-        contribution="parameter",
+        contribution="leaf",
         form="a parameter is `param name : type in low..high per group = default`, where "
         "everything after the type is optional",
         doc="a value that the host sets",
@@ -148,7 +148,7 @@ KINDS: tuple[MemberKind, ...] = (
         opening=("NAME", ":"),
         records=RECORD_KINDS,
         inheritance="overridden",
-        contribution="resource",
+        contribution="leaf",
         form="a texture is `map name : texture2d per group = white with { filter = nearest }`, "
         "where everything after the type is optional",
         doc="a texture that the host binds, with its sampler",
@@ -161,7 +161,7 @@ KINDS: tuple[MemberKind, ...] = (
         opening=("NAME", ":"),
         records=RECORD_KINDS,
         inheritance="overridden",
-        contribution="resource",
+        contribution="leaf",
         form="a storage buffer is `buffer name : type[]` or `buffer name : type[] per group`",
         doc="any number of elements, which the host binds",
     ),
@@ -172,7 +172,7 @@ KINDS: tuple[MemberKind, ...] = (
         opening=("NAME", ":"),
         records=("material", "pass"),
         inheritance="overridden",
-        contribution="attribute",
+        contribution="leaf",
         form="a vertex input is `attribute name : type` or "
         "`attribute name : type per instance`; it has no default",
         doc="an input of the vertices, from the mesh",

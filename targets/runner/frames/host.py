@@ -159,7 +159,7 @@ class FrameHost:
         self.instances = [Instance(shader.reflection, self._steps) for shader in self.shaders]
         """For each shader, the values of its materials that are the same for all models."""
         self._costs = [_cost(shader.reflection) for shader in self.shaders]
-        self._lights_by_name = {row.name: row for row in plan.lights}
+        self._entries = {row.entry: row for row in plan.lights}
         self._kernels: dict[str, Instance] = {}
         """The instances of the kernels of this frame, by step."""
 
@@ -296,21 +296,13 @@ class FrameHost:
         """Each light of an entry of the rig, by its name and number."""
         if entry is None:
             return (None,)
-        row = self._light(entry)
+        row = self._entries[entry]
         if row.capacity is None:
             return ((entry, None),)
         count = row.capacity
         if row.count is not None:
             count = min(max(self.values.get(row.count), 0), count)
         return tuple((entry, number) for number in range(count))
-
-    def _light(self, entry: str) -> LightRow:
-        """The row of an entry of the rig.
-
-        Plans, and shaders, put the rig's name before it if something else has that name as well.
-        """
-        found = self._lights_by_name.get(entry)
-        return found or self._lights_by_name[f"{self.plan.rig}.{entry}"]
 
     def _drawn(
         self,
@@ -372,15 +364,13 @@ class FrameHost:
     def _shine(self, instance: Instance, light: tuple[str, int | None] | None) -> None:
         """Give a shader the lights of the frame; or the single light of an entry."""
         for row in instance.reflection.lights:
-            entry = row.name.removeprefix(f"{instance.reflection.rig}.")
-            own = self._light(entry)
+            own = self._entries[row.entry]
             source = own.name
-            if light is not None and light[1] is not None and entry == light[0]:
+            if light is not None and light[1] is not None and row.entry == light[0]:
                 source = f"{source}[{light[1]}]"
             if row.capacity is None:
                 for name in row.parameters:
-                    member = name.removeprefix(f"{row.name}.")
-                    instance.set(name, self.values.get(f"{source}.{member}"))
+                    instance.set(name, self.values.get(f"{source}.{row.member(name)}"))
             else:
                 instance.take(row.name, self.values, own.name)
                 if row.count is not None and own.count is not None:

@@ -99,7 +99,7 @@ class _Planning:
             source=_PLACE,
             rig=reflection.rig,
             parameters=parameters,
-            lights=tuple(_own(reflection, row) for row in reflection.lights),
+            lights=tuple(map(_own, reflection.lights)),
             host_textures=(),
             host_buffers=(),
             sources={row.name: _PLACE for row in parameters},
@@ -340,24 +340,32 @@ def _size_value() -> ValueRow:
 
 def _parameters_of_lights(reflection: Reflection) -> list[ParameterRow]:
     """The parameters of the lights, under the names that a frame has for them."""
-    lights = reflection.lights
-    names = {name for row in lights for name in (*row.parameters, row.count)}
+    names = {
+        name: _in_rig(light, name)
+        for light in reflection.lights
+        for name in (*light.parameters, *_counts(light))
+    }
     return [
-        changed(row, name=_short(reflection, row.name), block=None, offset=None)
+        changed(row, name=names[row.name], block=None, offset=None)
         for row in reflection.parameters
         if row.name in names
     ]
 
 
-def _own(reflection: Reflection, light: LightRow) -> LightRow:
+def _own(light: LightRow) -> LightRow:
+    """The row of a light in a frame, where nothing else has the light's name."""
     return changed(
         light,
-        name=_short(reflection, light.name),
-        count=None if light.count is None else _short(reflection, light.count),
-        parameters=tuple(_short(reflection, name) for name in light.parameters),
+        name=light.entry,
+        count=next((_in_rig(light, name) for name in _counts(light)), None),
+        parameters=tuple(_in_rig(light, name) for name in light.parameters),
     )
 
 
-def _short(reflection: Reflection, name: str) -> str:
-    """The name of something of the rig, without the rig's name."""
-    return name.removeprefix(f"{reflection.rig}.")
+def _counts(light: LightRow) -> tuple[str, ...]:
+    return () if light.count is None else (light.count,)
+
+
+def _in_rig(light: LightRow, name: str) -> str:
+    """The name of a light's array, parameter or count behind the name that the rig gives it."""
+    return light.entry + name.removeprefix(light.name)

@@ -19,11 +19,11 @@ from ....compiler.documents.steps import (
     IndexStep,
     MemberStep,
     ParameterStep,
-    ResourceStep,
     SelectStep,
     SplatStep,
     StepRow,
     SwizzleStep,
+    TextureStep,
 )
 from ....compiler.documents.values import DerivedRow
 from ....compiler.reference.functions import evaluate
@@ -240,7 +240,7 @@ class _Computation:
         match row:
             case ParameterStep():
                 return self._inputs[row.parameter]
-            case ResourceStep():
+            case TextureStep():
                 return self._inputs.textures[row.texture]
             case CallStep(op="call", function="texture_size"):
                 texture, (level,) = arguments

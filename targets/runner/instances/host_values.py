@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from copy import copy
 from typing import TYPE_CHECKING, Any, Self
 
-from ....compiler.documents.steps import ParameterStep, ResourceStep, StepRow
+from ....compiler.documents.steps import ParameterStep, StepRow, TextureStep
 from ....support.arguments import expect
 from ....support.frozen import EMPTY
 from . import derived
@@ -294,7 +294,7 @@ class HostValues:
 
     def _sizes(self, steps: Iterable[StepRow]) -> dict[str, derived.Sized]:
         """The textures whose sizes steps read."""
-        names = {step.texture for step in steps if isinstance(step, ResourceStep)}
+        names = {step.texture for step in steps if isinstance(step, TextureStep)}
         return {name: self._sized.get(name) or self._bound(name) for name in names}
 
     def _read_by(

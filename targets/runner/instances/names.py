@@ -43,7 +43,7 @@ class Names:
         """The storage buffer whose elements a parameter counts."""
         self._buffers = frozenset(self.counters.values())
         self._lights = {
-            row.name: tuple(name.removeprefix(f"{row.name}.") for name in row.parameters)
+            row.name: tuple(map(row.member, row.parameters))
             for row in declared.lights
             if row.capacity is None
         }
@@ -53,10 +53,10 @@ class Names:
         self.needed = tuple(r.name for r in rows if r.block is not None or r.name in read)
         """The parameters that a shader reads, or from which the host computes a value."""
         self._needed = frozenset(self.needed)
-        lights = [row.name for row in declared.lights]
-        of_rig = (*lights, *(row.name for row in rows if row.group == "rig"))
+        of_rig = [row.name for row in rows if row.group == "rig"]
         self.rig: Mapping[str, str] = {
-            **{name.rpartition(".")[2]: name for name in lights},
+            **{row.entry: row.name for row in declared.lights},
+            **{row.name: row.name for row in declared.lights},
             **{name: name for name in of_rig},
         }
         """The lights, and all other parameters that are set per rig: their names in ``rig``, with

@@ -28,7 +28,7 @@ export async function draw({ reflection, texts, values, mesh, width, height }) {
     layout: "auto",
     vertex: { ...stage("vertex"), buffers: inputs.map(({ layout }) => layout) },
     fragment: { ...stage("fragment"), targets: [{ format: SCREEN }] },
-    primitive: { topology: `${topology}-list`, frontFace: backend.front_face },
+    primitive: { topology, frontFace: backend.front_face },
     depthStencil: { format: DEPTH, depthWriteEnabled: true, depthCompare: "less" },
   });
   const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC;

@@ -43,7 +43,7 @@ from burnish.compiler.reference.picture import (
 )
 from burnish.compiler.reference.picture.intervals import increasing, quotient
 from burnish.compiler.reference.picture.quads import Barycentric
-from burnish.targets.conformance import plan
+from burnish.targets.conformance import contents
 from burnish.targets.runner.reference import Draw, Program, expected
 from burnish.targets.runner.scene_state import SceneState
 from burnish.targets.runner.store import Store
@@ -353,7 +353,7 @@ def _drawn_anew(plant: Plant) -> Plant:
         return expected(program.shader, state, rules, errors)
 
     def whole_plant(patch: pytest.MonkeyPatch, folder: Path) -> None:
-        patch.setattr(plan, "remembered", drawn)
+        patch.setattr(contents, "remembered", drawn)
         plant(patch, folder)
 
     return whole_plant

@@ -97,6 +97,7 @@ def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:
 
 def written_buffer(name: ast.Name, doc: str, element: Declared) -> BufferInfo:
     """The storage buffer that a member of a kernel declares, which the kernel writes."""
-    buffer = Buffer(name.text, RuntimeArray(element.type), WRITTEN_GROUP, element.fact)
-    count = ParameterInfo(buffer.count, "int", None, 0, "", name.span)
-    return BufferInfo(buffer, element_info(element, name.span), count, doc, name.span)
+    buffer = Buffer(name.text, RuntimeArray(element.type), WRITTEN_GROUP, fact=element.fact)
+    count = ParameterInfo(buffer.count, "int", "", name.span, default=0)
+    described = element_info(element, name.span)
+    return BufferInfo(buffer, f"{element.text}[]", doc, name.span, described, count)

@@ -56,7 +56,7 @@ def of_each_group(
     rest = build.constant(graph, INT, size - 1)
     filled = graph.node("call", INT, (ctx.extent, rest), "add")
     count = graph.node("call", INT, (filled, most), "div")
-    yield Result(LENGTH, COMPUTE, count, store=Store(info.buffer, of_group=size))
+    yield Result(LENGTH, COMPUTE, count, store=Store(info.leaf, of_group=size))
 
 
 def check_no_groups(ctx: Context, results: Iterable[Result], what: str, around: Span) -> None:

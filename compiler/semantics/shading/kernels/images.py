@@ -89,5 +89,5 @@ def mixed(ctx: Context, members: Sequence[ast.Result | ast.Scatter]) -> bool:
 
 def reads_only_sizes(node: Node) -> bool:
     """True if an operation reads nothing of a texture but its size, which the host knows."""
-    has_texture = any(operand.op == "resource" for operand in node.operands)
+    has_texture = any(operand.op == "texture" for operand in node.operands)
     return not has_texture or node.data == "texture_size"

@@ -13,7 +13,7 @@ from ....diagnostics.diagnostic import Label, Report
 from ....diagnostics.source import Span
 from ....ir.kernel import MOST_INVOCATIONS, USUAL, WorkGroup, invocations
 from ....ir.node import Graph, Node
-from ....ir.shader import BufferInfo, Notes, Result, Shader
+from ....ir.shader import BufferInfo, Notes, Result, Shader, TextureInfo
 from ....ir.stages import COMPUTE, COMPUTED, EXTENT
 from ....ir.types import INT, Opaque, width
 from ....syntax import ast
@@ -21,7 +21,7 @@ from ...checking.expressions import RULES
 from ...declarations.contracts import as_declared
 from ...declarations.externs import read_externs
 from ...declarations.fitting import typed
-from ...declarations.parameters import all_parameters, leaves_of
+from ...declarations.parameters import all_parameters, leaves_of, of_kind
 from ...declarations.written_types import declared_type
 from ...inheritance.flattening import Records
 from ...inheritance.records import Record
@@ -143,12 +143,14 @@ def kernel_shader(
         rig_name="",
         graph=graph,
         notes=notes,
-        parameters=all_parameters((leaves,), externs),
-        resources=with_intents(leaves.resources, ctx.meanings, [each.value for each in results]),
+        parameters=all_parameters(leaves, externs),
+        textures=with_intents(
+            of_kind(TextureInfo, leaves), ctx.meanings, [each.value for each in results]
+        ),
         attributes=(),
         results=lowered_results,
         externs=externs,
-        buffers=leaves.buffers,
+        buffers=of_kind(BufferInfo, leaves),
         written=tuple(each.buffer for each in written if each.buffer is not None),
         chain=COMPUTED,
         work_group=group,

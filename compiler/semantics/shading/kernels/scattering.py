@@ -44,7 +44,7 @@ def scattered(
     if not _may_exist(ctx, member, place, length):
         return None
     info = written_buffer(member.name, member.doc, element)
-    store = Store(info.buffer, operator=member.operator)
+    store = Store(info.leaf, operator=member.operator)
     return info, list(_results(ctx, store, value, place, condition, length))
 
 

@@ -36,7 +36,7 @@ def is_writable(type_: Type, *, inside: bool = False) -> bool:
 
 def stores(ctx: Context, info: BufferInfo, value: Node) -> Iterator[Result]:
     """A result for each part of an element, as it is stored."""
-    graph, buffer = ctx.tree, info.buffer
+    graph, buffer = ctx.tree, info.leaf
     if isinstance(value.type, Matrix):
         size = value.type.size
         for column in range(size):

@@ -24,7 +24,7 @@ from .....compiler.documents.plan import (
     ValueSource,
     WaitingRow,
 )
-from .....compiler.documents.steps import ParameterStep, ResourceStep
+from .....compiler.documents.steps import ParameterStep, TextureStep
 from .....compiler.ir.formats import DEPTH_WORDS
 from .....support.frozen import changed
 from .reflections import Values
@@ -59,7 +59,7 @@ class _Names:
         self._host_textures = _named(plan.host_textures)
         self._of_host = {*self._host_textures, *_named(plan.host_buffers)}
         self._models = {row.name: row.materials for row in plan.models}
-        self._lights = {row.name.removeprefix(f"{plan.rig}.") for row in plan.lights}
+        self._lights = {row.entry for row in plan.lights}
         self._kept = {row.result: row.previous for row in plan.kept}
         self._kernels = {step.name for step in plan.steps if step.images}
 
@@ -138,7 +138,7 @@ class _Names:
                 self._one_of(where, "parameter", name, self._parameters)
                 if step.type != self._parameters[name]:
                     self._fail(where, f"`{name}` is no {step.type}")
-            if isinstance(step, ResourceStep):
+            if isinstance(step, TextureStep):
                 self._one_of(where, "texture of the host", step.texture, self._host_textures)
         found = value.steps[-1].type
         if found != value.representation:

@@ -12,7 +12,7 @@ from typing import NoReturn
 from .....compiler.budget import check
 from .....compiler.documents.drawing import DrawRow
 from .....compiler.documents.reflection import Reflection
-from .....compiler.documents.steps import ParameterStep, ResourceStep, StepRow
+from .....compiler.documents.steps import ParameterStep, StepRow, TextureStep
 from .....compiler.documents.values import (
     BufferRow,
     DerivedRow,
@@ -183,7 +183,7 @@ class _Reflection:
         for step in steps:
             if isinstance(step, ParameterStep) and step.parameter not in self._parameters:
                 self._fail(name, f"there is no parameter `{step.parameter}`")
-            if isinstance(step, ResourceStep) and step.texture not in self._textures:
+            if isinstance(step, TextureStep) and step.texture not in self._textures:
                 self._fail(name, f"there is no texture `{step.texture}`")
 
     def _check_draw(self, row: DrawRow) -> None:

@@ -12,7 +12,7 @@ from itertools import zip_longest
 
 from .....compiler.documents.plan import FramePlan, PlanStep, ResultSource, UseRow, ValueSource
 from .....compiler.documents.reflection import Reflection
-from .....compiler.documents.steps import ParameterStep, ResourceStep
+from .....compiler.documents.steps import ParameterStep, TextureStep
 from .rows import (
     drawn_over,
     fail,
@@ -50,7 +50,7 @@ class _Repeats:
                        for result, _ in written(step)}  # fmt: skip
         """Results that every frame draws."""
         self._constant = [
-            not any(isinstance(part, ParameterStep | ResourceStep) for part in value.steps)
+            not any(isinstance(part, ParameterStep | TextureStep) for part in value.steps)
             for value in plan.values
         ]
         """For each value, True if it is the same in every frame."""

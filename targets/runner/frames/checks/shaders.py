@@ -59,13 +59,12 @@ def check_shaders(plan: FramePlan, reflections: Sequence[Reflection]) -> None:
 
 def _check_lights(plan: FramePlan, reflection: Reflection) -> None:
     """Check that the lights of a shader are those of the frame, and its arrays the same arrays."""
-    lights = _by_name(plan.lights)
+    lights = {row.entry: row for row in plan.lights}
     values, own_values = _by_name(plan.parameters), _by_name(reflection.parameters)
     for row in reflection.lights:
-        name = row.name.removeprefix(f"{reflection.rig}.")
-        own = lights.get(name, lights.get(f"{plan.rig}.{name}"))
+        own = lights.get(row.entry)
         if own is None:
-            fail(plan, reflection.material, f"the frame has no light `{name}`")
+            fail(plan, reflection.material, f"the frame has no light `{row.entry}`")
         if row.capacity is None:
             continue
         taken: list[tuple[str, str | None]] = [(row.name, own.name)]
@@ -74,7 +73,7 @@ def _check_lights(plan: FramePlan, reflection: Reflection) -> None:
         for ours, theirs in taken:
             of_frame = None if theirs is None else values.get(theirs)
             if not _are_alike(own_values[ours], of_frame, _VALUE):
-                fail(plan, reflection.material, f"the frame's light `{name}` is another one")
+                fail(plan, reflection.material, f"the frame's light `{row.entry}` is another one")
 
 
 class _Shaders:
