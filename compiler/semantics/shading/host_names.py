@@ -28,7 +28,7 @@ Entry = tuple[RigEntry, Leaves]
 
 
 @frozen
-class Named:
+class HostName:
     """A thing that a host sets by name."""
 
     root: str
@@ -73,7 +73,7 @@ def check_host_names(
     parameter's, so first words have to differ. Among things of one kind they do.
     """
     lights = _of_lights(rig, entries, names_taken(leaves, module))
-    known: dict[str, Named] = {}
+    known: dict[str, HostName] = {}
     for named in (*_of_leaves(leaves), *lights, *_of_blocks(externs)):
         other = known.setdefault(named.root, named)
         if other.what != named.what:
@@ -91,16 +91,16 @@ _WORDS: Mapping[type[LeafInfo], str] = {
 """The kinds of leaves that a host sets by name, as messages call them."""
 
 
-def _of_leaves(leaves: Iterable[Leaves]) -> Iterator[Named]:
+def _of_leaves(leaves: Iterable[Leaves]) -> Iterator[HostName]:
     """A pass's own leaf begins with the pass's name where the material has the other."""
     for group, (kind, word) in product(leaves, _WORDS.items()):
         for info in of_kind(kind, group):
             leaf = info.leaf
             what = "a pass" if leaf.owner else word
-            yield Named(leaf.owner or leaf.name, leaf.name, what, info.span)
+            yield HostName(leaf.owner or leaf.name, leaf.name, what, info.span)
 
 
-def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> Iterator[Named]:
+def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> Iterator[HostName]:
     """The lights, by the names that they have in this shader.
 
     ``entries`` may have been made for another material, beside which they have other names.
@@ -109,10 +109,10 @@ def _of_lights(rig: Symbol, entries: Iterable[Entry], taken: Container[str]) -> 
         short = entry.short_name
         if any(not isinstance(info, AttributeInfo) for info in leaves):
             root = rig.name if short in taken else short
-            yield Named(root, light_name(rig, short, taken), "a light", entry.span)
+            yield HostName(root, light_name(rig, short, taken), "a light", entry.span)
 
 
-def _of_blocks(externs: Iterable[ExternInfo]) -> Iterator[Named]:
+def _of_blocks(externs: Iterable[ExternInfo]) -> Iterator[HostName]:
     for block in externs:
         if block.members:
-            yield Named(block.place.name, block.place.name, "a block", block.span)
+            yield HostName(block.place.name, block.place.name, "a block", block.span)
