@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from itertools import pairwise
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.formula import Formulas
@@ -98,10 +97,16 @@ class _MaterialBuilder:
             ending = f".derived.{parameter.name}"
             readers = [key for key in keys if key.endswith(ending)]
             yield from ((f"host.{name}", key) for name in values for key in readers)
-        for before, stage in pairwise(self._staged.program.stages):
-            for node in visible(stage.roots):
+        before: list[str] = []
+        for stage in self._staged.program.stages:
+            for node in visible(stage.roots) if before else ():
                 if node.op == "cross" and (key := self._key(stage.name, node)) in keys:
-                    yield self._key(before.name, node.operands[0]), key
+                    # A stage that only hands a value on has no box for it.
+                    starts = (self._key(name, node.operands[0]) for name in before)
+                    start = next(filter(keys.__contains__, starts), None)
+                    if start is not None:
+                        yield start, key
+            before.insert(0, stage.name)
 
     def _arrow(self, source: str, target: str, kind: ArrowKind = ArrowKind.USE) -> None:
         self._arrows[Arrow(source, target, kind)] = None

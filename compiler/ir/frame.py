@@ -170,7 +170,7 @@ class RenderStep:
 
     @property
     def uses(self) -> tuple[Use, ...]:
-        """Its shaders, with their inputs."""
+        """The shaders of the step, with their inputs."""
         return tuple(use for drawn in self.draws for use in drawn.uses)
 
     @property
@@ -205,7 +205,7 @@ class KernelStep:
 
     @property
     def uses(self) -> tuple[Use, ...]:
-        """Its kernel, with the inputs of this."""
+        """The kernel of the step, with the inputs of this."""
         return (self.use,)
 
 

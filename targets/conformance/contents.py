@@ -50,7 +50,7 @@ from .judging import FLOATS, Bools, Compared, Floats, all_covered, row_of
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """What the reference says of a case within the bounds of a device; it is computed when asked
+    """The reference's result of a case within the bounds of a device; it is computed when asked
     for."""
 
     state: SceneState
@@ -68,7 +68,7 @@ Finds = Callable[[Program, SceneState, RasterRules, Errors | None], Any]
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What shaders leave, as far as it is compared."""
+    """The results of shaders, as far as they are compared."""
 
     given: Callable[[SceneState], Any]
     """Makes the part of a driver's job that is about one case; raises ``ValueError``."""

@@ -166,7 +166,7 @@ class ShaderPlan(Plan):
     def _found(
         self, program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Any:
-        """What the reference says of a case, computed once for all routes whose texts are the same
+        """The reference's result of a case, computed once for all routes whose texts are the same
         graph."""
         # The rules for some drivers differ in rare rules only, on which only pictures depend.
         asked = program.text, id(state), errors

@@ -47,6 +47,24 @@ def test_arrows_join_boxes_that_there_are(name: str, everything: bool) -> None:
             assert is_inner == (arrow.kind is ArrowKind.USE)
 
 
+@pytest.mark.parametrize("native_stages", [False, True])
+def test_a_stage_that_hands_a_value_on_has_no_box_for_it(native_stages: bool) -> None:
+    """The arrow comes from the stage that has one, as through the control stage of a patch."""
+    source = """
+        import std.tessellation.{Displaced}
+        material Handed : Surface + Displaced {
+            fineness = 2
+            displacement = 0.1 * uv.y
+            color = rgb(uv.x)
+        }
+    """
+    (material,) = burnish.compile(source, (), native_stages=native_stages)
+    found = material_picture(material.shader, material.staged, everything=False)
+    keys = {box.key for box in found.boxes}
+    assert all({arrow.source, arrow.target} <= keys for arrow in found.arrows)
+    assert any(arrow.kind is ArrowKind.CROSSING for arrow in found.arrows)
+
+
 @pytest.mark.parametrize("name", SHOWN)
 def test_whatever_is_computed_has_a_formula_and_a_use(name: str) -> None:
     for found in pictures(name):

@@ -265,7 +265,7 @@ def _place(binding: int) -> Document:
 
 
 def _slot(binding: int, kind: str, name: str, stage: int, **layout: Any) -> Document:
-    """What is bound at a place, for the stages with these bits."""
+    """A binding at a place, for the stages with these bits."""
     place = {"binding": binding, "visibility": stage, **layout}
     return {"kind": kind, "name": name, "number": 0, "layout": place}
 

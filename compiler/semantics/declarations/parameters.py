@@ -73,7 +73,7 @@ Kind = TypeVar("Kind", bound=LeafInfo)
 
 
 def of_kind(kind: type[Kind], leaves: Iterable[LeafInfo]) -> tuple[Kind, ...]:
-    """Those of some leaves that are of one kind."""
+    """The leaves of one kind among some."""
     return tuple(info for info in leaves if isinstance(info, kind))
 
 

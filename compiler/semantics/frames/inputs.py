@@ -77,7 +77,10 @@ class Inputs:
     def of(self, shader: Shader) -> tuple[Given, ...] | None:
         """The inputs of a shader; ``None`` after reporting an error."""
         inputs = inputs_of(shader)
-        self._seen.update(name.removeprefix(f"{shader.pass_name}.") for name in inputs)
+        leaves = (info.leaf for info in inputs.values())
+        self._seen.update(
+            leaf.short_name if leaf.owner == shader.pass_name else leaf.name for leaf in leaves
+        )
         found: list[Given] = []
         for name, written in self._given:
             host = host_name(shader, name.text, inputs)

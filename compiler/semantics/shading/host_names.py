@@ -35,7 +35,7 @@ class HostName:
     """The first word of its name: what owns it, or its own name."""
     name: str
     what: str
-    """What its root stands for, as messages say it."""
+    """The kind of thing that the root stands for, as messages say it."""
     span: Span
     """The span of its declaration."""
 

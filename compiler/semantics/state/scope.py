@@ -49,7 +49,7 @@ class Instance:
     surface: Instance | None = None
     """The material instance whose slots are visible behind this record's own names."""
     leaves: Mapping[str, Node] = fresh(factory=dict)
-    """What it reads from outside, by name; for one light of many, members of an array element."""
+    """The values read from outside, by name; for one light of many, members of an array element."""
     replaced: dict[str, Replacement] = fresh(factory=dict)
     made: DerivedVertices | None = None
     """The slots at vertices that are made of those of a mesh, of the surface and the pass."""
@@ -57,7 +57,7 @@ class Instance:
 
     @property
     def bound(self) -> Mapping[str, Node]:
-        """Its textures and buffers, which the host binds by their names."""
+        """The textures and buffers, which the host binds by their names."""
         return {name: leaf for name, leaf in self.leaves.items() if isinstance(leaf.type, Opaque)}
 
     @property
