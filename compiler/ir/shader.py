@@ -139,6 +139,16 @@ class BufferInfo(LeafInfo):
     """The number of elements that an invocation writes."""
 
 
+def count_info(buffer: Buffer, span: Span, doc: str = "") -> ParameterInfo:
+    """The declared parameter that says how many elements a buffer has.
+
+    ``doc`` tells hosts what is counted; without it, that it is the elements of the buffer.
+    """
+    count = buffer.count
+    doc = doc or f"The number of elements of `{buffer.name}`"
+    return ParameterInfo(count, str(count.type), doc, span, (0.0, count.fact.hi), 0)
+
+
 @frozen
 class AttributeInfo(LeafInfo):
     """A declared vertex input, or one column of a declared matrix."""

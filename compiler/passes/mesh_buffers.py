@@ -12,7 +12,7 @@ from ...support.frozen import changed
 from ..diagnostics.source import Span
 from ..ir.kernel import WRITTEN_GROUP
 from ..ir.leaves import Attribute, Buffer, Parameter
-from ..ir.shader import AttributeInfo, BufferInfo, ParameterInfo, Shader
+from ..ir.shader import AttributeInfo, BufferInfo, ParameterInfo, Shader, count_info
 from ..ir.types import RuntimeArray, Struct, Type
 
 MESH = "mesh"
@@ -50,10 +50,7 @@ def member_name(leaf: Attribute) -> str:
 
 def buffer_info(buffer: Buffer, element: ParameterInfo, span: Span) -> BufferInfo:
     """A buffer that nobody has declared, with the number of its elements."""
-    doc = f"The number of elements of `{buffer.name}`"
-    limits = (0.0, buffer.count.fact.hi)
-    count = ParameterInfo(buffer.count, "int", doc, span, limits, 0)
-    return BufferInfo(buffer, str(buffer.type), "", span, element, count)
+    return BufferInfo(buffer, str(buffer.type), "", span, element, count_info(buffer, span))
 
 
 def names_taken(shader: Shader) -> set[str]:

@@ -8,7 +8,7 @@ from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...ir.leaves import Buffer, Parameter
 from ...ir.node import Node, bare
-from ...ir.shader import BufferInfo, ParameterInfo
+from ...ir.shader import BufferInfo, ParameterInfo, count_info
 from ...ir.types import Array, RuntimeArray
 from ...syntax import ast
 from ..inheritance.records import Definition
@@ -31,12 +31,10 @@ def buffer_of(
         return None
     facts = tuple((short, part.fact) for short, part in declared.members)
     buffer = Buffer(name, declared.type, group, owner, declared.fact, facts, declared.meaning)
-    doc = f"The number of elements of `{name}`"
-    limits = (0.0, buffer.count.fact.hi)
     span = member.name.span
-    count = ParameterInfo(buffer.count, "int", doc, span, limits, 0)
-    element = changed(declared, type=declared.type.element, text=declared.text.removesuffix("[]"))
-    return BufferInfo(buffer, declared.text, member.doc, span, element_info(element, span), count)
+    one = changed(declared, type=declared.type.element, text=declared.text.removesuffix("[]"))
+    element, count = element_info(one, span), count_info(buffer, span)
+    return BufferInfo(buffer, declared.text, member.doc, span, element, count)
 
 
 def light_buffer(name: str, array: ParameterInfo, light: str, span: Span, doc: str) -> BufferInfo:
@@ -50,9 +48,7 @@ def light_buffer(name: str, array: ParameterInfo, light: str, span: Span, doc: s
     element = Parameter(
         "", one.type.element, fact=one.fact, member_facts=one.member_facts, meaning=one.meaning
     )
-    limits = (0.0, buffer.count.fact.hi)
-    shining = f"The number of `{name}` that shine"
-    count = ParameterInfo(buffer.count, "int", shining, span, limits, 0)
+    count = count_info(buffer, span, f"The number of `{name}` that shine")
     described = ParameterInfo(element, light, "", span, members=array.members)
     return BufferInfo(buffer, f"{light}[]", doc, span, described, count)
 

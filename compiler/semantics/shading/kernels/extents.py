@@ -14,7 +14,7 @@ from ....ir.kernel import WRITTEN_GROUP
 from ....ir.leaves import Buffer
 from ....ir.node import Node, bare, reachable
 from ....ir.operations import CROSS, joins_group
-from ....ir.shader import BufferInfo, ParameterInfo
+from ....ir.shader import BufferInfo, count_info
 from ....ir.types import INT, RuntimeArray, Type
 from ....syntax import ast
 from ...declarations.buffers import element_info
@@ -98,6 +98,5 @@ def exists_in_kernels(ctx: Context, value: Node, written: Span) -> bool:
 def written_buffer(name: ast.Name, doc: str, element: Declared) -> BufferInfo:
     """The storage buffer that a member of a kernel declares, which the kernel writes."""
     buffer = Buffer(name.text, RuntimeArray(element.type), WRITTEN_GROUP, fact=element.fact)
-    count = ParameterInfo(buffer.count, "int", "", name.span, default=0)
-    described = element_info(element, name.span)
+    described, count = element_info(element, name.span), count_info(buffer, name.span)
     return BufferInfo(buffer, f"{element.text}[]", doc, name.span, described, count)
