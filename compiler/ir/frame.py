@@ -11,6 +11,7 @@ from typing import Literal
 
 from ...support.frozen import frozen, record
 from ..diagnostics.source import Span
+from .leaves import behind
 from .node import Node
 from .render_state import Samples
 from .shader import BufferInfo, ParameterInfo, Shader, TextureInfo
@@ -46,8 +47,10 @@ class Size:
 class StepTexture:
     """A texture that a step leaves: a target of a pass, its depths, or an image of a kernel."""
 
-    name: str
-    """``step.target``."""
+    step: str
+    """The step that leaves it; where several draw to it, the equation that they repeat."""
+    target: str
+    """The name that the pass or the kernel gives it."""
     format: str
     """One of the formats of render targets, or of depths."""
     size: Size
@@ -64,6 +67,11 @@ class StepTexture:
     """
 
     @property
+    def name(self) -> str:
+        """The name in the plan: ``step.target``."""
+        return behind(self.step, self.target)
+
+    @property
     def is_depth(self) -> bool:
         """True if it holds depths."""
         return self.format.startswith(DEPTH)
@@ -73,10 +81,16 @@ class StepTexture:
 class Elements:
     """A storage buffer that a kernel leaves."""
 
-    name: str
+    step: str
+    """The step that leaves it."""
     info: BufferInfo
     doc: str
     span: Span
+
+    @property
+    def name(self) -> str:
+        """The name in the plan: ``step.buffer``."""
+        return behind(self.step, self.info.leaf.name)
 
 
 @frozen(eq=False)

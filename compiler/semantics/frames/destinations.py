@@ -56,7 +56,7 @@ class Destinations:
             if isinstance(left, StepValue):
                 images = {n: i for n, i in left.left.items() if isinstance(i, StepTexture)}
             elif isinstance(left, StepTexture):
-                images = {left.name.rpartition(".")[2]: left}
+                images = {left.target: left}
             else:
                 no_result(self._ctx, left, part.span)
                 return None

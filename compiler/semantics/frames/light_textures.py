@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...ir.frame import Given, Source
-from ...ir.leaves import Texture
+from ...ir.leaves import Texture, behind
 from ...ir.node import reachable
 from ...ir.shader import Shader, TextureInfo
 from ...syntax import ast
@@ -51,7 +51,7 @@ class Bringing:
         found = []
         for light in self._lights.values():
             for name, info in _textures(light, shader):
-                host, written = info.leaf.name, f"{light.name}.{name}"
+                host, written = info.leaf.name, behind(light.name, name)
                 if inputs.sets(host) or inputs.sets(written):
                     continue
                 definition = light.instance.record.definitions[name][0]
@@ -72,7 +72,7 @@ class Bringing:
         """The source of a light's texture, with all steps that make it."""
         member = definition.member
         assert isinstance(member, ast.Texture) and member.brought is not None
-        written, name = member.brought, f"{light.name}.{member.name.text}"
+        written, name = member.brought, behind(light.name, member.name.text)
         if name in self._pending:
             cycle = [*self._pending[self._pending.index(name) :], name]
             self._ctx.report.add(
@@ -99,7 +99,8 @@ def _textures(light: EquationOwner, shader: Shader) -> Iterator[tuple[str, Textu
     inputs = inputs_of(shader)
     for name, (definition, *_) in light.instance.record.definitions.items():
         if isinstance(definition.member, ast.Texture):
-            for host in (f"{light.name}.{name}", f"{shader.rig_name}.{light.name}.{name}"):
+            of_light = behind(light.name, name)
+            for host in (of_light, behind(shader.rig_name, of_light)):
                 info = inputs.get(host)
                 if isinstance(info, TextureInfo) and host in read:
                     yield name, info

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.diagnostic import Report
 from ...ir.frame import FrameShader
+from ...ir.leaves import behind
 from ...ir.shader import BufferInfo, ParameterInfo, Shader, TextureInfo
 from ...syntax import ast
 from ..inheritance.flattening import Records
@@ -113,7 +114,7 @@ def inputs_of(shader: Shader) -> Mapping[str, Input]:
 
 def host_name(shader: Shader, name: str, inputs: Mapping[str, Input]) -> str | None:
     """The hosts' name of the input that a frame calls ``name``; a pass's own one comes first."""
-    own = f"{shader.pass_name}.{name}"
+    own = behind(shader.pass_name, name)
     return own if own in inputs else name if name in inputs else None
 
 

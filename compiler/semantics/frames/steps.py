@@ -29,9 +29,9 @@ from ...ir.frame import (
     StepTexture,
     Use,
 )
-from ...ir.leaves import Parameter, Texture
+from ...ir.leaves import Parameter, Texture, behind
 from ...ir.node import Node
-from ...ir.shader import RenderTarget
+from ...ir.shader import RenderTarget, Result
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
@@ -111,7 +111,7 @@ class Steps:
             written = definition.member.value
             assert written is not None
             scope = owner.scope(definition.owner, definition.level)
-            name = f"{owner.name}.{key[0]}" if owner.name else key[0]
+            name = behind(owner.name, key[0])
             owner.values[key] = self.made(written, StepContext(owner, scope, name))
 
     # --- expressions ---
@@ -278,13 +278,12 @@ class Steps:
             return FAILURE
         size = self._extent(shader, use, name)
         images = {
-            result.name: self._image(f"{name}.{result.name}", state, size, result.doc, e)
+            result.name: self._image(name, result, state, size, e)
             for result in shader.shader.results_of(IMAGE)
             if (state := result.state) is not None
         }
         buffers = {
-            info.leaf.name: Elements(f"{name}.{info.leaf.name}", info, info.doc, e.span)
-            for info in shader.shader.written
+            info.leaf.name: Elements(name, info, info.doc, e.span) for info in shader.shader.written
         }
         self._add(KernelStep(name, use, images, buffers, "", e.span))
         return StepValue(name, {**images, **buffers})
@@ -320,9 +319,10 @@ class Steps:
         return Size(None, name) if isinstance(number, Failure) else Size(number)
 
     def _image(
-        self, name: str, state: RenderTarget, size: Size, doc: str, e: ast.Call
+        self, step: str, result: Result, state: RenderTarget, size: Size, e: ast.Call
     ) -> StepTexture:
-        return StepTexture(name, state.format, size, "2d", 1, 1, doc, e.span)
+        """An image that a kernel leaves."""
+        return StepTexture(step, result.name, state.format, size, "2d", 1, 1, result.doc, e.span)
 
     def _draw(
         self,
@@ -382,7 +382,7 @@ class Steps:
     def _inputs(self, given: Replacements, around: StepContext) -> Inputs:
         def made(e: ast.Expression, name: str) -> Made:
             return self.made(
-                e, changed(around, name=f"{around.name}.{name}", depth=around.depth + 1)
+                e, changed(around, name=behind(around.name, name), depth=around.depth + 1)
             )
 
         return Inputs(
@@ -412,22 +412,22 @@ class Steps:
         def attached(
             target: str, format_: str, doc: str, state: RenderTarget | float
         ) -> Attachment:
-            behind = given.get(target)
+            drawn_over = given.get(target)
             image = place.images.get(target)
             if image is None:
                 image = StepTexture(
-                    f"{around.name}.{target}", format_, size, place.dimension, place.layers,
+                    around.name, target, format_, size, place.dimension, place.layers,
                     place.levels, doc, e.span, samples,
                 )  # fmt: skip
                 place.images[target] = image
-            if behind is not None and behind.format != format_:
+            if drawn_over is not None and drawn_over.format != format_:
                 self._ctx.report.add(
-                    rules.PLACES_DIFFER, e.span, first=behind.name, second=image.name,
-                    reason=f"one is `{behind.format}`, the other `{format_}`",
+                    rules.PLACES_DIFFER, e.span, first=drawn_over.name, second=image.name,
+                    reason=f"one is `{drawn_over.format}`, the other `{format_}`",
                 )  # fmt: skip
-            clear = settings.cleared(target, state, e.span if behind is not None else None)
+            clear = settings.cleared(target, state, e.span if drawn_over is not None else None)
             layer = None if layered else place.layer
-            return Attachment(target, image, layer, place.level, behind, clear)
+            return Attachment(target, image, layer, place.level, drawn_over, clear)
 
         targets = tuple(
             attached(result.name, result.state.format, result.doc, result.state)
