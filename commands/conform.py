@@ -185,7 +185,7 @@ def _check_pixel(request: ConformRequest, subjects: Subjects) -> None:
     """
     from ..targets.conformance.explaining import check_pixel
     from ..targets.conformance.seen import PixelError
-    from ..targets.runner.frames.host import is_shader
+    from ..targets.runner.frames.subjects import is_shader
 
     if request.explain is not None and all(is_shader(subject) for _, subject in subjects):
         try:

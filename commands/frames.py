@@ -21,8 +21,9 @@ from .progress import Progress
 from .subjects import RenderRequest
 
 if TYPE_CHECKING:
-    from ..targets.runner.frames.host import FrameHost, PlannedFrame
+    from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.scenery import Scenery
+    from ..targets.runner.frames.subjects import PlannedFrame
     from ..targets.runner.render import Floats
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner

@@ -31,8 +31,9 @@ from .request import Choice, ViewRequest
 from .uploads import MOST_BYTES
 
 if TYPE_CHECKING:
-    from ...targets.runner.frames.host import FrameHost, FrameSubject
+    from ...targets.runner.frames.host import FrameHost
     from ...targets.runner.frames.scenery import Scenery
+    from ...targets.runner.frames.subjects import FrameSubject
     from ...targets.runner.instances.instance import Instance
     from ...targets.runner.kernel_results import Kernel
 

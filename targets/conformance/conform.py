@@ -16,7 +16,7 @@ from ...support.frozen import EMPTY
 from ..runner.codes import CodeError
 from ..runner.drivers.device import DriverError
 from ..runner.frames.checking import PlanError
-from ..runner.frames.host import FrameSubject, is_frame, is_shader
+from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
 from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError
 from ..runner.reference import STORE, Draw, expected

@@ -14,8 +14,8 @@ import numpy as np
 
 from ...compiler.reference.attribution import Explanation
 from ..runner.drivers.device import Device
-from ..runner.frames.host import FrameSubject, is_shader
 from ..runner.frames.pixel_origins import BEFORE, Carried, Origin
+from ..runner.frames.subjects import FrameSubject, is_shader
 from ..runner.kernels import is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject

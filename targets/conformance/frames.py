@@ -19,10 +19,11 @@ from ...compiler.reference.picture import Counted, Expected, RasterRules
 from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
-from ..runner.frames.host import FrameHost, FrameSubject, PlannedFrame
+from ..runner.frames.host import FrameHost
 from ..runner.frames.pixel_origins import FollowedFrames, Origin
 from ..runner.frames.reference_textures import DEPTHS, DrawnTexture
 from ..runner.frames.scenery import in_a_row
+from ..runner.frames.subjects import FrameSubject, PlannedFrame
 from ..runner.kernels import drawable, is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route

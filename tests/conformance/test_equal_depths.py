@@ -7,7 +7,7 @@ from burnish.api.compiled import CompiledMaterial, OutputFile
 from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
-from burnish.targets.runner.frames.host import FrameSubject
+from burnish.targets.runner.frames.subjects import FrameSubject
 from burnish.targets.runner.routes import ROUTES
 
 from ..frames.kit import FOLDER

@@ -19,12 +19,14 @@ from burnish.compiler.documents.writing import to_json
 from burnish.targets.conformance.frames import FramePlan
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
-from burnish.targets.runner.frames import by_route
+from burnish.targets.runner.frames import by_route, job_resources
 from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.frames.checking import PlanError
-from burnish.targets.runner.frames.host import FrameHost, FrameSubject
+from burnish.targets.runner.frames.host import FrameHost
+from burnish.targets.runner.frames.job_resources import JobResources
 from burnish.targets.runner.frames.plan_files import read_frame
 from burnish.targets.runner.frames.scenery import in_a_row
+from burnish.targets.runner.frames.subjects import FrameSubject
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
@@ -193,33 +195,41 @@ def _other_textures(job: Any, draw: Any) -> tuple[tuple[int, ...], tuple[int, ..
     return textures[::-1], buffers
 
 
-def _without_barriers(job: Any, step: PlanStep, is_first: bool) -> tuple[Barrier, ...]:
-    return BARRIERS(job, step, is_first)[1:]
+def _without_barriers(
+    resources: JobResources, step: PlanStep, *, is_first: bool
+) -> tuple[Barrier, ...]:
+    return BARRIERS(resources, step, is_first=is_first)[1:]
 
 
 def _all_in_one_place(_plan: documents.FramePlan, needed: Mapping[int, int]) -> list[list[int]]:
     return [sorted(needed)]
 
 
-ATTACHMENT, BOUND, BARRIERS = (
-    by_route._Job._attachment, by_route._Job._bound, by_route._Job._barriers,
-)  # fmt: skip
+ATTACHMENT, BOUND = by_route._Job._attachment, by_route._Job._bound
+BARRIERS = JobResources.barriers
 
 
 @pytest.mark.parametrize(
-    ("name", "planted", "told"),
+    ("place", "name", "planted", "told"),
     [
-        ("_Job._attachment", _never_loads, ""),
-        ("_Job._bound", _other_textures, ""),
-        ("_Job._attachment", _never_stores, "is read, but nothing has drawn its layer 0, level 0"),
-        ("_Job._barriers", _without_barriers, "is used as 'target', but its use is 'undefined'"),
-        ("taking_turns", _all_in_one_place, "but its use is 'undefined'"),
+        (by_route._Job, "_attachment", _never_loads, ""),
+        (by_route._Job, "_bound", _other_textures, ""),
+        (by_route._Job, "_attachment", _never_stores,
+         "is read, but nothing has drawn its layer 0, level 0"),
+        (JobResources, "barriers", _without_barriers,
+         "is used as 'target', but its use is 'undefined'"),
+        (job_resources, "taking_turns", _all_in_one_place, "but its use is 'undefined'"),
     ],
-)
+)  # fmt: skip
 def test_errors_of_the_runner_are_found(
-    studio: Studio, name: str, planted: object, told: str, monkeypatch: pytest.MonkeyPatch
+    studio: Studio,
+    place: object,
+    name: str,
+    planted: object,
+    told: str,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(f"{by_route.__name__}.{name}", planted)
+    monkeypatch.setattr(place, name, planted)
     if not told:
         assert False in _results(studio, _nothing)
         return

@@ -26,7 +26,7 @@ NOTICED = [
     ("targets/hlsl/language.py", '"fract": "frac"', '"fract": "floor"'),
     ("targets/wgsl/shader.wgsl.j2", "@interpolate(flat)", "@interpolate(linear)"),
     ("compiler/planning/barriers.py", "if before == after and", "if before != after and"),
-    ("targets/runner/frames/by_route.py", "= at[other], at[one]", "= at[one], at[other]"),
+    ("targets/runner/frames/job_resources.py", "= at[other], at[one]", "= at[one], at[other]"),
     ("targets/runner/instances/blocks.py", 'f"<{shape.lanes}', 'f">{shape.lanes}'),
 ]
 """A file of the package, a text in it, and what replaces the text."""

@@ -13,8 +13,9 @@ import pytest
 import burnish
 from burnish.compiler.budget import BudgetError
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
-from burnish.targets.runner.frames.host import FrameHost, FrameSubject
+from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.staging import staged
+from burnish.targets.runner.frames.subjects import FrameSubject
 from burnish.targets.runner.instances.values import ParameterError
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 from burnish.targets.runner.scenes.records import SceneError

@@ -18,6 +18,7 @@ from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.runner.frames.step_draws import StepDraws
 from burnish.targets.web_host.package import frame_package
 
 from .kit import in_node
@@ -72,7 +73,7 @@ def test_the_same_is_drawn_of_a_mesh(name: str) -> None:
     host, package = hosted(name)
     (step,) = host.plan.steps
     assert isinstance(step, DrawStep)
-    (drawn,) = host.draws(step, is_first=True)
+    (drawn,) = StepDraws(host).of(step, is_first=True)
     wanted, reflection = drawn.state.draw(), drawn.state.instance.reflection
     (model,) = package["models"]
     geometry = package["geometries"][model["geometries"]["0"]]

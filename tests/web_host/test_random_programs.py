@@ -20,6 +20,7 @@ from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.runner.frames.step_draws import StepDraws
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
@@ -67,7 +68,7 @@ def test_random_programs_draw_as_jobs_do(runner: Runner) -> None:
                 sample_textures(instance, number)
             (step,) = host.plan.steps
             assert isinstance(step, DrawStep)
-            (drawn,) = host.draws(step, is_first=True)
+            (drawn,) = StepDraws(host).of(step, is_first=True)
             codes = compile_one(ROUTE, material.files, toolchain)
             made = pipeline(material.reflection, ROUTE, codes)
             (wanted,) = runner.draw(ROUTE, made, [drawn.state.draw()])

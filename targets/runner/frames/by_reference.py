@@ -44,8 +44,9 @@ from ..instances.instance import Instance
 from ..kernels import drawable, full_screen_state, has_images
 from ..reference import geometry_for, texels_of, values_for
 from ..reference_kernels import elements_by_reference
-from .host import FrameHost, StepDraw
+from .host import FrameHost
 from .reference_textures import DrawnTexture, load, size_of_drawn, store
+from .step_draws import StepDraw, StepDraws
 
 Floats = NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -80,6 +81,10 @@ class ReferenceFrames:
     """The rare rules on which the pictures so far depend."""
     told: Progress | None = None
     """Called with the finished share of the present step, layer and draw."""
+    _draws: StepDraws = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._draws = StepDraws(self.host)
 
     def draw(self, progress: Progress | None = None) -> None:
         """Draw the next frame."""
@@ -148,12 +153,12 @@ class ReferenceFrames:
                 source, target = step.copied.texture, step.into.texture
                 self.textures[target] = self.textures[source].copy()
             case RunStep():
-                self._run(step, self.host.kernel(step, is_first=is_first))
+                self._run(step, self._draws.kernel(step, is_first=is_first))
             case DrawStep():
                 self._draw(step, is_first)
 
     def _draw(self, step: DrawStep, is_first: bool) -> None:
-        draws = list(self.host.draws(step, is_first=is_first))
+        draws = list(self._draws.of(step, is_first=is_first))
         targets = list(step.attachments)
         for target in targets:
             for place in target.places:

@@ -21,8 +21,8 @@ from ....compiler.reference.attribution import Explanation, UncoveredError, expl
 from ....compiler.reference.storage_buffers import Contents
 from ....support.frozen import changed
 from .by_reference import ReferenceFrames
-from .host import StepDraw
 from .reference_textures import DEPTHS, DrawnTexture
+from .step_draws import StepDraw
 
 BEFORE = "what was there before"
 """The name for contents that a step finds in its own textures."""

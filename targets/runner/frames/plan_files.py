@@ -28,7 +28,7 @@ from ..documents import Quota, read_json
 from ..files import read_file
 from .checking import PlanError, check_plan
 from .checks.backends import check_backend
-from .host import PlannedFrame
+from .subjects import PlannedFrame
 
 D = TypeVar("D")
 

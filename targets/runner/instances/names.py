@@ -106,10 +106,18 @@ class Names:
             listed = ", ".join(f"`{each}`" for each in inputs)
             return f"`{name}` is not set but derived, from {listed}"
         names = [*self.shapes, *self.textures, *self.counters.values(), *self._lights]
-        root = name.partition(".")[0].partition("[")[0]
-        roots = dict.fromkeys(known.partition(".")[0] for known in names)
-        hint = suggestion(name, names) or suggestion(root, roots) or f"there are {', '.join(roots)}"
-        return f"there is no parameter `{name}`: {hint}"
+        return no_parameter(name, names)
+
+
+def no_parameter(name: str, known: Sequence[str]) -> str:
+    """The message about a name that no parameter has, of which these are all names.
+
+    What a host writes may be misspelt as a whole, or in the part before its first dot.
+    """
+    root = name.partition(".")[0].partition("[")[0]
+    roots = list(dict.fromkeys(each.partition(".")[0] for each in known))
+    hint = suggestion(name, known) or suggestion(root, roots) or f"there are {', '.join(roots)}"
+    return f"there is no parameter `{name}`: {hint}"
 
 
 def _inputs(steps: Steps) -> tuple[str, ...]:
