@@ -124,7 +124,7 @@ def _texture(row: TextureDeclaration, instance: HostValues, section: str) -> dic
         "name": row.name, "section": section, "is_light": False, "element": None,
         "doc": row.doc,
         "kind": "texture", "type": row.type, "dimension": row.dimension,
-        "sample": row.sample, "value": row.default,
+        "sample": row.sample, "intent": row.intent, "value": row.default,
         "is_given": instance.get(row.name) is not None,
     }  # fmt: skip
 

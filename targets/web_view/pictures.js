@@ -11,7 +11,8 @@ const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr";
 
 /**
  * The members of a texture's control that this module reads.
- * @typedef {Control & { dimension: string, sample: string }} TextureControl
+ * @typedef {Control & { dimension: string, sample: string, intent: "color" | "data" }}
+ *   TextureControl
  */
 
 /** @type {(control: Control) => control is TextureControl} */
@@ -70,15 +71,14 @@ export class Pictures {
       const [size, most] = [megabytes(file.size), megabytes(mostBytes)];
       throw new Error(`${file.name} has ${size}, and may have ${most}`);
     }
-    const { dimension, sample } = control;
+    const { dimension, sample, intent } = control;
     const query = new URLSearchParams({ name: file.name, dimension, sample });
     const answer = await fetch(`/picture?${query}`, { method: "POST", body: file });
     const said = await answer.text();
     if (!answer.ok) throw new Error(said);
     if (file.type.startsWith("image/")) this.#looks.set(said, URL.createObjectURL(file));
-    // A map whose default is a normal holds numbers; else a picture most likely shows colours.
-    const isColor = control.picture?.is_srgb ?? String(control.value) !== "flat_normal";
-    this.#ask(control.name, `${isColor ? SRGB : ""}${said}`);
+    const isSrgb = control.picture?.is_srgb ?? intent === "color";
+    this.#ask(control.name, `${isSrgb ? SRGB : ""}${said}`);
   }
 
   /**

@@ -75,6 +75,7 @@ def test_a_material() -> None:
     }
     assert (rows["bumps"]["range"], rows["parts"]["whole"]) == ((0.0, 2.0), True)
     assert [name for name, row in rows.items() if row.get("is_timed")] == ["time"]
+    assert rows["dirt"]["intent"] == "color"
     assert (rows["base"]["doc"], rows["dirt"]["doc"]) == ("Of the clay", "On the clay")
     assert (rows["base"]["section"], rows["ambient_light"]["section"]) == ("Clay", "Studio")
 

@@ -67,11 +67,28 @@ def test_a_texture_is_given_a_picture(page: Page, viewer: Viewer) -> None:
     row.locator(".reset").click()
     shows(page, (255, 255, 255))
     assert row.locator(".file").inner_text() == "All black"
-    # What holds normals is no colour.
-    bumps = page.locator("[data-name=bumps]")
-    choose(page, "bumps", "bumps.png", png())
-    bumps.locator("[type=checkbox]").wait_for()
-    assert not bumps.locator("[type=checkbox]").is_checked()
+
+
+WORN = """
+material Worn {
+    map paint  : texture2d = flat_normal
+    map wear   : texture2d
+    map stains : texture2d with { intent = data }
+    color = paint(uv).rgb * wear(uv).r * stains(uv).rgb
+}
+"""
+
+
+@pytest.mark.parametrize(("name", "is_srgb"), [("paint", True), ("wear", False), ("stains", False)])
+def test_the_intent_says_whether_colours_are_meant(
+    page: Page, viewer: Viewer, name: str, is_srgb: bool
+) -> None:
+    """It is that of the reflection, whichever texture is read without a picture."""
+    write(viewer, WORN)
+    choose(page, name, "gray.png", png())
+    box = page.locator(f"[data-name={name}] [type=checkbox]")
+    box.wait_for()
+    assert box.is_checked() == is_srgb
 
 
 def test_files_that_are_no_pictures(page: Page, viewer: Viewer) -> None:
