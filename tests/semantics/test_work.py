@@ -86,3 +86,16 @@ def work(program: str) -> int:
 def test_twice_the_program_is_twice_the_work(program: Callable[[int], str], size: int) -> None:
     burnish.check(program(2))  # What is loaded once is no work of the program's.
     assert work(program(2 * size)) < 2.4 * work(program(size))
+
+
+def loops(rows: int) -> str:
+    """A value that has to be known, and takes so many times 4096 turns of a loop."""
+    turns = f"sum i in 0..{rows} : sum j in 0..4096 : i mod (j + 1)"
+    return f"fn n() -> int = {turns}\nmaterial M {{ param p : float[n() + 1]  alpha = p[0] }}"
+
+
+def test_a_value_whose_loops_alone_exceed_the_limit_is_not_computed() -> None:
+    assert not burnish.check(loops(1))
+    (said,) = burnish.check(loops(4096))
+    assert said.message.endswith("takes more than 500000 operations")
+    assert work(loops(4096)) < work(loops(1)) / 4

@@ -16,6 +16,7 @@ from ...ir.shader import ConstantValue as Value
 from ...ir.types import Matrix, Scalar, Type, scalar_kind
 from ...reference.evaluate import Evaluator, NotConstantError, TooLongError
 from ...reference.namespace import Lanes
+from ...reference.turns import least_turns
 from ..work import Work
 from .scope import Failure
 
@@ -61,8 +62,10 @@ class ConstantValues:
         if self.is_known(node):
             return self._known.value(node)
         work = self._work
+        allowed = work.allowed(span)
+        if span not in work.refused and least_turns(node) > allowed:
+            work.refuse(span, allowed)
         if span not in work.refused:
-            allowed = work.allowed(span)
             evaluator = Evaluator(most_operations=allowed)
             try:
                 return evaluator.value(node)
