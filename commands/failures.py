@@ -20,8 +20,7 @@ PACKAGES = {
     "uvicorn": ("the viewer's server needs uvicorn", "view"),
     "watchfiles": ("the viewer needs watchfiles", "view"),
 }
-"""By the imported name of a package, the message if it is missing, and the extra that installs
-it."""
+"""The message about a missing package, and the extra that installs it, by its imported name."""
 
 
 def fail(text: str) -> NoReturn:

@@ -90,7 +90,7 @@ class _Places:
 
     @cached_property
     def _users(self) -> dict[int, Span]:
-        """For each value, the place of one of its users.
+        """The place of one of the users of each value.
 
         Pipeline inputs have no place of their own.
         """

@@ -39,9 +39,9 @@ class ShownProgram:
     wrong: str
     """The program that is told the diagnostic and nothing else; empty if there is a reason."""
     right: str
-    """The same program mended, about which there is nothing to say."""
+    """The mended program, about which there is nothing to say."""
     reason: str
-    """Why there are no programs, as a sentence; empty if there are."""
+    """The reason why there are no programs, as a sentence; empty if there are."""
 
     @property
     def condition(self) -> str:

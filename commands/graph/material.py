@@ -73,7 +73,7 @@ class _MaterialBuilder:
             stage.name: {o.value.id for o in stage.results if o.kind != VARYING}
             for stage in staged.program.stages
         }
-        """By stage, the ids of its results, without varyings."""
+        """The ids of the results of each stage, without varyings."""
         self._guarded = {guard.span for guard in staged.guards if guard.span is not None}
         self._arrows: dict[Arrow, None] = {}
 

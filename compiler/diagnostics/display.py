@@ -23,14 +23,14 @@ def harmless(text: str) -> str:
 
 
 def harmless_lines(text: str) -> str:
-    """Like ``harmless``, for a text of several lines: their ends and tabs are kept."""
+    """Makes a text of several lines harmless, and keeps their ends and tabs."""
     pieces = _LINES_AND_TABS.split(text)
     pieces[::2] = map(harmless, pieces[::2])
     return "".join(pieces)
 
 
 def harmless_message(text: str) -> str:
-    """Like ``harmless``, for a message whose further lines are indented.
+    """Makes a message harmless whose further lines are indented.
 
     The end of a line without an indented line behind it comes from a name. It is shown, as the rest
     would look like another message.

@@ -134,7 +134,7 @@ def _reader(type_: Any) -> Reader:
 
 
 def _plain_reader(type_: Any) -> Reader:
-    """The same for a type without constraints."""
+    """The function that reads values of a type without constraints."""
     if is_record(type_):
         return _late(type_)
     origin = get_origin(type_)
@@ -169,7 +169,7 @@ _SCALARS: Mapping[Any, tuple[str, frozenset[type]]] = {
     float: ("a number", frozenset((int, float))),
     str: ("a text", frozenset((str,))),
 }
-"""By type, its name in messages and its classes in Python, where true is no number here."""
+"""The name of a type in messages, and its classes in Python, where true is no number here."""
 
 
 def _word(words: Sequence[Any]) -> Reader:

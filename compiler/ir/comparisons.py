@@ -19,7 +19,7 @@ HOLDS: Mapping[str, Decision] = {
     "ge": lambda left, right: left.lo >= right.hi,
     "ne": lambda left, right: left.hi < right.lo or left.lo > right.hi,
 }
-"""By the builtin, a function that says if the comparison always holds.
+"""A function for each builtin that says if the comparison always holds.
 
 One never holds where its opposite always does (``refinements.OPPOSITES``). No ranges show that two
 values are equal.

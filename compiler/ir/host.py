@@ -22,10 +22,10 @@ KEYS: Mapping[str, str] = {
     "bound": "binder",
     "texture": "texture",
 }
-"""By operation, the name of the field of a step that holds the operation's data."""
+"""The name of the field of a step that holds the data of an operation."""
 
 KNOWN_TO_HOST = PLAIN | KEYS.keys() | {"fold"}
 """The operations that a host computes, in a graph whose binders are closed."""
 
 KNOWN_IN_TREES = KNOWN_TO_HOST | {"as", "called"}
-"""The same in checked trees, with the annotations that have the value of their operand."""
+"""The operations that a host computes in checked trees, which also have annotations."""

@@ -21,7 +21,10 @@ def halved(side: int, times: int) -> int:
 
 
 def misfit(dimension: str, levels: int, width: int, height: int) -> str:
-    """Why no texture of a dimension and of so many mip levels has this size; empty if one has."""
+    """The reason why no texture of a dimension and of so many mip levels has this size.
+
+    It is empty if one has.
+    """
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         return f"the size would be {width} x {height}, and a side has 1 to {LARGEST_SIDE} texels"
     if dimension == "cube" and width != height:
@@ -33,7 +36,10 @@ def misfit(dimension: str, levels: int, width: int, height: int) -> str:
 
 
 def outside(viewport: Area, size: Sides | None) -> str:
-    """Why a viewport is not within targets of a size, which may be unknown; empty if it is."""
+    """The reason why a viewport is not within targets of a size; empty if it is.
+
+    The size may be unknown.
+    """
     left, top, width, height = viewport
     if min(left, top) < 0 or min(width, height) < 1:
         is_inside = False

@@ -43,7 +43,7 @@ class Ranges:
         self._leaves: dict[Formal, Node] = {}
         """The leaf that a variable is in the graph."""
         self._needed: dict[int, Sequence[Node]] = {}
-        """By the id of a loop, the values that have to be known before its states."""
+        """The values that have to be known before the states of a loop, by its id."""
         self._found: dict[tuple[int, tuple[Fact, ...]], Sequence[Fact]] = {}
         """The facts of a loop's states, by its id and the facts of the initial states."""
         self._assuming = False
@@ -100,7 +100,7 @@ class Ranges:
         return UNKNOWN.as_kind(_kind(node.type)) if known is None else known
 
     def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
-        """The same knowledge with further facts assumed; facts that follow are not kept."""
+        """This knowledge with further facts assumed; facts that follow are not kept."""
         other = Ranges((), self.without)
         other._facts = ChainMap(dict(facts), self._facts)
         other._sources, other._indices = self._sources, self._indices

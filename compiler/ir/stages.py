@@ -109,7 +109,7 @@ FLAT = Crossing(VERTICES, FRAGMENTS, "flat")
 CORNER = Crossing(VERTICES, EMITTED, "corner")
 """The value at one corner of the primitive that is being expanded."""
 TESSELLATED_CORNER = Crossing(TESSELLATED, EMITTED, "corner")
-"""The same where the primitive is one of those into which a patch is divided."""
+"""The value at one corner of a primitive into which a patch is divided, and which is expanded."""
 INTO_EMITTED: Mapping[Domain, Crossing] = {
     crossing.origin: crossing for crossing in (CORNER, TESSELLATED_CORNER)
 }
@@ -117,7 +117,7 @@ INTO_EMITTED: Mapping[Domain, Crossing] = {
 PATCH_CORNER = Crossing(VERTICES, PATCHES, "corner")
 """The value at one control point of the patch whose levels are computed."""
 CONTROL_POINT = Crossing(VERTICES, TESSELLATED, "corner")
-"""The same where a vertex of that patch is computed."""
+"""The value at one control point of the patch a vertex of which is computed."""
 SMOOTH_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "perspective")
 FLAT_TESSELLATED = Crossing(TESSELLATED, FRAGMENTS, "flat")
 OF_PATCH = Crossing(PATCHES, TESSELLATED, "flat")

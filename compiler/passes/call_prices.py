@@ -38,7 +38,7 @@ class CallPrices:
         self._costs: dict[Node, int] = {}
         """The costs of bodies, with all that they need."""
         self._outside: dict[Node, frozenset[int]] = {}
-        """By body, its nodes that depend on nothing inside it, and are computed before the call."""
+        """The nodes of each body that depend on nothing inside it, and come before the call."""
         self._left: dict[tuple[int, tuple[Node | None, ...]], int] = {}
         """The cost of what is left, by the body and the arguments that are put in."""
 

@@ -20,7 +20,7 @@ class DrawConstants:
     """
 
     def __init__(self, *, elements: bool = False) -> None:
-        """With ``elements``, elements of parameters' arrays count too, at whatever position.
+        """``elements`` says that elements of parameters' arrays count too, at whatever position.
 
         A host can compute the values that depend on one for each of them.
         """

@@ -38,7 +38,7 @@ class Guard:
 
     @property
     def reason(self) -> str:
-        """Why the guard is needed, in words."""
+        """The reason why the guard is needed, in words."""
         known = ", ".join(_interval(fact) for fact in self.facts)
         return f"operands in {known}; {BUILTINS[self.builtin].outside}"
 
@@ -108,7 +108,7 @@ class Guarding(Expanding):
             super().remark(builtin, operands, outcome, conditions, rule)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """Like ``Simplifier.rule``, with the facts that are known on the path to ``node``.
+        """Simplifies a node by the facts that are known on the path to it, for ``rewrite``.
 
         A guard that stays is put down to the source of ``node``.
         """

@@ -62,7 +62,7 @@ class Simplifier(Builder):
         return rewrite(self.graph, roots, self.rule, self.notes.follow, nodes=nodes)
 
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-        """The same operation in its simplest form, for ``rewrite``."""
+        """The simplest form of an operation, for ``rewrite``."""
         self.at = self.notes.spans.get(node.id, self.at)
         return self.make(node.op, node.type, operands, node.data) if operands else node
 
@@ -100,7 +100,7 @@ class Simplifier(Builder):
         return simplified
 
     def _simplified_arguments(self, arguments: Roots) -> Roots:
-        """Like ``simplified``, but looks at no node again that an earlier argument needed."""
+        """Simplifies arguments, and looks at no node again that an earlier argument needed."""
         known = self._arguments
         nodes = self._affected(arguments, frozenset(), known)
         return rewrite(self.graph, arguments, self.rule, self.notes.follow, nodes=nodes, new=known)

@@ -40,7 +40,7 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
 
 
 def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
-    """The same nodes, each as late as its first use allows: how a person would write them down."""
+    """The nodes that roots need, each as late as its first use allows, as a person writes them."""
     order: dict[int, Node] = {}
     pending: list[tuple[Node, bool]] = [(root, False) for root in reversed(list(roots))]
     while pending:

@@ -101,7 +101,7 @@ class Evaluator:
         """True if only the side of a choice that is taken is evaluated."""
         self._outermost = Frame()
         self._uses: Counter[int] = Counter()
-        """By a node's id, the number of users of its value still to come, for ``values``."""
+        """The number of users of a node's value still to come, by the node's id, for ``values``."""
 
     def values(self, roots: Sequence[Node]) -> list[Lanes]:
         """The lanes of several roots.

@@ -135,7 +135,7 @@ class _Parts:
         return [list(map(joined_lanes, zip(*lanes, strict=True))) for lanes in of_roots], undecided
 
     def _part(self, begin: int, count: int) -> tuple[list[list[Bounded]], Array]:
-        """The same for some invocations, which are whole work groups but for the last one."""
+        """The lanes for some invocations, which are whole work groups but for the last one."""
         has_bounds = self._errors is not None
         groups = (
             PlainInGroups(count, self._size) if self._errors is None

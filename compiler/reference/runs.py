@@ -23,7 +23,7 @@ class Extremes:
         """``choose`` is NumPy's ``minimum`` or ``maximum``."""
         self._choose = choose
         self._levels = [numbers]
-        """By exponent of two, the extremes of runs of that length: one begins at each number."""
+        """The extremes of runs for each exponent of two as length: one begins at each number."""
 
     def of(self, first: Array, last: Array) -> Array:
         """The extremes of many runs at once, which have at least one number."""

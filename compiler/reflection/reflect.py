@@ -211,7 +211,7 @@ def _mesh_buffer_rows(shader: Shader) -> Iterator[VertexInputRow]:
 
 
 def _step(domain: Domain) -> Literal["vertex", "instance"]:
-    """When a vertex input has its next value."""
+    """The word for when a vertex input has its next value."""
     return "instance" if domain == INSTANCES else "vertex"
 
 

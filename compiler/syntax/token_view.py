@@ -97,5 +97,5 @@ class TokenView:
         return text
 
     def quoted(self, first: int, behind: int) -> str:
-        """The same as a message shows it: ``…`` where it is long, or impossible."""
+        """Some tokens as a message shows them: ``…`` where that is long, or impossible."""
         return shortened(self.written(first, behind) or "…")

@@ -38,7 +38,7 @@ def _difference(facts: tuple[Fact, ...], _same: bool) -> Fact:
 
 
 def _union(facts: tuple[Fact, ...], same: bool) -> Fact:
-    """Like ``_difference``, and no bit gets lost."""
+    """The range of bits that are set in one of the operands, of which none gets lost."""
     union = _difference(facts, same)
     return changed(union, lo=max(fact.lo for fact in facts)) if union.lo >= 0 else union
 

@@ -56,11 +56,11 @@ class Said:
     state: SceneState
     source: Program
     allowed: Callable[[], Any]
-    """By the emitted program."""
+    """Computes the bounds by the emitted program."""
     meant: Callable[[], Any]
-    """By the source, on a device that rounds nothing."""
+    """Computes the result by the source, on a device that rounds nothing."""
     possible: Callable[[], Any]
-    """By the source."""
+    """Computes the bounds by the source."""
 
 
 Finds = Callable[[Program, SceneState, RasterRules, Errors | None], Any]

@@ -52,7 +52,7 @@ class Compared:
         names: Sequence[str],
         possible: Callable[[], Expected],
     ) -> Compared:
-        """The same for targets of these formats.
+        """The pictures to compare, for targets of these formats.
 
         A text has no promises any more, nor what was written as ``unguarded``: the source knows
         where nothing is defined.

@@ -53,7 +53,7 @@ class Forms:
     variable_set: str = "{typed} = {value};"
     assign: str = "{name} = {value};"
     accumulate: Mapping[str, str] = ACCUMULATED
-    """By native, an assignment that combines the variable with a value. For other natives, the
+    """An assignment that combines the variable with a value, for some natives. For others, the
     operation and the assignment are written out."""
     if_: str = "if ({condition}) {{"
     else_: str = "} else {"

@@ -18,7 +18,7 @@ from .forms import Forms
 from .spellings import Literals, PipelineInput, Spellings, TypeNames
 
 Numbering = Literal["set", "kind"]
-"""How binding numbers are counted: together in a set, or without sets, for each kind on its own."""
+"""The way of counting binding numbers: together in a set, or without sets, each kind on its own."""
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
@@ -59,7 +59,7 @@ class Framebuffer:
 
 @frozen
 class StreamOutput:
-    """How a host captures vertices."""
+    """The way in which a host captures vertices."""
 
     told: Literal["text", "names", "semantics"]
     """The place where the captured outputs are listed: the text itself, the names that a host gives
@@ -167,9 +167,9 @@ LIMITED: Mapping[str, Limited] = {
 
 
 TargetBlending = Literal["alike", "switched", "apart"]
-"""How targets of one pass may differ in blending: not at all, with the same lanes written
-("alike"); only in being blended or not, and in the written lanes ("switched"); or in everything
-("apart")."""
+"""The ways in which targets of one pass may differ in blending: in none, and they have the same
+lanes written ("alike"); in being blended or not, and in the written lanes ("switched"); or in
+everything ("apart")."""
 
 STORABLE = frozenset({"r32f", "rgba8", "rgba16f", "rgba32f"})
 """The formats of images that kernels of all APIs can write."""
@@ -187,7 +187,7 @@ class Profile:
     preamble: tuple[str, ...] = ()
     """Lines that open each file: version, extensions, default precisions."""
     requires: Mapping[str, str] = EMPTY
-    """By native, the line that opens a file in which it is used."""
+    """The line that opens a file in which a native is used."""
     defaults: tuple[str, ...] = ()
     """Lines behind these two: default precisions, where extensions have to come first."""
     types: TypeNames | None = None
@@ -201,8 +201,8 @@ class Profile:
     stages: Chain = RASTERISED
     """The stages that the profile has, in any order."""
     stream_output: StreamOutput | None = None
-    """How a host captures the vertices of the last stage before the fragments; ``None`` if it
-    cannot."""
+    """The way in which a host captures the vertices that the last stage before the fragments makes;
+    ``None`` if it cannot."""
     image_formats: frozenset[str] = frozenset()
     """The formats of images that kernels can write. A kernel over images of other formats is drawn
     as a full-screen pass."""
@@ -212,7 +212,7 @@ class Profile:
     draws_edges: bool = True
     """True if a host can draw the edges of triangles instead of filling them."""
     blending: TargetBlending = "apart"
-    """How much the targets of one pass may differ in blending."""
+    """The ways in which the targets of one pass may differ in blending."""
     blends_floats: bool = True
     """True if render targets of 32-bit floats can be blended."""
     single_file: bool = False
@@ -265,10 +265,10 @@ class Profile:
     """Builtins that the dialect has no word for: each becomes a function of the text, made from
     the builtin's ``definition``."""
     agrees: Mapping[str, Domain] = EMPTY
-    """By builtin, the operands for which the dialect's own operation has Burnish's meaning, where
-    these are others than the builtin's ``domain``. They are more if the language defines what
-    others leave open; then it needs fewer guards. They are fewer if it has the operation for some
-    types only, or a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
+    """The operands for which the dialect's own operation has a builtin's meaning, where these are
+    others than the builtin's ``domain``. They are more if the language defines what others leave
+    open; then it needs fewer guards. They are fewer if it has the operation for some types only, or
+    a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
     cannot: frozenset[str] = frozenset()
     """Builtins that the profile has neither by itself nor by an exact replacement. The message
     about a program that uses one is in ``capabilities.py``."""

@@ -55,7 +55,7 @@ class Language:
     types: TypeNames
     textures: TextureNames
     images: Mapping[str, str] = EMPTY
-    """By format, the type of an image that a kernel writes."""
+    """The type of an image of a format that a kernel writes."""
     profiles: tuple[Profile, ...]
     """The first is the default."""
     unproven: str = ""

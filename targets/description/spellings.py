@@ -1,4 +1,4 @@
-"""How a language writes types, textures, constants, builtins and the pipeline's inputs.
+"""Spellings of a language: types, textures, constants, builtins and the pipeline's inputs.
 
 ``targets/<name>/language.py`` fills these records in, and the printers of ``emit`` read them.
 """
@@ -42,9 +42,10 @@ class Read:
 
 
 Spellings = Mapping[str, str | Spelling | Read]
-"""How natives are spelled for which neither the operator of their row nor their name will do. Each
-is a name, ``lerp``, which is called with the operands; a symbol, ``==``, between two operands or
-before one; or a form, ``clamp({0}, 0.0, 1.0)``, which reads as a call or stands in parentheses.
+"""Spellings of natives for which neither the operator of their row nor their name will do.
+
+Each is a name, ``lerp``, which is called with the operands; a symbol, ``==``, between two operands
+or before one; or a form, ``clamp({0}, 0.0, 1.0)``, which reads as a call or stands in parentheses.
 """
 
 
@@ -76,8 +77,8 @@ class TypeNames:
     stored_matrix: str = "{type}"
     """A matrix as a block's member, where its order has to be said: ``column_major {type}``."""
     stored: Mapping[str, str] = EMPTY
-    """By type, the type of members of blocks, if variables of that type have another size or
-    alignment than in Burnish's layout: ``vec3``. ``Forms.stored`` reads such members."""
+    """The type of members of blocks for a type whose variables have another size or alignment than
+    in Burnish's layout: ``vec3``. ``Forms.stored`` reads such members."""
 
 
 @frozen
@@ -89,9 +90,9 @@ class Literals:
     float_suffix: str = ""
     uint_suffix: str = "u"
     typed: Mapping[ScalarKind, str] = EMPTY
-    """By kind, the spelling of both sides of a choice between two literals, and of a literal that
-    is shifted. It is for languages whose literals have no type of their own, and would get one that
-    is too wide."""
+    """The spelling of both sides of a choice between two literals, and of a literal that is
+    shifted, by kind. It is for languages whose literals have no type of their own, and would get
+    one that is too wide."""
 
 
 @frozen

@@ -64,7 +64,7 @@ class Fields:
         return capture.stride if capture is not None and captures else 0
 
     def tessellation(self) -> TessellationView | None:
-        """How patches are divided, for the two tessellation stages; ``None`` in other stages."""
+        """The division of patches, for the two tessellation stages; ``None`` in other stages."""
         patches = self._context.program.shader.tessellation
         if patches is None or self._stage.row not in DIVIDING:
             return None

@@ -141,7 +141,7 @@ class LeafPrinter:
 def _crossings(
     varyings: Iterable[Varying],
 ) -> Iterator[tuple[tuple[int, Hashable], tuple[str, int, int]]]:
-    """For each value between stages: its slot, its first lane there, and the slot's lanes."""
+    """The place of each value between stages: its slot, first lane there, and the slot's lanes."""
     for varying in varyings:
         first = 0
         total = width(varying.field.type)

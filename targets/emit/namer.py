@@ -32,8 +32,7 @@ class Namer:
         both."""
         self._scopes: list[list[str]] = []
         self._numbers: dict[str, int] = {}
-        """By stem, the last number that was tried, so that a name that is wanted often stays
-        cheap."""
+        """The last number that was tried for a stem, so that what is wanted often stays cheap."""
 
     def declare(self, wanted: str) -> str:
         """A legal name that nothing visible has yet: ``wanted`` itself if possible."""

@@ -43,8 +43,7 @@ class Names:
     """The semantic of each attribute in the text, in languages that have semantics."""
     varyings: Mapping[str, str]
     points: Mapping[str, str]
-    """By varying of a control point, its name where one stage hands it on and the next one reads
-    it."""
+    """The name of a control point's varying, which one stage hands on and the next one reads."""
     render_targets: Mapping[str, str]
     functions: Mapping[tuple[StageName, Node], str]
     """The names of functions, by stage and the function's body."""

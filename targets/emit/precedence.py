@@ -16,7 +16,7 @@ from typing import NamedTuple, TypeAlias
 
 
 class Binding(IntEnum):
-    """How tightly an expression holds together, from loose to tight."""
+    """The strength with which an expression holds together, from loose to tight."""
 
     CHOICE = 0
     OR = 1

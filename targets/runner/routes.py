@@ -287,7 +287,7 @@ def inspect_tools(routes: Iterable[Route]) -> dict[str, ToolState]:
 
 
 def problem(route: Route, states: Mapping[str, ToolState]) -> str | None:
-    """Why a route cannot draw, tool by tool; ``None`` if it can."""
+    """The reasons why a route cannot draw, tool by tool; ``None`` if it can."""
     problems = (states[name].problem for name in route.needs)
     return "; ".join(text for text in problems if text) or None
 

@@ -67,7 +67,7 @@ class Runner(Closing):
             pool.close()
 
     def problem(self, route: Route) -> str | None:
-        """Why a route cannot draw on this machine, tool by tool; ``None`` if it can."""
+        """The reasons why a route cannot draw on this machine, tool by tool; ``None`` if it can."""
         return problem(route, self._states)
 
     def versions(self, route: Route) -> dict[str, str]:

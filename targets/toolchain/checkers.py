@@ -24,7 +24,7 @@ Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
 """Answers jobs, in their order. All jobs of a call are for one checker and have the same flags."""
 
 VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
-"""The same text is compiled to SPIR-V and to DXIL, and DXIL has no use for ``[[vk::location]]``."""
+"""A flag for DXIL, which has no use for the ``[[vk::location]]`` that the text has for SPIR-V."""
 DXC_PROFILES = {
     "vert": "vs_6_0", "tesc": "hs_6_0", "tese": "ds_6_0", "geom": "gs_6_0", "frag": "ps_6_0",
     "comp": "cs_6_0",

@@ -1,4 +1,4 @@
-"""Where to look for the files of a tool: one class for each kind of tool.
+"""Places to look for the files of a tool: one class for each kind of tool.
 
 A row of ``tools.py`` has one of these. Each kind answers two questions: which files are ``inside``
 a folder that the installer made, and which are ``outside``, installed by the system. Both return

@@ -26,7 +26,7 @@ class Toolbox:
         self.tint = Pool(1, lambda: Worker(self._tint_command, COMPILERS))
 
     def problem(self, tool: str) -> str | None:
-        """Why a tool cannot be used; ``None`` if it can."""
+        """The reason why a tool cannot be used; ``None`` if it can."""
         return self._state(tool).problem
 
     def version(self, tool: str) -> str:

@@ -35,7 +35,7 @@ class Toolchain(Closing):
         self._threads.shutdown()
 
     def problem(self, checker: str) -> str | None:
-        """Why a checker cannot be used, tool by tool; ``None`` if it can."""
+        """The reasons why a checker cannot be used, tool by tool; ``None`` if it can."""
         problems = (self._toolbox.problem(tool) for tool in CHECKERS[checker].needs)
         return "; ".join(problem for problem in problems if problem) or None
 

@@ -105,7 +105,7 @@ class ToolState:
     """The paths of the tool's files, in their order; empty if it is missing."""
     version: str | None
     problem: str | None
-    """Why the tool cannot be used; ``None`` if it can."""
+    """The reason why the tool cannot be used; ``None`` if it can."""
 
 
 def _python_package(name: str, extra: str, purpose: str) -> Tool:

@@ -79,7 +79,7 @@ class WebGPUPipeline:
     targets: tuple[Annotated[Native, TypeScript("GPUColorTargetState")], ...]
     """The format, blending and write mask of each target."""
     primitive: Annotated[Native, TypeScript("GPUPrimitiveState")]
-    """How primitives are drawn."""
+    """The drawing of primitives."""
     depth_stencil: Annotated[Native, TypeScript('Omit<GPUDepthStencilState, "format">')]
     """The tests of depths and stencil values, but for the format."""
 

@@ -21,7 +21,7 @@ class Builder:
         self.ranges = ranges
         self.notes = notes
         self.steady: dict[Node, bool] = {}
-        """By value: is it the same for all pixels of a triangle (``differences``)?"""
+        """True for values that are the same for all pixels of a triangle (``differences``)."""
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None

@@ -104,7 +104,7 @@ class _Spans:
 
 
 def coverage_within(faces: Faces, some: Ints, rules: RasterRules, targets: int) -> Coverage:
-    """Like ``coverage_of``, for some faces only, with these numbers in ascending order."""
+    """The coverage of some faces only, with these numbers in ascending order."""
     if len(some) == len(faces.area):
         return coverage_of(faces, rules, targets)
     found = coverage_of(faces.only(some), rules, targets)
@@ -194,7 +194,7 @@ def _edges(faces: Faces, rules: RasterRules) -> _Edges:
 
 
 def _spans(faces: Faces, edges: _Edges, rules: RasterRules, at: Location) -> _Spans:
-    """For every face, the rows of samples that it may touch, and the pixels between its edges."""
+    """The rows of samples that each face may touch, and the pixels between its edges."""
     slack = faces.unsure.max(axis=1, initial=0.0)
     first, upper, last, lower = rules.drawn
     left = _clamped(np.ceil(faces.x.min(axis=1) - slack - at.x), first, last)
@@ -242,7 +242,7 @@ def _portions(spans: _Spans) -> Iterator[_Spans]:
 def _tried(
     edges: _Edges, spans: _Spans, face: Ints, x: Floats, at: Location
 ) -> tuple[Bools, Bools]:
-    """For each candidate: is it covered, and may rounding change this?"""
+    """Tells of each candidate whether it is covered, and whether rounding may change this."""
     covered = np.ones(len(x), dtype=np.bool_)
     beside = np.ones(len(x), dtype=np.bool_)
     close = np.zeros(len(x), dtype=np.bool_)

@@ -24,7 +24,7 @@ _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0,
 """The directions of the columns and the rows of each face, and the one in which it lies."""
 
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
-"""The same directions as numbers of lanes, with signs."""
+"""These directions as numbers of lanes, with signs."""
 _FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
 """The lane that is the largest on each face, and its sign."""
 
@@ -151,7 +151,7 @@ def _turned(face: Ints, lanes: Sequence[Floats]) -> tuple[Floats, Floats, Floats
 
 
 def _turned_lanes(face: Ints, lanes: Sequence[Bounded]) -> list[Bounded]:
-    """The same for lanes with bounds."""
+    """The lanes of a direction with bounds in a face's own axes."""
     turned = _turned(face, [lane.value for lane in lanes])
     if all(lane.is_exact for lane in lanes):
         return [exact(value) for value in turned]

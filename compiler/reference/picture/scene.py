@@ -144,7 +144,7 @@ class RasterRules:
     They are relative to the largest number with which the planes are computed.
     """
     frag_coord_bits: int | None = None
-    """The same of the planes of a fragment's depth, and of its 1 / w."""
+    """The exact binary places of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
     """The binary places of the level of detail; ``None``: exact."""
     mixing_bits: int | None = None

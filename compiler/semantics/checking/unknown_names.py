@@ -117,7 +117,7 @@ def unknown(
 def unknown_here(
     ctx: Context, kind: str, name: str, span: Span, known: Iterable[str], module: Module
 ) -> None:
-    """The same for a name that an import could bring, or should have brought."""
+    """Reports an unknown name that an import could bring, or should have brought."""
     if name not in module.missing:
         if module.incomplete:
             known = list(known)

@@ -337,7 +337,7 @@ _LEAVES_OF: Mapping[type, Callable[[Context, Definition, str, str], Leaves]] = {
     ast.Buffer: _of_buffer,
     ast.Attribute: _of_attribute,
 }
-"""By the class of a member, the function that makes its leaves, by the name and the owner's.
+"""The function that makes the leaves of a member, by the name and the owner's, for its class.
 
 There is one row for each kind whose contribution is a leaf.
 """

@@ -63,7 +63,7 @@ class Module:
         return self.known(name)
 
     def known(self, name: str) -> tuple[Symbol, ...]:
-        """Like ``find``, but does not report an ambiguous import: for suggestions."""
+        """The symbols of a name for suggestions: an ambiguous import is not reported."""
         found = self.declared.get(name) or self.imported.get(name)
         if not found and self.prelude is not None:
             found = self.prelude.declared.get(name)

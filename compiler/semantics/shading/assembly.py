@@ -138,7 +138,7 @@ def _part_in(twin: Callable[[], Setting], number: int) -> Twin:
 
 
 def _twin(ctx: Context, parts: Parts) -> Setting:
-    """The same parts in a context apart, which reports nothing."""
+    """A setting of these parts in a context apart, which reports nothing."""
     setting = set_up(parts, ctx.report.apart(), ctx.records)
     setting.ctx.is_twin = True
     return setting

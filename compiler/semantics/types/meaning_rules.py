@@ -79,7 +79,7 @@ def weakened(meaning: Meaning | None) -> Meaning | None:
 
 
 def apart(sides: tuple[Side, ...]) -> Clash | None:
-    """Why operands do not belong together: families that do not mix, or two spaces."""
+    """The reason why operands do not belong together: families that do not mix, or two spaces."""
     known = [(i, s.meaning) for i, s in enumerate(sides) if s.meaning is not None]
     for (i, first), (j, second) in pairwise(known):
         if family(first) != family(second):
@@ -266,7 +266,7 @@ def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
 
 
 def _limits(sides: tuple[Side, ...], result: Type) -> Found:
-    """Like ``_lanes``, and angles stay angles."""
+    """The rule of limits, which work lane by lane: colours and angles stay such."""
     found = _lanes(sides, result)
     is_angle = _first(sides) == ANGLE and isinstance(result, Scalar)
     return ANGLE if found is None and is_angle else found

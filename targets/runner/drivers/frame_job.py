@@ -118,7 +118,7 @@ class FrameDraw:
     """For each texture of the pipeline, the number of one of the frame's textures; ``OWN`` stands
     for the next one of the draw's own textures."""
     buffers: tuple[int, ...]
-    """The same for the pipeline's storage buffers and the frame's buffers."""
+    """The numbers of the frame's buffers in the same way, for the pipeline's storage buffers."""
     draw: Draw | None = None
     dispatch: Dispatch | None = None
 

@@ -77,7 +77,7 @@ class FollowedFrames(ReferenceFrames):
     pixel: tuple[int, int] = (0, 0)
     """The pixel's column and row in the first level."""
     made: dict[int, Origin] = field(default_factory=dict)
-    """By texture: the origin of the pixel's present value."""
+    """The origin of the pixel's present value in each texture."""
 
     @property
     def found(self) -> Origin | None:
