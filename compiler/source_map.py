@@ -67,12 +67,7 @@ class _Places:
     def __init__(self, shader: Shader, notes: Notes) -> None:
         self._shader = shader
         self._spans = notes.spans
-        self._leaves: dict[Hashable, Span] = {
-            **{info.leaf: info.span for info in shader.parameters},
-            **{info.leaf: info.span for info in shader.textures},
-            **{info.leaf: info.span for info in shader.buffers},
-            **{info.leaf: info.span for info in shader.attributes},
-        }
+        self._leaves: dict[Hashable, Span] = {info.leaf: info.span for info in shader.leaves}
 
     def of(self, root: Node) -> Span | None:
         """The place of a node, or of an operand if a pass has made the node."""

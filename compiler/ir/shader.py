@@ -366,6 +366,11 @@ class Shader:
     """The pipeline state that the pass asks for."""
 
     @property
+    def leaves(self) -> tuple[LeafInfo, ...]:
+        """All that is declared: parameters, textures, buffers that are read, and vertex inputs."""
+        return (*self.parameters, *self.textures, *self.buffers, *self.attributes)
+
+    @property
     def roots(self) -> Roots:
         """The values of all results, from which passes and walks over the graph start."""
         return Roots([result.value for result in self.results])

@@ -26,8 +26,7 @@ def mesh_buffer(
 ) -> BufferInfo:
     """The buffer that has the inputs of a vertex, or of a primitive, in each element."""
     rows = [(member_name(info.leaf), info) for info in infos]
-    taken = {name for info in shader.buffers for name in _structs_of(info.leaf.type)}
-    taken |= {name for info in shader.parameters for name in _structs_of(info.leaf.type)}
+    taken = {name for info in shader.leaves for name in _structs_of(info.leaf.type)}
     struct = Struct(
         free_name(PRIMITIVE_STRUCT if is_primitive else VERTEX_STRUCT, taken),
         tuple((name, info.leaf.type) for name, info in rows),
