@@ -1,6 +1,6 @@
 """Lays out uniform blocks: which parameters share a block, and where each of them lies in it.
 
-The pass pipeline calls ``layout_blocks`` once for each shader. The group of a parameter decides in
+The pass pipeline calls ``blocks_of`` once for each shader. The group of a parameter decides in
 which block it lies, and the order of the declarations decides the order in the block.
 ``ir/storage.py`` defines how a single value is stored.
 """
@@ -25,10 +25,18 @@ from .ir.storage import (
 from .ir.types import FLOAT, Array, Type, Vector
 
 if TYPE_CHECKING:
-    from .ir.shader import ExternInfo
+    from .ir.shader import ExternInfo, Shader
 
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 """The groups that exist in every shader, in the order of their bindings."""
+
+
+def blocks_of(shader: Shader, derived: Sequence[Parameter]) -> tuple[Block, ...]:
+    """The blocks of a shader, of which the host computes these derived parameters as well."""
+    declared = shader.parameters
+    docs = {info.leaf.name: info.doc for info in declared if info.doc}
+    parameters = [*(info.leaf for info in declared), *derived]
+    return layout_blocks(parameters, docs=docs, externs=shader.externs)
 
 
 def layout_blocks(

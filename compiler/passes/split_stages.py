@@ -40,7 +40,7 @@ from ..ir.stages import (
     StageRow,
 )
 from ..ir.types import UINT, scalar_kind
-from ..layout import STANDARD_GROUPS, layout_blocks
+from ..layout import blocks_of
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
 from .interfaces import Interfaces
@@ -56,7 +56,7 @@ def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
     It is the last pass, and also the last step of ``targets/legalise`` if that has changed some
     values.
     """
-    blocks = _blocks(shader, derived)
+    blocks = blocks_of(shader, [value.parameter for value in derived])
     _name_levels(shader.results, shader.notes)
     works: list[_Work] = []
     interfaces = Interfaces(shader.notes, shader.results)
@@ -140,13 +140,6 @@ def _placing(
         ]  # fmt: skip
         roots += [group.delivered[number] for group in groups for number in numbers]
     return frozenset(visible(roots, into_bodies=True))
-
-
-def _blocks(shader: Shader, derived: tuple[Derived, ...]) -> tuple[Block, ...]:
-    parameters = [info.leaf for info in shader.parameters]
-    docs = {info.leaf.name: info.doc for info in shader.parameters if info.doc}
-    parameters += [value.parameter for value in derived]
-    return layout_blocks(parameters, STANDARD_GROUPS, docs, shader.externs)
 
 
 def _outputs(shader: Shader, results: Iterable[Result]) -> Iterator[Output]:

@@ -63,8 +63,14 @@ def _place(found: tuple[Block, StoredMember] | None, further: int, packed: Packi
     }
 
 
-def parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> ParameterRow:
-    """One declared parameter; ``names`` are those of all parameters."""
+def parameter_rows(infos: Sequence[ParameterInfo], places: Places) -> tuple[ParameterRow, ...]:
+    """All declared parameters of a shader, or of a frame."""
+    names = frozenset(info.leaf.name for info in infos)
+    return tuple(_parameter_row(info, names, places) for info in infos)
+
+
+def _parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> ParameterRow:
+    """One of them; ``names`` are those of all, as one may count the elements of another."""
     parameter = info.leaf
     counter = f"{parameter.name}.count"
     return ParameterRow(

@@ -56,7 +56,7 @@ from ..ir.types import TextureType
 from ..planning.plan import Copy, Plan, PlannedStep, Target
 from ..planning.textures import Shape
 from .buffers import buffer_row
-from .parameters import Places, light_rows, parameter_row
+from .parameters import Places, light_rows, parameter_rows
 from .values import steps
 
 VERSION: Literal[2] = 2
@@ -81,14 +81,13 @@ class _Document:
 
     def made(self) -> FramePlan:
         frame = self._frame
-        names = frozenset(info.leaf.name for info in frame.parameters)
         return FramePlan(
             plan=VERSION,
             frame=frame.name,
             doc=frame.doc,
             source=_place(frame.span),
             rig=frame.rig,
-            parameters=tuple(parameter_row(info, names, Places(())) for info in frame.parameters),
+            parameters=parameter_rows(frame.parameters, Places(())),
             lights=light_rows(frame.parameters),
             host_textures=tuple(map(self._host_texture_row, frame.textures)),
             host_buffers=tuple(map(buffer_row, frame.buffers)),

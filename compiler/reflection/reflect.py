@@ -48,7 +48,7 @@ from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
-from .parameters import Places, derived_rows, light_rows, parameter_row
+from .parameters import Places, derived_rows, light_rows, parameter_rows
 from .textures import TextureRows
 from .values import steps
 
@@ -116,7 +116,6 @@ def reflect(
     of the derived parameters in terms of the others, of declared types (not lowered to storage).
     """
     infos = shader.parameters
-    names = frozenset(info.leaf.name for info in infos)
     places = Places(program.blocks)
     textures = TextureRows(shader.textures, program)
     return Reflection(
@@ -127,7 +126,7 @@ def reflect(
         doc=shader.doc,
         conventions=CONVENTIONS,
         blocks=tuple(block_rows(program)),
-        parameters=tuple(parameter_row(info, names, places) for info in infos),
+        parameters=parameter_rows(infos, places),
         derived=derived_rows(places, derived or {}, infos),
         promises=tuple(_promise_rows(shader)),
         lights=light_rows(infos),

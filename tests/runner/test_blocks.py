@@ -17,7 +17,7 @@ from burnish.compiler.ir.shader import ParameterInfo
 from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.passes.lower_reads import lower_reads
-from burnish.compiler.reflection.parameters import Places, parameter_row
+from burnish.compiler.reflection.parameters import Places, parameter_rows
 from burnish.support.frozen import changed
 
 from ..layout.declarations import parameters, values
@@ -39,13 +39,12 @@ def reflected(declared: list[Parameter]) -> Reflection:
     """A reflection, of which the parts are right that an instance reads."""
     blocks = layout_blocks(declared)
     infos = [ParameterInfo(p, str(p.type), "", NOWHERE) for p in declared]
-    names = frozenset(p.name for p in declared)
     plain = PLAIN.blocks[0]
     return changed(
         PLAIN,
         material="Random",
         blocks=tuple(changed(plain, name=block.name, size=block.size) for block in blocks),
-        parameters=tuple(parameter_row(info, names, Places(blocks)) for info in infos),
+        parameters=parameter_rows(infos, Places(blocks)),
         derived=(),
         lights=(),
     )

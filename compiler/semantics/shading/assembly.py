@@ -51,6 +51,12 @@ class Setting:
     surface: Instance
     passing: Instance
 
+    @property
+    def all_leaves(self) -> Leaves:
+        """The leaves of the pass, of the material, and of the lights."""
+        of_lights = [leaves for _, leaves in self.entries]
+        return tuple(info for leaves in (*self.leaves, *of_lights) for info in leaves)
+
 
 def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     """The parts put together; slots that they lack because they are abstract get placeholders."""

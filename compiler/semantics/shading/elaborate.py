@@ -146,8 +146,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
     steps = setting.surface.steps
-    own = [info for leaves in setting.leaves for info in leaves]
-    everything = [*own, *(info for _, leaves in setting.entries for info in leaves)]
+    leaves = setting.all_leaves
     told = _of_pattern(steps)
     written = [result.value for result in results]
     values, graph, notes = lowered(ctx, [*written, *told])
@@ -159,9 +158,9 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         rig_name=parts.rig.name,
         graph=graph,
         notes=notes,
-        parameters=all_parameters(everything, ctx.externs.infos),
-        textures=with_intents(of_kind(TextureInfo, everything), ctx.meanings, written),
-        attributes=tuple({a.leaf: a for a in of_kind(AttributeInfo, own)}.values()),
+        parameters=all_parameters(leaves, ctx.externs.infos),
+        textures=with_intents(of_kind(TextureInfo, leaves), ctx.meanings, written),
+        attributes=tuple({a.leaf: a for a in of_kind(AttributeInfo, leaves)}.values()),
         results=tuple(changed(r, value=v) for r, v in zip(results, values, strict=True)),
         externs=ctx.externs.infos,
         chain=_chain(setting),
@@ -169,7 +168,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
         pattern=PatchPattern(*told) if told else None,
         capture=capture_of(setting.passing.record, results),
-        buffers=of_kind(BufferInfo, everything),
+        buffers=of_kind(BufferInfo, leaves),
         render_state=render_state_of(ctx, setting.passing.record),
     )
 
