@@ -10,10 +10,8 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
-import burnish
-from burnish.commands.frame_files import Shown, write_pictures
-from burnish.commands.frames import those_that_have_all
-from burnish.targets.runner.routes import ROUTES
+from burnish.commands.picture_files import Page, write_pages
+from burnish.targets.runner.sheet import Panel
 
 from .kit import invoke, tree
 
@@ -94,7 +92,8 @@ def test_one_frame_is_one_picture(folder: Path) -> None:
 
 def test_there_are_enough_digits(folder: Path) -> None:
     output = folder / "out" / "f.png"
-    write_pictures([[Shown.of(np.zeros((1, 1, 1, 4)), output)]] * 1001, output)
+    page = Page([Panel((), "", Image.new("RGB", (1, 1)))], 1, (1, 1))
+    write_pages([page] * 1001, output)
     assert min(tree(folder / "out")) == "f-0000.png"
     assert max(tree(folder / "out")) == "f-1000.png"
 
@@ -136,14 +135,17 @@ frame Shown { models scene  both = Both(scene)  output picture = both.color }
 """
 
 
-def test_of_all_routes_those_are_left_out_that_lack_something(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    routes = [None, ROUTES["lavapipe:glsl"], ROUTES["llvmpipe:es310"]]
-    profiles = [route.profile for route in routes if route is not None]
-    (frame,) = burnish.compile(UNLIKE, profiles, partial=True).frames
-    assert those_that_have_all(frame, routes) == routes[:2]
-    assert capsys.readouterr().err == (
+def test_of_all_routes_those_are_left_out_that_lack_something(folder: Path) -> None:
+    """They are told, and have an empty place on the sheet beside the pictures of all outputs."""
+    (folder / "f.burnish").write_text(UNLIKE)
+    result = invoke(
+        "render", folder / "f.burnish", "-o", folder / "f.png", "--size", "4",
+        "--on", "all",
+    )  # fmt: skip
+    assert result.exit_code == 0
+    assert (
         "note: Shown is not drawn by llvmpipe:es310: glsl:es310 has no blending of its own for "
         "each target\n"
-    )
+    ) in result.stderr
+    with Image.open(folder / "f.png") as sheet:
+        assert sheet.width == 4 * (128 + 16) + 16

@@ -12,13 +12,14 @@ import burnish
 from burnish.compiler.documents.plan import FramePlan, SizeRow, WrittenBuffer
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.writing import to_json
+from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.checking import PlanError
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
 from burnish.targets.runner.frames.single_plan import SIZE
 from burnish.targets.runner.meshes import MESHES
-from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.reference import expected
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import set_up
 
@@ -41,7 +42,7 @@ def test_it_draws_the_same(name: str) -> None:
 
     mesh = with_inputs(material.reflection, MESHES["sphere"](), 2)
     state = set_up(material.instance(), mesh, Scene(), (WIDTH, HEIGHT))
-    (wanted, *_others), _broken = by_reference(material, state)
+    wanted, *_others = expected(material.shader, state, RasterRules(WIDTH, HEIGHT)).targets
     layers = wanted if wanted.ndim == 4 else wanted[np.newaxis]
     assert found.shape == layers.shape
     assert np.abs(found - layers).max() <= 1 / 255  # One of them is rounded to the format.

@@ -82,7 +82,7 @@ def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
     return not is_shader(subject)
 
 
-def is_shader(subject: Subject | FrameSubject) -> TypeGuard[Subject]:
+def is_shader(subject: Subject | PlannedFrame) -> TypeGuard[Subject]:
     """True if something compiled is a material or a kernel, and no frame."""
     return hasattr(subject, "files")
 
@@ -139,6 +139,7 @@ class FrameHost:
         """Raises ``PlanError`` for a plan that cannot be executed."""
         plan = subject.plan
         check_plan(plan, [shader.reflection for shader in subject.shaders])
+        self.frame = subject
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
@@ -181,26 +182,30 @@ class FrameHost:
 
     def _set(self, name: str, act: Callable[[HostValues], None]) -> None:
         self.given |= {name}
-        is_known = False
+        errors: list[UnknownParameterError] = []
         every: tuple[HostValues, ...] = (self.values, *self.instances)
         for instance in every:
             try:
                 act(instance)
-            except UnknownParameterError:
+            except UnknownParameterError as error:
+                errors.append(error)
                 continue
             if instance is self.values:
                 return
-            is_known = True
-        if not is_known:
-            raise UnknownParameterError(name, self._unknown(name))
+        if len(errors) == len(every):
+            unset = (error for error in errors if error.names_no_value)
+            raise next(unset, UnknownParameterError(name, self._unknown(name)))
 
     def _unknown(self, name: str) -> str:
         """The message about a name that neither the frame nor a shader has."""
-        declared = [each.declared for each in (self.values, *self.instances)]
+        declared = [each.declared for each in (*self.instances, self.values)]
+        # The size of a single material's picture is called by its step: it is not the material's.
+        steps = tuple(f"{step.name}." for step in self.plan.steps)
         names = [
             row.name
             for each in declared
             for row in (*each.parameters, *each.textures, *each.buffers)
+            if not row.name.startswith(steps)
         ]
         roots = list(dict.fromkeys(known.partition(".")[0] for known in names))
         root = name.partition(".")[0].partition("[")[0]
@@ -273,6 +278,17 @@ class FrameHost:
         return cleared(self.plan, target, self.number)
 
     # --- draws -----------------------------------------------------------------------------------
+
+    def check_values(self) -> None:
+        """Raise ``MissingValuesError`` if something is drawn for which a value is missing."""
+        self.begin(0)
+        for step in self.plan.steps:
+            if isinstance(step, DrawStep):
+                drawn = list(self.draws(step, is_first=True))
+            else:
+                drawn = [self.kernel(step, is_first=True)] if isinstance(step, RunStep) else []
+            for draw in drawn:
+                draw.state.instance.values()
 
     def draws(self, step: DrawStep, *, is_first: bool) -> Iterator[StepDraw]:
         """All draws of a step, in order."""
@@ -370,7 +386,9 @@ class FrameHost:
                 source = f"{source}[{light[1]}]"
             if row.capacity is None:
                 for name in row.parameters:
-                    instance.set(name, self.values.get(f"{source}.{row.member(name)}"))
+                    value = self.values.get(f"{source}.{row.member(name)}")
+                    if value is not None:
+                        instance.set(name, value)
             else:
                 instance.take(row.name, self.values, own.name)
                 if row.count is not None and own.count is not None:
