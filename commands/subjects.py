@@ -96,7 +96,7 @@ class Subject(NamedTuple):
         return ", ".join(self.titles)
 
 
-T = TypeVar("T", "CompiledFrame", "CompiledMaterial")
+T = TypeVar("T", bound="CompiledFrame | CompiledMaterial")
 Frames = list[tuple[Titles, "PlannedFrame"]]
 Materials = list[tuple[Titles, "CompiledMaterial"]]
 """Materials and kernels, each with its titles."""
