@@ -109,7 +109,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--target", metavar="NAME",
-    help="The render target to show, if not the first; or the output of a frame.",
+    help="The render target to show, if not the first; or the output of a frame, instead of all.",
 )  # fmt: skip
 @click.option(
     "--material", metavar="NAME",
@@ -121,11 +121,11 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @hoist_option
 @native_stages_option
 def render(**chosen: Any) -> None:
-    """Draw the materials of FILE.
+    """Draw the materials or the frames of FILE.
 
     The reference, which needs no GPU, defines what the picture must be. Other routes draw the
-    emitted shaders with real compilers and drivers. If there are several materials, rigs or routes,
-    their pictures are put side by side on a sheet.
+    emitted shaders with real compilers and drivers. Pictures of several materials, frames, outputs,
+    rigs or routes are put side by side on a sheet.
 
     The command sets up a scene with a camera and lights; --set changes it. Values are written as
 
@@ -144,9 +144,9 @@ def render(**chosen: Any) -> None:
     called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
     runs it again and again; --again says which buffers continue with the written result.
 
-    A file that declares a frame shows its outputs, side by side: pictures of the whole frame, with
-    a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
-    or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
+    A file that declares frames shows their outputs: pictures of the whole frame, with a model of
+    each material. For frames that evolve, --frames draws several: as numbered pictures, or as one
+    that moves if the output ends in .gif or .webp. With --scene, a frame draws the objects of
     a glTF file, each with the material that is called as in that file, or with the only one. Its
     numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
     rig, and its first camera sees it all.

@@ -78,3 +78,35 @@ def test_what_leaves_nothing_has_no_frame() -> None:
     step = burnish.compile(file, ("glsl:vulkan",), pass_="Step", native_stages=True).materials[0]
     with pytest.raises(PlanError, match="Sparks draws no picture"):
         single_frame(step)
+
+
+def test_a_target_called_depth_is_beside_the_depths() -> None:
+    source = """
+        material Half { color = #ffffff }
+        pass Both : Forward { target depth : r32f = 0.5 }
+    """
+    material = burnish.compile(source, ("wgsl",), pass_="Both").materials[0]
+    frame = single_frame(material)
+    drawing = ReferenceFrames(FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8)))
+    drawing.draw()
+    assert drawing.output("depth").levels[0][0, 0, 4, 4, 0] == 0.5
+
+
+def test_lights_have_the_names_by_which_they_are_set() -> None:
+    """A parameter of the material has the name of a light of the rig."""
+    source = """
+        import std.lights.{Point}
+        import std.terms.{lambert}
+        material Wall { param lamp : float = 1  color = lambert(vec3(lamp)) }
+        rig Street { lamp : Point }
+    """
+    material = burnish.compile(source, ("wgsl",)).materials[0]
+    frame = single_frame(material)
+    host = FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8))
+    host.set_text("Street.lamp.diffuse_color", "1,0,0")
+    host.set_text("lamp", "0.5")
+    drawing = ReferenceFrames(host)
+    drawing.draw()
+    pixels = drawing.output("color").levels[0][0, 0]
+    assert pixels[..., 0].max() > 0
+    assert pixels[..., 1].max() == 0
