@@ -68,7 +68,7 @@ def panels(
             note = "float64" if route is None else runner.device(route).title
             for pictures in _pictures(subject, route, request.frames, runner, toolchain, tell):
                 times.append(_shown(subject, pictures, _name(route), note, request.output))
-                _check_kept(times[0], len(pairs) * request.frames)
+                _check_room(times[0], len(pairs) * request.frames)
         except (CodeError, DriverError, PlanError, UndrawableError) as error:
             if len(pairs) == 1:
                 raise
@@ -172,7 +172,7 @@ def _lanes(plan: FramePlan, output: str) -> int:
     return 1 if name in DEPTH_WORDS else width(TARGET_FORMATS[name].type)
 
 
-def _check_kept(panels: Iterable[Panel], times: int) -> None:
+def _check_room(panels: Iterable[Panel], times: int) -> None:
     """Raise ``BudgetError`` if there is no room for ``times`` as many panels.
 
     They are kept until all files are written together, with a copy of them in a file.
