@@ -26,11 +26,11 @@ def kernels_of(materials: Iterable[CompiledMaterial]) -> list[Kernel]:
 def feed(kernels: Sequence[Kernel], drawn: Sequence[Instance], again: Mapping[str, str]) -> Feeding:
     """The kernels that fill the buffers of everything that is drawn.
 
-    The command ends if nothing is drawn. Raises ``FeedError``.
+    The command ends if there are kernels only. Raises ``FeedError``.
     """
     from ..targets.runner.kernel_results import Feeding
 
-    if not drawn:
+    if kernels and not drawn:
         _tell_how_to_draw(kernels)
     feeding = Feeding(kernels, drawn, again)
     for instance in drawn:

@@ -1,20 +1,20 @@
-"""Draws the pictures of ``burnish render``: one panel for each subject and route."""
+"""Draws the subjects of ``burnish render`` and of the gallery by any route, as panels of sheets."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
+from ..compiler.budget import check
 from .console import remark
 from .progress import Progress
-from .subjects import Subject, target_number
+from .subjects import RenderRequest, Subject
 
 if TYPE_CHECKING:
-    from ..targets.runner.render import Floats
+    from ..compiler.documents.plan import FramePlan
+    from ..targets.runner.frames.by_reference import Floats
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
     from ..targets.runner.sheet import Panel
@@ -22,108 +22,164 @@ if TYPE_CHECKING:
 
 _UNDEFINED = "the pixels that use it are not defined"
 NOT_RUN = "not run"
-"""The title of a panel whose route lacks its tools, or a feature that the material needs."""
+"""The title of a panel whose route lacks its tools, or a feature that the frame needs."""
 BROKEN = "failed"
 """The title of a panel for which a compiler, a driver or the reference failed."""
+_OF_A_PIXEL = 4
+"""Bytes of an image in memory."""
 
-
-def check_single(count: int, path: Path) -> None:
-    """Refuse a sheet in a format for numbers: its captions and borders have none."""
-    from ..targets.runner.pictures import keeps_numbers
-
-    if count > 1 and keeps_numbers(path):
-        raise click.UsageError(
-            f"`{path}` keeps the numbers of one picture, and there are {count}: name one "
-            "--material, --rig, --pass, --target and route"
-        )
+Times = list[list["Panel"]]
+"""For each time that a subject is drawn, a panel for each of its outputs."""
 
 
 def panels(
     subjects: Sequence[Subject],
     routes: Sequence[Route | None],
-    target: str | None,
+    request: RenderRequest,
     runner: Runner,
+    toolchain: Toolchain,
     progress: Progress,
-) -> Iterator[Panel]:
-    """A panel for each subject and route, one row per subject; the route ``None`` is the reference.
+) -> Iterator[Times]:
+    """The panels of each subject by each route, one subject after the other; the route ``None`` is
+    the reference.
 
-    ``target`` names the render target to show. If something could not be drawn, its panel says so;
-    if there is only one panel, its ``CodeError``, ``DriverError`` or ``UndrawableError`` is raised.
+    If something could not be drawn, its panels say so, all of them one and the same; if there is
+    only one subject and route, its ``CodeError``, ``DriverError``, ``PlanError`` or
+    ``UndrawableError`` is raised. Raises ``BudgetError`` if there is no room for all pictures.
     """
     from ..targets.runner.codes import CodeError
     from ..targets.runner.drivers.device import DriverError
+    from ..targets.runner.frames.checking import PlanError
     from ..targets.runner.kernels import UndrawableError
     from ..targets.runner.sheet import Panel
-    from ..targets.toolchain import Toolchain
 
     pairs = list(product(subjects, routes))
-    with Toolchain() as toolchain:
-        for done, (subject, route) in enumerate(pairs):
+    for done, (subject, route) in enumerate(pairs):
 
-            def tell(share: float, done: int = done) -> None:
-                progress.tell((done + share) / len(pairs))
+        def tell(share: float, done: int = done) -> None:
+            progress.tell((done + share) / len(pairs))
 
-            titles = (*subject.titles, route.name if route else "reference")
-            problem = _problem(subject, route, runner) if route else None
-            if problem:
-                yield Panel(titles, problem, None, NOT_RUN)
-                continue
-            try:
-                note, targets = _drawn(subject, route, runner, toolchain, tell)
-            except (CodeError, DriverError, UndrawableError) as error:
-                if len(pairs) == 1:
-                    raise
-                yield Panel(titles, str(error), None, BROKEN)
-            else:
-                yield _panel(titles, note, subject, targets, target)
-            tell(1)
+        titles = (*subject.titles, _name(route))
+        if route is not None and (problem := _problem(subject, route, runner)):
+            yield _without_picture(Panel(titles, problem, None, NOT_RUN), subject, request)
+            continue
+        times: Times = []
+        try:
+            note = "float64" if route is None else runner.device(route).title
+            for pictures in _pictures(subject, route, request.frames, runner, toolchain, tell):
+                times.append(_shown(subject, pictures, _name(route), note, request.output))
+                _check_room(times[0], len(pairs) * request.frames)
+        except (CodeError, DriverError, PlanError, UndrawableError) as error:
+            if len(pairs) == 1:
+                raise
+            yield _without_picture(Panel(titles, str(error), None, BROKEN), subject, request)
+        else:
+            yield times
+        tell(1)
+
+
+def _name(route: Route | None) -> str:
+    return route.name if route else "reference"
 
 
 def _problem(subject: Subject, route: Route, runner: Runner) -> str | None:
-    """The reason why a route cannot draw a material, or ``None``."""
+    """The reason why a route cannot draw a subject, or ``None``."""
     from ..targets.runner.subject import lacking
 
-    return runner.problem(route) or lacking([subject.material], route)
+    return runner.problem(route) or lacking(subject.host.shaders, route)
 
 
-def _drawn(
+def _without_picture(panel: Panel, subject: Subject, request: RenderRequest) -> Times:
+    """The same panel in place of all pictures of a subject."""
+    return [[panel] * len(subject.outputs)] * request.frames
+
+
+# --- pictures ------------------------------------------------------------------------------------
+
+
+def _pictures(
     subject: Subject,
     route: Route | None,
+    count: int,
     runner: Runner,
     toolchain: Toolchain,
     tell: Callable[[float], None],
-) -> tuple[str, tuple[Floats, ...]]:
-    """The name of the device that drew, and the render targets' contents."""
-    from ..targets.runner.render import by_reference, by_route
+) -> Iterator[Mapping[str, Floats]]:
+    """The outputs of a subject by name, each time that it is drawn: (layers, height, width, lanes).
 
-    if route is None:
-        targets, broken = by_reference(subject.material, subject.state, tell)
-        for value in broken:
-            remark(
-                "warning",
-                f"{subject.label}: `{value}` is promised not to be zero, and is: {_UNDEFINED}",
-            )
-        return "float64", targets
-    device = runner.device(route)
-    targets = by_route(subject.material, subject.state, route, runner, toolchain)
-    return device.title, targets
+    Raises ``CodeError``, ``DriverError``, ``PlanError``, ``UndrawableError`` and ``BudgetError``.
+    """
+    from ..targets.runner.frames.plan_files import told_contradictions
+    from ..targets.web_host.drawing import draw_frames
+
+    with told_contradictions(subject.host.frame):
+        if route is None:
+            yield from _by_reference(subject, count, tell)
+        else:
+            yield from draw_frames(subject.host, route, runner, toolchain, count)
 
 
-def _panel(
-    titles: tuple[str, ...],
-    note: str,
-    subject: Subject,
-    targets: Sequence[Floats],
-    wanted: str | None,
-) -> Panel:
-    from ..targets.runner.pictures import to_image
+def _by_reference(
+    subject: Subject, count: int, tell: Callable[[float], None]
+) -> Iterator[Mapping[str, Floats]]:
+    from ..targets.runner.frames.by_reference import ReferenceFrames
+
+    drawing = ReferenceFrames(subject.host)
+    for number in range(count):
+
+        def tell_part(share: float, number: int = number) -> None:
+            tell((number + share) / count)
+
+        drawing.draw(tell_part)
+        yield {name: drawing.output(name).levels[0][0] for name in subject.outputs}
+    for value in drawing.broken_promises():
+        remark(
+            "warning",
+            f"{subject.label}: `{value}` is promised not to be zero, and is: {_UNDEFINED}",
+        )
+
+
+def _shown(
+    subject: Subject, pictures: Mapping[str, Floats], route: str, note: str, path: Path
+) -> list[Panel]:
+    """The panels of one time: with images, or with numbers if that is what the file keeps.
+
+    Layers, or faces, stand one below the other.
+    """
+    import numpy as np
+
+    from ..targets.runner.pictures import keeps_numbers, to_image
     from ..targets.runner.sheet import Panel
 
-    reflection = subject.material.reflection
-    number = target_number(reflection, wanted)
-    lanes = _LANES[reflection.targets[number].representation]
-    shown = to_image(targets[number], lanes=lanes)
-    return Panel(titles, note, shown, numbers=targets[number], lanes=lanes)
+    found = []
+    for output, titles in subject.outputs.items():
+        pixels, lanes = np.concatenate(list(pictures[output])), _lanes(subject.host.plan, output)
+        has_numbers = keeps_numbers(path)
+        image = None if has_numbers else to_image(pixels, lanes=lanes)
+        numbers = pixels if has_numbers else None
+        found.append(Panel((*titles, route), note, image, numbers=numbers, lanes=lanes))
+    return found
 
 
-_LANES = {"float": 1, "vec2": 2, "vec4": 4}
+def _lanes(plan: FramePlan, output: str) -> int:
+    """The number of lanes of an output's format."""
+    from ..compiler.ir.formats import DEPTH_WORDS, TARGET_FORMATS
+    from ..compiler.ir.types import width
+
+    texture = plan.output_texture(output)
+    assert texture is not None, "it is a picture"
+    name = plan.textures[texture].format
+    return 1 if name in DEPTH_WORDS else width(TARGET_FORMATS[name].type)
+
+
+def _check_room(panels: Iterable[Panel], times: int) -> None:
+    """Raise ``BudgetError`` if there is no room for ``times`` as many panels.
+
+    They are kept until all files are written together, with a copy of them in a file.
+    """
+    sizes = []
+    for panel in panels:
+        width, height = panel.image.size if panel.image else (0, 0)
+        numbers = 0 if panel.numbers is None else panel.numbers.nbytes
+        sizes.append(2 * (width * height * _OF_A_PIXEL + numbers))
+    check("memory", times * sum(sizes), f"{times * len(sizes)} pictures need")

@@ -1,10 +1,9 @@
-"""``burnish render``: draws a material with the reference or with real drivers."""
+"""``burnish render``: draws materials and frames with the reference or with real drivers."""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -110,7 +109,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 )  # fmt: skip
 @click.option(
     "--target", metavar="NAME",
-    help="The render target to show, if not the first; or the output of a frame.",
+    help="The render target to show, if not the first; or the output of a frame, instead of all.",
 )  # fmt: skip
 @click.option(
     "--material", metavar="NAME",
@@ -122,11 +121,11 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @hoist_option
 @native_stages_option
 def render(**chosen: Any) -> None:
-    """Draw the materials of FILE.
+    """Draw the materials or the frames of FILE.
 
     The reference, which needs no GPU, defines what the picture must be. Other routes draw the
-    emitted shaders with real compilers and drivers. If there are several materials, rigs or routes,
-    their pictures are put side by side on a sheet.
+    emitted shaders with real compilers and drivers. Pictures of several materials, frames, outputs,
+    rigs or routes are put side by side on a sheet.
 
     The command sets up a scene with a camera and lights; --set changes it. Values are written as
 
@@ -145,9 +144,9 @@ def render(**chosen: Any) -> None:
     called like it, of a kernel in the same file, which the reference runs. For simulations, --steps
     runs it again and again; --again says which buffers continue with the written result.
 
-    A file that declares a frame shows its outputs, side by side: pictures of the whole frame, with
-    a model of each material. For frames that evolve, --frames draws several: as numbered pictures,
-    or as one that moves if the output ends in .gif or .webp. With --scene, it draws the objects of
+    A file that declares frames shows their outputs: pictures of the whole frame, with a model of
+    each material. For frames that evolve, --frames draws several: as numbered pictures, or as one
+    that moves if the output ends in .gif or .webp. With --scene, a frame draws the objects of
     a glTF file, each with the material that is called as in that file, or with the only one. Its
     numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
     rig, and its first camera sees it all.
@@ -171,39 +170,50 @@ def render(**chosen: Any) -> None:
 
 def _render(request: RenderRequest) -> None:
     from ..targets.runner.runner import Runner
-    from .frames import has_frames, render_frames
+    from ..targets.toolchain import Toolchain
     from .lacking import tell_lacking_tools
-    from .panels import check_single, panels
+    from .panels import panels
+    from .picture_files import pages, write_pages
     from .progress import Progress
     from .subjects import subjects
 
     _check_output(request.output)
     routes = _routes(request.on)
-    if has_frames(request):
-        render_frames(request, routes)
+    _check_reference(request, routes)
+    drivers = [route for route in routes if route is not None]
+    check_device(request.device, drivers)
+    with (
+        Progress("drawing") as progress,
+        Runner(drivers, device=request.device) as runner,
+        Toolchain() as toolchain,
+    ):
+        tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
+        found = subjects(request, drivers, progress.tell)
+        tell_lacking_features(found, drivers)
+        size = _checked_size(found, len(routes), request.output)
+        drawn = list(panels(found, routes, request, runner, toolchain, progress))
+    written = write_pages(list(pages(drawn, len(routes), size)), request.output)
+    further = f" to {written[-1].name}" if len(written) > 1 else ""
+    say(f"{'; '.join(subject.label for subject in found)}: {written[0]}{further}")
+    _tell_failures(panel for times in drawn for panel in times[0])
+
+
+def _check_reference(request: RenderRequest, routes: Sequence[Route | None]) -> None:
+    """Raise ``UsageError`` if the reference shall draw something that only routes can draw."""
+    from ..targets.runner.frames.plan_files import is_plan
+
+    if None not in routes:
         return
-    if request.scene is not None:
+    if is_plan(request.file):
         raise click.UsageError(
-            f"--scene is for frames, and {request.file} declares none, such as "
-            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
+            f"the reference draws what a source means, and {request.file.name} is a plan: name "
+            "routes, as in `--on lavapipe`"
         )
-    if request.native_stages and None in routes:
+    if request.native_stages:
         raise click.UsageError(
             "--native-stages is for routes, and the reference draws without such stages: name "
             "routes, as in `--on lavapipe`"
         )
-    drivers = [route for route in routes if route is not None]
-    check_device(request.device, drivers)
-    with Progress("drawing") as progress, Runner(drivers, device=request.device) as runner:
-        tell_lacking_tools(drivers, runner, fatal=not request.draws_everything)
-        found = subjects(request, drivers, progress.tell)
-        _tell_lacking_features(found, drivers)
-        _check_total(len(found) * len(routes), _largest(found))
-        check_single(len(found) * len(routes), request.output)
-        drawn = list(panels(found, routes, request.target, runner, progress))
-    _save(drawn, len(routes), request.output, _largest(found))
-    say(f"{'; '.join(subject.label for subject in found)}: {request.output}")
-    _tell_failures(drawn)
 
 
 def _check_output(path: Path) -> None:
@@ -230,58 +240,44 @@ def _routes(names: Sequence[str]) -> list[Route | None]:
     return [*own, *others]
 
 
-def _tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:
-    """Report the routes that cannot draw a material, and the reasons."""
+def tell_lacking_features(subjects: Sequence[Subject], routes: Sequence[Route]) -> None:
+    """Report the routes that cannot draw a subject, and the reasons."""
+    from ..targets.runner.subject import lacking
+
     for subject, route in product(subjects, routes):
-        if problem := subject.material.lacking.get(route.profile):
+        if problem := lacking(subject.host.shaders, route):
             remark("note", f"{subject.label} is not drawn by {route.name}: {problem}")
 
 
-def _largest(subjects: Sequence[Subject]) -> tuple[int, int]:
-    """The size of a panel's picture on a sheet. The images of kernels have sizes of their own."""
-    sizes = [(each.state.width, each.state.height) for each in subjects]
-    return max(width for width, _ in sizes), max(height for _, height in sizes)
+def _checked_size(subjects: Sequence[Subject], routes: int, output: Path) -> tuple[int, int]:
+    """The size of a picture on a sheet. Kernels and frames may have pictures of other sizes.
 
+    Raises ``UsageError`` for a sheet that is too large, or in a format for numbers: captions and
+    borders have none.
+    """
+    from ..targets.runner.pictures import keeps_numbers
 
-def _check_total(count: int, size: tuple[int, int]) -> None:
-    width, height = size
+    count = routes * sum(len(each.outputs) for each in subjects)
+    width, height = (max(each.size[axis] for each in subjects) for axis in range(2))
     if count * width * height > LARGEST_SHEET:
         raise click.UsageError(
             f"a sheet of {count} pictures of {width} x {height} pixels is too large: "
             "choose a smaller --size, or fewer routes"
         )
+    if count > 1 and keeps_numbers(output):
+        raise click.UsageError(
+            f"`{output}` keeps the numbers of one picture, and there are {count}: name one "
+            "--material, --rig, --pass, --target and route"
+        )
+    return width, height
 
 
-def _save(drawn: Sequence[Panel], routes: int, path: Path, size: tuple[int, int]) -> None:
-    """Write a single picture, or a sheet.
-
-    If there are several subjects and several routes, the sheet is a table with a row for each
-    subject; otherwise it is nearly square.
-    """
-    from ..targets.runner.pictures import encoded, encoded_numbers, keeps_numbers
-    from ..targets.runner.sheet import sheet
-    from .output import write_file
-
-    is_table = 1 < routes < len(drawn)
-    first = drawn[0]
-    if len(drawn) == 1 and first.numbers is not None and keeps_numbers(path):
-        content = encoded_numbers(first.numbers, path, lanes=first.lanes)
-    elif len(drawn) == 1 and first.image is not None:
-        content = encoded(first.image, path)
-    else:
-        columns = routes if is_table else math.ceil(math.sqrt(len(drawn)))
-        content = encoded(sheet(drawn, columns, size), path)
-    try:
-        write_file(path, content)
-    except OSError as error:
-        fail(f"cannot write `{path}`: {error.strerror or error}")
-
-
-def _tell_failures(drawn: Sequence[Panel]) -> None:
+def _tell_failures(drawn: Iterable[Panel]) -> None:
     """Report errors of drawing, and end the command if any picture is missing because of them."""
     from .panels import BROKEN
 
-    failures = [panel for panel in drawn if panel.problem == BROKEN]
+    # All outputs of a subject share the panel that says why they are missing.
+    failures = dict.fromkeys(panel for panel in drawn if panel.problem == BROKEN)
     for panel in failures:
         remark("error", f"{', '.join(panel.titles)}: {panel.note}".replace("\n", "\n  "))
     if failures:

@@ -1,23 +1,36 @@
-"""Prepares the subjects of ``burnish render``: compiles the materials and sets up their scenes."""
+"""Prepares the subjects of ``burnish render``: compiles what a file declares, and sets it up.
+
+All are frames: a material or a kernel over images is one of a single step.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import ExitStack
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
-from ..compiler.documents.reflection import Reflection
-from .console import remark, show
+import click
+
+from .console import show
 from .failures import fail
+from .hosts import (
+    is_single,
+    scenery_of,
+    set_pictures,
+    set_values,
+    tell_unmade,
+    tell_unused_lamps,
+)
 from .kernels import feed, kernels_of
 
 if TYPE_CHECKING:
-    from ..api.entry_points import CompiledMaterial
-    from ..targets.runner.instances.instance import Instance
-    from ..targets.runner.meshes import Mesh
+    from ..api.entry_points import CompiledFrame, CompiledMaterial
+    from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.frames.subjects import PlannedFrame
+    from ..targets.runner.kernel_results import Kernel
     from ..targets.runner.routes import Route
-    from ..targets.runner.scene_state import SceneState
 
 EVERYTHING = "all"
 """The name of all routes."""
@@ -26,6 +39,8 @@ LARGEST = 4096
 """The most pixels of a side. The reference needs 4 GB of memory for a square of this size."""
 
 Color = tuple[float, float, float, float]
+Titles = tuple[str, ...]
+"""The lines of a caption."""
 
 
 class RenderRequest(NamedTuple):
@@ -65,17 +80,27 @@ class RenderRequest(NamedTuple):
 
 
 class Subject(NamedTuple):
-    """One material with one rig and one pass, ready to draw."""
+    """One frame with one rig, ready to draw; or one material with one rig and one pass."""
 
-    titles: tuple[str, ...]
-    """The lines above its picture."""
-    material: CompiledMaterial
-    state: SceneState
+    titles: Titles
+    """Its name, and what tells it apart from others of the name."""
+    host: FrameHost
+    """The frame with a scene and all values."""
+    outputs: Mapping[str, Titles]
+    """The outputs that are shown, each with the caption of its picture."""
+    size: tuple[int, int]
+    """The size of its pictures, unless the frame states another one."""
 
     @property
     def label(self) -> str:
         """The titles on one line."""
         return ", ".join(self.titles)
+
+
+T = TypeVar("T", bound="CompiledFrame | CompiledMaterial")
+Frames = list[tuple[Titles, "PlannedFrame"]]
+Materials = list[tuple[Titles, "CompiledMaterial"]]
+"""Materials and kernels, each with its titles."""
 
 
 def subjects(
@@ -84,66 +109,84 @@ def subjects(
     """Compile everything that the command line asks for, for some routes, and set every value.
 
     Kernels over buffers are run, for the materials that read their results; ``tell`` is called with
-    the finished part of their steps. Warnings and notes are printed. An error in a material, a
-    value or a name is raised, or ends the command.
+    the finished part of their steps. Warnings and notes are printed. An error in a file, a value or
+    a name is raised, or ends the command.
     """
-    from ..targets.runner.kernels import is_drawn, is_over_buffers
+    from ..targets.runner.frames.plan_files import told_contradictions
 
-    compiled = list(_compiled(request, routes))
-    kernels = kernels_of(_all_of_file(request, [material for _titles, material in compiled]))
-    pictures = [pair for pair in compiled if not is_over_buffers(pair[1].reflection)]
-    drawn_ones = [pair for pair in pictures if is_drawn(pair[1].reflection)]
-    if pictures and not drawn_ones:
-        _refuse_captures(pictures)
-    found = [(titles, material, _scene_state(material, request)) for titles, material in drawn_ones]
-    drawn = [state.instance for _titles, _material, state in found]
-    _set_values([*drawn, *(kernel.instance for kernel in kernels)], request.values)
-    set_pictures(drawn, request.size)
-    tell_unmade(drawn)
-    feeding = feed(kernels, drawn, dict(request.again))
-    _insist_on_values([*drawn, *(kernel.instance for kernel in feeding.kernels)])
-    feeding.run(request.steps, tell)
-    return [Subject(titles, material, _sized(state)) for titles, material, state in found]
+    frames, materials = _compiled(request, sorted({route.profile for route in routes}))
+    kernels = kernels_of(_all_of_file(request, [material for _titles, material in materials]))
+    frames = [*frames, *_single_frames(materials, request)]
+    outputs = [_outputs(titles, frame, request.target) for titles, frame in frames]
+    with ExitStack() as stack:
+        for _titles, frame in frames:
+            stack.enter_context(told_contradictions(frame))
+        hosts = [_host(frame, request) for _titles, frame in frames]
+        _set_all(hosts, kernels, request, tell)
+    return [
+        Subject(titles, host, shown, _size(host))
+        for (titles, _frame), host, shown in zip(frames, hosts, outputs, strict=True)
+    ]
 
 
-def target_number(reflection: Reflection, wanted: str | None) -> int:
-    """The number of the render target to show; ends the command if there is none of this name."""
-    names = [row.name for row in reflection.targets]
-    if wanted is None:
-        return 0
-    if wanted not in names:
-        from ..compiler.diagnostics.nearest import suggestion
-
-        hint = suggestion(wanted, names) or f"there are {', '.join(names)}"
-        fail(f"{reflection.material} has no render target `{wanted}`: {hint}")
-    return names.index(wanted)
+# --- compiling -----------------------------------------------------------------------------------
 
 
-def _compiled(
-    request: RenderRequest, routes: Iterable[Route]
-) -> Iterator[tuple[tuple[str, ...], CompiledMaterial]]:
-    """Each material with each rig and pass that the command line does not exclude, and its titles;
-    and the kernels."""
+def _compiled(request: RenderRequest, profiles: Sequence[str]) -> tuple[Frames, Materials]:
+    """The frame of a plan; or the frames of a file; or else its materials and kernels: each with
+    each rig and pass that the command line does not exclude."""
     from ..api import entry_points as api
+    from ..targets.runner.frames.plan_files import is_plan
+    from ..targets.runner.job_sizes import check_work
 
+    if is_plan(request.file):
+        return _stored(request, profiles), []
     variants = api.variants(request.file, search_path=request.search_path)
     rigs = [request.rig] if request.rig else list(dict.fromkeys(rig for rig, _ in variants))
     passes = [request.pass_] if request.pass_ else _own_passes(variants)
-    profiles = sorted({route.profile for route in routes})
-    results = {
-        (rig, pass_): api.compile(
+    if api.has_frames(request.file, material=request.material, search_path=request.search_path):
+        passes = passes[:1]  # A frame says by itself which passes it draws.
+    results = [
+        api.compile(
             request.file, profiles, material=request.material, rig=rig, pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
             native_stages=request.native_stages,
         )
         for rig, pass_ in product(rigs, passes)
-    }  # fmt: skip
-    show(dict.fromkeys(found for result in results.values() for found in result.diagnostics))
-    for materials in zip(*results.values(), strict=True):
-        for (rig, pass_), material in zip(results, materials, strict=True):
-            titles = (f"rig {rig}",) if len(rigs) > 1 else ()
-            drawn_by = (f"pass {pass_}",) if len(passes) > 1 else ()
-            yield (material.name, *titles, *drawn_by), material
+    ]  # fmt: skip
+    show(dict.fromkeys(found for result in results for found in result.diagnostics))
+    for shader in (each for result in results for each in result.materials):
+        check_work(shader.shader)
+    of_rigs = [(f"rig {rig}",) if len(rigs) > 1 else () for rig in rigs]
+    of_passes = [(f"pass {pass_}",) if len(passes) > 1 else () for pass_ in passes]
+    further = [(*of_rig, *of_pass) for of_rig, of_pass in product(of_rigs, of_passes)]
+    frames = _titled([result.frames for result in results], further)
+    return [*frames], [] if frames else _titled([each.materials for each in results], further)
+
+
+def _titled(results: Sequence[Sequence[T]], further: Sequence[Titles]) -> list[tuple[Titles, T]]:
+    """Each declaration of several results with its titles; those of one name are together."""
+    return [
+        ((each.name, *own), each)
+        for alike in zip(*results, strict=True)
+        for each, own in zip(alike, further, strict=True)
+    ]
+
+
+def _stored(request: RenderRequest, profiles: Sequence[str]) -> Frames:
+    """The frame of a plan."""
+    from ..targets.runner.frames.plan_files import read_frame
+
+    if request.material or request.rig or request.pass_:
+        raise click.UsageError("a plan is of one frame and one rig: there is nothing to choose")
+    frame = read_frame(request.file, profiles)
+    return [((frame.name,), frame)]
+
+
+def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str | None]:
+    """The passes that a file declares; the library's if it declares none."""
+    passes = dict.fromkeys(pass_ for _, pass_ in variants)
+    return [pass_ for pass_ in passes if pass_ is not None] or [None]
 
 
 def _all_of_file(
@@ -157,133 +200,128 @@ def _all_of_file(
     return api.compile(request.file, (), rig=request.rig, search_path=request.search_path)
 
 
-def _refuse_captures(captured: Sequence[tuple[tuple[str, ...], CompiledMaterial]]) -> NoReturn:
-    """End the command, as there is nothing that has a picture."""
-    label = ", ".join(captured[0][0])
-    fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
+# --- frames --------------------------------------------------------------------------------------
 
 
-def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str | None]:
-    """The passes that a file declares; the library's if it declares none."""
-    passes = dict.fromkeys(pass_ for _, pass_ in variants)
-    return [pass_ for pass_ in passes if pass_ is not None] or [None]
+def _single_frames(materials: Materials, request: RenderRequest) -> Frames:
+    """The materials and kernels that have a picture, as frames. Kernels over buffers have none.
 
-
-def _scene_state(material: CompiledMaterial, request: RenderRequest) -> SceneState:
-    """A mesh in a scene.
-
-    For a kernel over images, the size of these replaces the requested one; it follows from the
-    kernel's values only.
+    Ends the command if there are only passes that capture vertices.
     """
-    from ..targets.runner.scene import Scene
-    from ..targets.runner.scene_state import set_up
+    from ..targets.runner.frames.single import single_frame
+    from ..targets.runner.kernels import is_drawn, is_over_buffers
 
-    reflection, scene = material.reflection, Scene()
-    target_number(reflection, request.target)
-    mesh = _mesh(reflection, request, scene.camera.eye)
-    instance, background = material.instance(), request.background
-    return set_up(instance, mesh, scene, request.size, background=background)
-
-
-def _mesh(reflection: Reflection, request: RenderRequest, eye: Sequence[float]) -> Mesh:
-    """The named mesh with all inputs that the material reads; sorted by depth if it blends."""
-    from ..targets.runner.meshes import farthest_first, mesh
-    from ..targets.runner.scene import with_inputs
-
-    plain = mesh(request.mesh)
-    whole = with_inputs(reflection, plain, request.instances)
-    made_up = [f"`{channel}`" for channel in whole.channels if channel not in plain.channels]
-    if made_up:
-        remark("note", (
-            f"no mesh here has {', '.join(made_up)}: {reflection.material} is drawn with "
-            "smooth waves in place of them"
-        ))  # fmt: skip
-    blends = any(row.blend is not None for row in reflection.targets)
-    return farthest_first(whole, eye) if blends else whole
+    if request.scene is not None and materials:
+        raise click.UsageError(
+            f"--scene is for frames, and {request.file} declares none, such as "
+            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
+        )
+    pictures = [pair for pair in materials if not is_over_buffers(pair[1].reflection)]
+    drawn = [pair for pair in pictures if is_drawn(pair[1].reflection)]
+    if pictures and not drawn:
+        label = ", ".join(pictures[0][0])
+        fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
+    return [
+        (titles, single_frame(material, request.background, exact=True))
+        for titles, material in drawn
+    ]
 
 
-def _set_values(instances: Sequence[Instance], values: Iterable[tuple[str, str]]) -> None:
-    """Set each value in every instance that has a parameter or texture of this name.
+def _outputs(titles: Titles, frame: PlannedFrame, wanted: str | None) -> Mapping[str, Titles]:
+    """The outputs to show with the captions of their pictures: the named one; or all of a frame,
+    and the first of a material.
 
-    Raises ``UnknownParameterError`` if no instance has one.
+    Ends the command if there is none of this name.
     """
-    from ..targets.runner.instances.values import UnknownParameterError
-
-    for name, text in values:
-        unknown = []
-        for instance in instances:
-            try:
-                instance.set_text(name, text)
-            except UnknownParameterError as error:
-                unknown.append(error)
-        if len(unknown) == len(instances):
-            # The shortest message suggests a similar name; the others list all names.
-            raise min(unknown, key=lambda error: len(str(error)))
-
-
-def set_pictures(instances: Sequence[Instance], size: tuple[int, int]) -> None:
-    """Give kernels over images a picture to work on for each texture that has none."""
-    from ..targets.runner.kernels import has_images
-    from ..targets.runner.textures.chart import chart
-
-    for instance in instances:
-        reflection = instance.reflection
-        for row in reflection.textures if has_images(reflection) else ():
-            is_picture = (row.dimension, row.sample) == ("2d", "float")
-            if is_picture and instance.get(row.name) is None:
-                instance.set(row.name, chart(size))
-                remark("note", (
-                    f"`{row.name}` of {reflection.material} is a test chart: "
-                    f"--set {row.name}=PICTURE sets another"
-                ))  # fmt: skip
-
-
-def tell_unmade(instances: Sequence[Instance]) -> None:
-    """Note textures that lights bring to frames, and that nobody has set here."""
-    unmade = {
-        row.name: row.default
-        for instance in instances
-        for row in instance.reflection.textures
-        if row.brought and row.stages and instance.get(row.name) is None
+    names = [row.name for row in frame.plan.outputs if row.texture is not None]
+    if is_single(frame):
+        return {_chosen(f"{frame.name} has no render target", names, wanted)[0]: titles}
+    name, *further = titles
+    return {
+        output: (f"{name}.{output}", *further)
+        for output in _chosen(f"{frame.name} has no output", names, wanted)
     }
-    for name, default in unmade.items():
-        remark("note", (
-            f"`{name}` is made by steps of its light, which only a frame draws; here it is "
-            f"`{default}`: --set {name}=PICTURE sets another"
-        ))  # fmt: skip
 
 
-def _sized(state: SceneState) -> SceneState:
-    """The state with the size that a kernel's images have; ends the command if it is too large."""
-    from ..targets.runner.kernels import EmptyImageError, full_screen_state, has_images
+def _chosen(lack: str, names: Sequence[str], wanted: str | None) -> Sequence[str]:
+    """The wanted name alone, or all names; ends the command with ``lack`` if there is none."""
+    if wanted is None:
+        if not names:
+            fail(f"{lack} that is a picture")
+        return names
+    if wanted not in names:
+        from ..compiler.diagnostics.nearest import suggestion
 
-    reflection = state.instance.reflection
-    if not has_images(reflection):
-        return state
-    try:
-        sized = full_screen_state(state.instance, state.clear[0])
-    except EmptyImageError as error:
-        fail(str(error))
-    if max(sized.width, sized.height) > LARGEST:
-        size = f"{sized.width} x {sized.height}"
-        fail(f"the images of {reflection.material} have {size} texels: a side has {LARGEST} at "
-             "most")  # fmt: skip
-    return sized
+        hint = suggestion(wanted, names) or f"there are {', '.join(names)}"
+        fail(f"{lack} `{wanted}`: {hint}")
+    return [wanted]
 
 
-def _insist_on_values(instances: Sequence[Instance]) -> None:
-    """End the command if any parameter has no value, and say how to set it."""
-    lacking = [instance for instance in instances if instance.missing]
-    if not lacking:
-        return
+def _host(frame: PlannedFrame, request: RenderRequest) -> FrameHost:
+    """The frame with a scene."""
+    from ..targets.runner.frames.host import FrameHost
+
+    scenery = scenery_of(frame, request.mesh, request.instances, request.scene)
+    host = FrameHost(frame, scenery, request.size)
+    tell_unused_lamps(host)
+    return host
+
+
+def _set_all(
+    hosts: Sequence[FrameHost],
+    kernels: Sequence[Kernel],
+    request: RenderRequest,
+    tell: Callable[[float], None],
+) -> None:
+    """Set all values, also those that nobody has named; ends the command if one is missing."""
+    from ..targets.runner.frames.step_draws import StepDraws
+
+    set_values([*hosts, *(kernel.instance for kernel in kernels)], request.values)
+    singles = [each for host in hosts if is_single(host.frame) for each in host.instances]
+    set_pictures(singles, request.size)
+    tell_unmade(singles)
+    feeding = feed(kernels, singles, dict(request.again))
+    _insist_on_values([
+        *(StepDraws(host).check_values for host in hosts),
+        *(kernel.instance.values for kernel in feeding.kernels),
+    ])  # fmt: skip
+    feeding.run(request.steps, tell)
+
+
+def _insist_on_values(checks: Iterable[Callable[[], object]]) -> None:
+    """End the command if a check finds that values are missing, and say how to set them."""
     from ..targets.runner.instances.host_values import MissingValuesError
 
     said = {}
-    for instance in lacking:
+    for check in checks:
         try:
-            instance.values()
+            check()
         except MissingValuesError as error:
             said[str(error)] = error.names[0]
+    if not said:
+        return
     first, *further = said
     text = "".join([first, *("\n  " + each.replace("\n", "\n  ") for each in further)])
     fail(f"{text}\n  = help: set each of them: --set '{said[first]}=…'")
+
+
+def _size(host: FrameHost) -> tuple[int, int]:
+    """The size of the pictures of a host, unless its frame states another one.
+
+    Of a kernel over images, it follows from the kernel's values; ends the command if it is too
+    large.
+    """
+    from ..targets.runner.kernels import EmptyImageError, full_screen_state, has_images
+
+    (instance, *further) = host.instances
+    if further or not is_single(host.frame) or not has_images(instance.reflection):
+        return host.size
+    try:
+        state = full_screen_state(instance)
+    except EmptyImageError as error:
+        fail(str(error))
+    size = state.width, state.height
+    if max(size) > LARGEST:
+        fail(f"the images of {host.frame.name} have {size[0]} x {size[1]} texels: a side has "
+             f"{LARGEST} at most")  # fmt: skip
+    return size

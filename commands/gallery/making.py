@@ -30,26 +30,23 @@ from ...targets.runner.files import FileError, opened, read_file
 from ...targets.runner.pictures import encoded
 from ...targets.runner.routes import Route
 from ...targets.runner.runner import Runner
-from ...targets.runner.subject import lacking
 from ...targets.selection import DEFAULT, full_name, select_targets
 from ...targets.toolchain import Toolchain
-from .. import compared, frames, panels, subjects
+from .. import compared, panels, subjects
 from ..catalogue import ENDING, is_shown
 from ..conform import conform
 from ..failures import told
-from ..frame_files import image_of, moving
 from ..graph.command import as_svg
+from ..picture_files import moving
 from ..progress import Progress
 from ..render import render
 from .comments import asked, files_of
 from .entry import Entry, Figure, Graph, Program, Stage, Text, Verdict, failed
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
     from ...targets.conformance.rows import Row
+    from ...targets.runner.sheet import Panel
 
-REFERENCE = "reference"
 EVOLVED = 24
 """The number of frames that are drawn if something changes from frame to frame."""
 LARGEST_SOURCE = 1 << 18
@@ -184,11 +181,14 @@ class _Making:
             whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
             request = subjects.RenderRequest(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)
-            drawn = [subject for _label, subject in found if isinstance(subject, CompiledFrame)]
-            for frame in drawn:
-                self._draw_frame(frame, request, routes)
-            if not drawn:
-                self._draw_materials(request, routes)
+            usable = [route for route in self._shown if self._runner.problem(route) is None]
+            drawn = subjects.subjects(request, usable, lambda _share: None)
+            for times in panels.panels(
+                drawn, routes, request, self._runner, self._toolchain, Progress("drawing")
+            ):
+                # All outputs of a subject share the panel that says why they are missing.
+                for same in dict.fromkeys(zip(*times, strict=True)):
+                    self._figure(same)
 
     def _options(self, compiled: compared.Subjects) -> Mapping[str, Any]:
         """Options for drawing that differ from the defaults; the page shows the command.
@@ -213,71 +213,23 @@ class _Making:
         self._entry["command"] = shlex.join(["burnish", "render", *words])
         return options
 
-    def _draw_materials(
-        self, request: subjects.RenderRequest, routes: Sequence[Route | None]
-    ) -> None:
-        usable = [route for route in self._shown if self._runner.problem(route) is None]
-        found = subjects.subjects(request, usable, lambda _share: None)
-        progress = Progress("drawing")
-        for panel in panels.panels(found, routes, request.target, self._runner, progress):
-            *titles, route = panel.titles
-            images = [panel.image] if panel.image else []
-            self._figure(", ".join(titles), route, panel.note, images, panel.problem)
-
-    def _draw_frame(
-        self, frame: CompiledFrame, request: subjects.RenderRequest, routes: Sequence[Route | None]
-    ) -> None:
-        made = frames.host_maker(frame, request)
-        for route in routes:
-            name = REFERENCE if route is None else route.name
-            problem = route and (self._runner.problem(route) or lacking(frame.shaders, route))
-            if problem:
-                self._figure(frame.name, name, problem, (), panels.NOT_RUN)
-                continue
-            with self._failure_of(frame.name, name):
-                progress = Progress("drawing")
-                drawn = frames.draw_by(
-                    route, made, request, self._runner, self._toolchain, progress
-                )
-                outputs = frames.frame_outputs(frame, request.target)
-                rows = [[image_of(each[output]) for output in outputs] for each in drawn]
-                for output, images in zip(outputs, zip(*rows, strict=True), strict=True):
-                    self._figure(f"{frame.name}.{output}", name, self._device(route), images, "")
-
-    def _device(self, route: Route | None) -> str:
-        """The device that has drawn: its name and version."""
-        if route is None:
-            return "float64"
-        return self._runner.device(route).title
-
-    @contextmanager
-    def _failure_of(self, label: str, route: str) -> Iterator[None]:
-        """Add a figure for a route that fails inside the block; the other routes draw anyway."""
-        from ...targets.runner.codes import CodeError
-        from ...targets.runner.drivers.device import DriverError
-        from ...targets.runner.frames.checking import PlanError
-
-        try:
-            yield
-        except (CodeError, DriverError, PlanError) as error:
-            self._figure(label, route, str(error), (), panels.BROKEN)
-
-    def _figure(
-        self, label: str, route: str, note: str, images: Sequence[Image], problem: str
-    ) -> None:
-        """Add the pictures of a route: an image for each frame, if the route could draw."""
+    def _figure(self, times: Sequence[Panel]) -> None:
+        """Add the pictures of an output by a route: a panel for each time that it is drawn."""
+        last = times[-1]
+        *titles, route = last.titles
+        label, images = ", ".join(titles), [panel.image for panel in times if panel.image]
         name = f"{len(self._entry['figures'])}-{route.replace(':', '-')}"
         figure: Figure = {
-            "label": label, "route": route, "note": note, "picture": "", "moving": "",
-            "status": problem or "drawn",
+            "label": label, "route": route, "note": last.note, "picture": "", "moving": "",
+            "status": last.problem or "drawn",
         }  # fmt: skip
         if images:
             figure["picture"] = self._picture(f"{name}.png", encoded(images[-1], Path("a.png")))
         if len(images) > 1:
             figure["moving"] = self._picture(f"{name}.webp", moving(images, Path("a.webp")))
         self._entry["figures"].append(figure)
-        if problem == panels.BROKEN:
-            self._entry["errors"].append(f"{label}, {route}: {note}")
+        if last.problem == panels.BROKEN:
+            self._entry["errors"].append(f"{label}, {route}: {last.note}")
 
     def _picture(self, name: str, content: bytes) -> str:
         self._entry["pictures"][name] = base64.b64encode(content).decode("ascii")

@@ -21,10 +21,16 @@ from ...compiler.diagnostics.style import Style
 from ...compiler.documents.writing import to_json
 from ..console import remark, say, show
 from ..failures import drawing_errors
-from ..frames import scenery_of
+from ..hosts import (
+    is_single,
+    scenery_of,
+    set_pictures,
+    set_values,
+    tell_unmade,
+    tell_unused_lamps,
+)
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
-from ..subjects import set_pictures, tell_unmade
 from .keeping import Keeping, Shelf
 from .pictures import Pictures, Wanted
 from .request import Choice, ViewRequest
@@ -32,9 +38,7 @@ from .uploads import MOST_BYTES
 
 if TYPE_CHECKING:
     from ...targets.runner.frames.host import FrameHost
-    from ...targets.runner.frames.scenery import Scenery
     from ...targets.runner.frames.subjects import FrameSubject
-    from ...targets.runner.instances.instance import Instance
     from ...targets.runner.kernel_results import Kernel
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
@@ -249,25 +253,22 @@ class Documents:
         The pictures are also returned by name.
         """
         from ...targets.runner.frames.host import FrameHost
-        from ...targets.runner.frames.single import SingleFrame, captures, give_captured
+        from ...targets.runner.frames.single import captures, give_captured
 
-        mesh = chosen.mesh or self._request.mesh
-        host = FrameHost(frame, self._scenery(frame, mesh), _SIZE)
-        kernels = self._kernels(host, chosen) if isinstance(frame, SingleFrame) else []
-        for name, text in self._request.values:
-            _set(host, kernels, name, text)
+        request = self._request
+        mesh = chosen.mesh or request.mesh
+        host = FrameHost(frame, scenery_of(frame, mesh, request.instances, request.scene), _SIZE)
+        kernels = self._kernels(host, chosen) if is_single(frame) else []
+        set_values([host, *(kernel.instance for kernel in kernels)], request.values)
         given = dict(self._give(host, chosen.pictures))
-        if isinstance(frame, SingleFrame):
+        if is_single(frame):
             set_pictures(host.instances, _SIZE)
             tell_unmade(host.instances)
             if captures(frame):
-                give_captured(host, mesh, self._request.instances)
+                give_captured(host, mesh, request.instances)
             if kernels:
                 feed(kernels, host.instances, {}).run(1, lambda _share: None)
-        for name in host.unused_lamps() if self._request.scene else ():
-            remark(
-                "note", f"the light {name!r} of the scene is left out: the rig has no place for it"
-            )
+        tell_unused_lamps(host)
         return host, given
 
     def _give(
@@ -295,14 +296,6 @@ class Documents:
         compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
         return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
-    def _scenery(self, frame: FrameSubject, mesh: str) -> Scenery:
-        """A mesh for a material; a mesh for each of a frame's materials; or a file's objects."""
-        from ...targets.runner.frames.single import SingleFrame, single_scenery
-
-        if isinstance(frame, SingleFrame) and self._request.scene is None:
-            return single_scenery(frame, mesh, self._request.instances)
-        return scenery_of(frame.plan, mesh, self._request.scene)
-
 
 def choice_of(query: Mapping[str, str]) -> Choice:
     """The choice that a page asks for, by the names in its address.
@@ -322,31 +315,11 @@ def choice_of(query: Mapping[str, str]) -> Choice:
     )  # fmt: skip
 
 
-def _set(host: FrameHost, kernels: Sequence[Kernel], name: str, text: str) -> None:
-    """Set a value of the subject, and of the kernels that have one of this name.
-
-    Raises ``ParameterError`` if nothing has the name, and ``PictureError``.
-    """
-    from ...targets.runner.instances.values import UnknownParameterError
-
-    found, unknown = False, None
-    owners: list[FrameHost | Instance] = [host, *(kernel.instance for kernel in kernels)]
-    for each in owners:
-        try:
-            each.set_text(name, text)
-        except UnknownParameterError as error:
-            unknown = unknown or error
-        else:
-            found = True
-    if not found and unknown is not None:
-        raise unknown
-
-
 def _takes_mesh(frame: FrameSubject) -> bool:
     """True if a mesh of the page's choice is drawn, or captured."""
-    from ...targets.runner.frames.single import SingleFrame, captures
+    from ...targets.runner.frames.single import captures
 
-    return bool(frame.plan.models) or (isinstance(frame, SingleFrame) and captures(frame))
+    return bool(frame.plan.models) or captures(frame)
 
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:

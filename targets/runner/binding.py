@@ -68,7 +68,6 @@ def pipeline(
     if the reflection lacks the route's profile.
     """
     backend = reflection.backends[route.profile]
-    on_vulkan = EVERY_DRIVER[route.driver].module == "vulkan"
     images, state = backend.images, reflection.render_state
     return Pipeline(
         stages=codes.stages,
@@ -94,12 +93,27 @@ def pipeline(
         stencil=state.stencil,
         flip_y=backend.flip_y,
         # Vulkan's viewport makes every picture upright, also that of a text for another API.
-        front_face=WINDING_WORDS[state.front] if on_vulkan else backend.front_face,
-        first_row="top" if on_vulkan else backend.first_row,
+        front_face=WINDING_WORDS[state.front] if _is_upright(route) else backend.front_face,
+        first_row="top" if _is_upright(route) else backend.first_row,
         host_uniforms=tuple(backend.host_uniforms),
         clip_control=tuple(backend.clip_control),
         stream_output=_stream_output(reflection, backend),
     )
+
+
+def _is_upright(route: Route) -> bool:
+    """True for routes that draw every picture upright, whatever API its text is for."""
+    return EVERY_DRIVER[route.driver].module == "vulkan"
+
+
+def draws_bottom_up(reflection: Reflection, route: Route) -> bool:
+    """True if a shader's picture has its bottom row first in the memory of a texture.
+
+    No text of a frame does so, but those of single materials do for OpenGL and its relatives.
+    """
+    backend = reflection.backends[route.profile]
+    # A kernel that writes images itself has their top row first.
+    return backend.first_row == "bottom" and not backend.images and not _is_upright(route)
 
 
 def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot]:

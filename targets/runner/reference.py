@@ -1,6 +1,6 @@
 """Draws with the reference, and keeps its pictures in a store.
 
-``render`` calls ``expected``, and ``conform`` calls ``remembered``.
+``conform`` calls ``remembered`` for single shaders; ``frames/by_reference.py`` draws frames.
 """
 
 from __future__ import annotations
@@ -37,9 +37,6 @@ STORE = "expected"
 
 Floats = NDArray[np.float64]
 
-Progress = Callable[[float], None]
-"""Called with the part of the work that is done, from 0 to 1."""
-
 _BYTES_OF_TEXEL = 100
 """Bytes that the reference takes for each texel of all levels, with the bounds of what devices
 read, as measured."""
@@ -50,7 +47,6 @@ def expected(
     state: SceneState,
     rules: RasterRules,
     errors: Errors | None = None,
-    progress: Progress | None = None,
 ) -> Expected:
     """The picture that every driver must draw; always computed again.
 
@@ -66,7 +62,6 @@ def expected(
                 rules,
                 layer.clear,
                 errors,
-                progress,
                 layer.blend_constant,
             )
             for layer in state.layers or (state,)
@@ -85,7 +80,6 @@ def _stacked(pictures: Sequence[Expected]) -> Expected:
         _stacked_targets([picture.low for picture in pictures]),
         _stacked_targets([picture.high for picture in pictures]),
         np.concatenate([picture.layers for picture in pictures]),
-        frozenset().union(*(picture.broken for picture in pictures)),
         frozenset().union(*(picture.counted for picture in pictures)),
     )
 

@@ -102,16 +102,15 @@ def set_up(
     scene: Scene,
     size: tuple[int, int],
     clear: Color | None = None,
-    background: Color = CLEAR,
 ) -> SceneState:
     """Put a mesh into a scene. The scene may set parameters for which ``instance`` has no value.
-    Without a ``clear`` colour for all targets, each has what its pass says, or ``background``.
+    Without a ``clear`` colour for all targets, each has what its pass says, or black.
 
     Raises ``MeshError`` if the mesh lacks something that the shader reads.
     """
     width, height = size
     scene.apply(instance, width / height)
-    return drawn_state(instance, mesh, size, clear, background)
+    return drawn_state(instance, mesh, size, clear)
 
 
 def drawn_state(
@@ -119,7 +118,6 @@ def drawn_state(
     mesh: Mesh,
     size: tuple[int, int],
     clear: Color | None = None,
-    background: Color = CLEAR,
 ) -> SceneState:
     """The state of a scene whose parameters have been set.
 
@@ -131,7 +129,7 @@ def drawn_state(
     drawn = as_drawn(instance, data, mesh)
     if mesh_rows(reflection) and reflection.capture is None:
         give_mesh(instance, drawn.attributes)
-    own = (background if row.clear is None else row.clear for row in rows)
+    own = (CLEAR if row.clear is None else row.clear for row in rows)
     cleared = tuple(own) if clear is None else (clear,) * len(rows)
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count

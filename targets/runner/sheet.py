@@ -34,7 +34,8 @@ class Panel:
     problem: str = ""
     """Two or three words that say why there is no picture; they are written in its place."""
     numbers: NDArray[np.float64] | None = None
-    """The image's numbers, of shape (height, width, 4): linear, and not limited to 0..1."""
+    """The numbers instead of an image, for files that keep these: of shape (height, width, lanes or
+    more), linear, and not limited to 0..1."""
     lanes: int = 4
     """The number of lanes that the render target has."""
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from ...compiler.documents.writing import to_json
+from ..runner.binding import draws_bottom_up
 from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
@@ -20,14 +21,24 @@ from .package import frame_package
 def draw_frames(
     host: FrameHost, route: Route, runner: Runner, toolchain: Toolchain, count: int = 1
 ) -> list[dict[str, Floats]]:
-    """The outputs of some frames, by name: (layers, height, width, 4).
+    """The outputs of some frames, by name, with their top rows first: (layers, height, width, 4).
 
     Raises ``CodeError`` if a compiler refuses a text, ``DriverError``, and ``BudgetError`` for
     textures that are too large.
     """
     check_textures(host, count)
-    if not EVERY_DRIVER[route.driver].draws_packages:
-        return by_route.draw_frames(host, route, runner, toolchain, count)
+    if EVERY_DRIVER[route.driver].draws_packages:
+        drawn = _by_package(host, route, runner, count)
+    else:
+        drawn = by_route.draw_frames(host, route, runner, toolchain, count)
+    if not any(draws_bottom_up(shader.reflection, route) for shader in host.shaders):
+        return drawn
+    return [{name: layers[:, ::-1] for name, layers in outputs.items()} for outputs in drawn]
+
+
+def _by_package(
+    host: FrameHost, route: Route, runner: Runner, count: int
+) -> list[dict[str, Floats]]:
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
     found = iter(runner.draw_package(route, to_json(package), names, count))

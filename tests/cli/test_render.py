@@ -398,3 +398,15 @@ def test_a_sheet_has_no_numbers(tmp_path: Path) -> None:
     result = invoke("render", tmp_path / "m.burnish", "-o", "sheet.exr", "--size", 4)
     assert result.exit_code == 2
     assert "`sheet.exr` keeps the numbers of one picture, and there are 2" in result.stderr
+
+
+def test_native_stages_that_reach_all_layers(tmp_path: Path) -> None:
+    """One draw with a geometry stage, or one for each face of a cube: six faces of 16 pixels."""
+    cube = Path(__file__).parents[2] / "examples" / "cube_map.burnish"
+    words = ("render", cube, "--on", "lavapipe:glsl", "--size", 16, "-o")
+    assert invoke(*words, tmp_path / "one.png", "--native-stages").exit_code == 0
+    assert invoke(*words, tmp_path / "six.png").exit_code == 0
+    one, six = (pixels(tmp_path / f"{name}.png") for name in ("one", "six"))
+    assert one.shape == (6 * 16, 16, 3)
+    assert (one == six).all()
+    assert len(np.unique(six)) > 10

@@ -365,7 +365,7 @@ def test_too_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(*_: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("burnish.targets.runner.render.by_reference", fail)
+    monkeypatch.setattr("burnish.targets.runner.frames.by_reference.ReferenceFrames.draw", fail)
     result = invoke("render", "m.burnish", "-o", "x.png")
     assert result.exit_code == 1
     assert result.stderr == (

@@ -10,10 +10,8 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
-import burnish
-from burnish.commands.frame_files import Shown, write_pictures
-from burnish.commands.frames import those_that_have_all
-from burnish.targets.runner.routes import ROUTES
+from burnish.commands.picture_files import Page, write_pages
+from burnish.targets.runner.sheet import Panel
 
 from .kit import invoke, tree
 
@@ -94,7 +92,8 @@ def test_one_frame_is_one_picture(folder: Path) -> None:
 
 def test_there_are_enough_digits(folder: Path) -> None:
     output = folder / "out" / "f.png"
-    write_pictures([[Shown.of(np.zeros((1, 1, 1, 4)), output)]] * 1001, output)
+    page = Page([Panel((), "", Image.new("RGB", (1, 1)))], 1, (1, 1))
+    write_pages([page] * 1001, output)
     assert min(tree(folder / "out")) == "f-0000.png"
     assert max(tree(folder / "out")) == "f-1000.png"
 
@@ -136,14 +135,118 @@ frame Shown { models scene  both = Both(scene)  output picture = both.color }
 """
 
 
-def test_of_all_routes_those_are_left_out_that_lack_something(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    routes = [None, ROUTES["lavapipe:glsl"], ROUTES["llvmpipe:es310"]]
-    profiles = [route.profile for route in routes if route is not None]
-    (frame,) = burnish.compile(UNLIKE, profiles, partial=True).frames
-    assert those_that_have_all(frame, routes) == routes[:2]
-    assert capsys.readouterr().err == (
+def test_of_all_routes_those_are_left_out_that_lack_something(folder: Path) -> None:
+    """They are told, and have an empty place on the sheet beside the pictures of all outputs."""
+    (folder / "f.burnish").write_text(UNLIKE)
+    result = invoke(
+        "render", folder / "f.burnish", "-o", folder / "f.png", "--size", "4",
+        "--on", "all",
+    )  # fmt: skip
+    assert result.exit_code == 0
+    assert (
         "note: Shown is not drawn by llvmpipe:es310: glsl:es310 has no blending of its own for "
         "each target\n"
+    ) in result.stderr
+    with Image.open(folder / "f.png") as sheet:
+        assert sheet.width == 4 * (128 + 16) + 16
+
+
+SHEET = """
+import std.lights.{Directional}
+import std.terms.{lambert}
+material Clay { color = lambert(vec3(1)) }
+rig Day  { sun : Directional { direction = vec3(0, 0, -1) } }
+rig Dusk { sun : Directional { direction = vec3(0, 0, 1) } }
+frame One { models scene  b = Forward(scene)  output picture = b.color  output depth = b.depth }
+frame Two { models scene  b = Forward(scene)  output picture = b.color }
+"""
+
+
+def sheet_of(folder: Path, *options: object) -> tuple[str, tuple[int, int]]:
+    """The output of the command that draws ``SHEET``, without its path, and the picture's size."""
+    (folder / "f.burnish").write_text(SHEET)
+    picture = folder / "f.png"
+    result = invoke("render", folder / "f.burnish", "-o", picture, "--size", 128, *options)
+    assert (result.exit_code, result.stderr) == (0, "")
+    with Image.open(picture) as image:
+        return result.stdout.replace(f": {picture}\n", ""), image.size
+
+
+def test_frames_outputs_and_rigs_make_a_sheet(folder: Path) -> None:
+    """Two outputs and one, with two rigs each."""
+    said, (width, height) = sheet_of(folder)
+    assert said == "One, rig Day; One, rig Dusk; Two, rig Day; Two, rig Dusk"
+    assert width == 3 * (128 + 16) + 16
+    assert height > 2 * 128
+    said, size = sheet_of(folder, "--material", "Two", "--rig", "Dusk")
+    assert (said, size) == ("Two", (128, 128))
+
+
+def test_one_output_of_a_frame_and_one_that_it_has_not(folder: Path) -> None:
+    of_one = ("--material", "One", "--rig", "Day")
+    assert sheet_of(folder, *of_one, "--target", "depth") == ("One", (128, 128))
+    result = invoke("render", folder / "f.burnish", "-o", "x.png", *of_one, "--target", "dept")
+    assert (result.exit_code, result.stderr) == (
+        1, "error: One has no output `dept`: did you mean `depth`?\n",
+    )  # fmt: skip
+
+
+def refused(folder: Path, text: str, *options: object) -> str:
+    """The last words of the command about a frame that cannot be drawn."""
+    (folder / "f.burnish").write_text(text)
+    result = invoke("render", folder / "f.burnish", "-o", folder / "x.png", "--size", 4, *options)
+    assert result.exit_code == 1
+    assert not (folder / "x.png").exists()
+    return result.stderr
+
+
+def test_values_that_a_frame_lacks(folder: Path) -> None:
+    text = """
+        material Clay { param tint : rgb  color = tint }
+        frame Shown { models scene  b = Forward(scene)  output picture = b.color }
+    """
+    assert refused(folder, text) == (
+        "error: Shown.Forward.Clay needs values for\n  `tint` : rgb\n"
+        "  = help: set each of them: --set 'tint=…'\n"
     )
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (
+            "sun=1",
+            "`sun` is a light, whose parameters are `sun.diffuse_color`, `sun.specular_color`",
+        ),
+        ("sun.diffuse=1", "there is no parameter `sun.diffuse`: did you mean `sun.diffuse_color`?"),
+    ],
+)
+def test_parts_of_lights_of_a_frame(folder: Path, value: str, told: str) -> None:
+    of_two = ("--rig", "Day", "--material", "Two")
+    assert refused(folder, SHEET, *of_two, "--set", value) == f"error: {told}\n"
+
+
+def test_promises_that_a_frame_breaks(folder: Path) -> None:
+    (folder / "f.burnish").write_text("""
+        material Clay { color = normalize(nonzero(vec3(uv.x - uv.x, 0, 0))) }
+        frame Shown { models scene  b = Forward(scene)  output picture = b.color }
+    """)
+    result = invoke("render", folder / "f.burnish", "-o", folder / "f.png", "--size", 8)
+    assert result.exit_code == 0
+    assert "is promised not to be zero, and is: the pixels that use it are not defined" in (
+        result.stderr
+    )
+
+
+def test_a_target_of_a_frame_with_one_lane_is_grey(folder: Path) -> None:
+    text = """
+        import std.frames.{FullScreen}
+        pass Half : FullScreen { target half : r8 = 0.5 }
+        frame Shown { b = Half(screen)  output picture = b.half }
+    """
+    (folder / "f.burnish").write_text(text)
+    for route in ("reference", "lavapipe:glsl"):
+        words = ("-o", folder / "f.png", "--size", 4, "--on", route)
+        assert invoke("render", folder / "f.burnish", *words).exit_code == 0
+        with Image.open(folder / "f.png") as image:
+            assert image.convert("RGB").getpixel((0, 0)) == (188,) * 3

@@ -11,10 +11,11 @@ import pytest
 
 import burnish
 from burnish.api.compiled import CompiledMaterial
+from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.semantics.shading import rigs
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
-from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.reference import expected
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
@@ -73,7 +74,7 @@ def with_lamps(material: CompiledMaterial, given: Lamps) -> SceneState:
 
 
 def picture(material: CompiledMaterial, state: SceneState) -> Floats:
-    (target,), _ = by_reference(material, state)
+    (target,) = expected(material.shader, state, RasterRules(state.width, state.height)).targets
     return target
 
 

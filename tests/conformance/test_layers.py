@@ -17,13 +17,14 @@ from burnish.compiler.documents.drawing import LayersRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.types import BOOL
 from burnish.compiler.passes import lower_expansion
+from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.passes.layers import layer_of
 from burnish.support.frozen import changed
 from burnish.targets.runner import binding, pipeline_jobs
 from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.meshes import plane
-from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
@@ -112,10 +113,11 @@ def test_both_forms_are_one_picture(studio: Studio, route: str, first: int) -> N
 @pytest.mark.parametrize("route", LOWERED)
 def test_all_targets_are_as_the_reference_has_them(studio: Studio, route: str) -> None:
     material = compiled(native=False)
-    expected, _ = by_reference(material, state_of(material))
-    found = studio.draw(route, material, state_of(material))
-    assert len(found) == len(expected) == 2
-    for one, other in zip(found, expected, strict=True):
+    state = state_of(material)
+    wanted = expected(material.shader, state, RasterRules(state.width, state.height)).targets
+    found = studio.draw(route, material, state)
+    assert len(found) == len(wanted) == 2
+    for one, other in zip(found, wanted, strict=True):
         assert one.shape == other.shape == (COUNT * HEIGHT, WIDTH, 4)
         assert np.allclose(one, other, atol=1e-5)
 

@@ -182,12 +182,12 @@ def test_files_are_drawn_as_what_they_were_written_of(studio: Studio, tmp_path: 
 # --- the runner ----------------------------------------------------------------------------------
 
 
-def _never_loads(job: Any, target: AttachmentRow, layer: int) -> Attachment:
-    return replace(ATTACHMENT(job, target, layer), loads=False)
+def _never_loads(job: Any, target: AttachmentRow, *layers: int) -> Attachment:
+    return replace(ATTACHMENT(job, target, *layers), loads=False)
 
 
-def _never_stores(job: Any, target: AttachmentRow, layer: int) -> Attachment:
-    return replace(ATTACHMENT(job, target, layer), stores=False)
+def _never_stores(job: Any, target: AttachmentRow, *layers: int) -> Attachment:
+    return replace(ATTACHMENT(job, target, *layers), stores=False)
 
 
 def _other_textures(job: Any, draw: Any) -> tuple[tuple[int, ...], tuple[int, ...]]:

@@ -13,9 +13,10 @@ import pytest
 
 import burnish
 from burnish import Texture
+from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import plane
-from burnish.targets.runner.render import by_reference
+from burnish.targets.runner.reference import expected
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
@@ -39,7 +40,7 @@ def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
     state.instance.set("normal_scale", 0)  # The nearest texel to a flat normal leans a little.
     for name, value in values.items():
         state.instance.set(name.replace("lamp_", "lamp."), value)
-    targets, _broken = by_reference(compiled, state)
+    targets = expected(compiled.shader, state, RasterRules(state.width, state.height)).targets
     found: list[float] = targets[0][SIDE // 2, SIDE // 2].tolist()
     return found
 

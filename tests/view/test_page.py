@@ -176,7 +176,7 @@ def test_the_texts_of_the_shaders(page: Page, viewer: Viewer) -> None:
     shows(page, (0xB5, 0x65, 0x1D))
     page.locator("#open-texts").click()
     assert page.locator("#text-of option").all_inner_texts() == [
-        "Flat.Forward.Flat · vertex", "Flat.Forward.Flat · fragment",
+        "Flat · vertex", "Flat · fragment",
     ]  # fmt: skip
     text = page.locator("#text")
     assert "return material_derived.color;" in text.inner_text()

@@ -60,7 +60,6 @@ def draw(
     rules: RasterRules,
     clear: Sequence[Sequence[float]],
     errors: Errors | None = None,
-    progress: Tell | None = None,
     blend_constant: Sequence[float] = BLACK,
 ) -> Expected:
     """The picture that every implementation must draw, with the bounds of a device's rounding.
@@ -70,8 +69,7 @@ def draw(
 
     ``values`` are by parameter name, in the evaluator's form: a tuple of lanes, of a matrix's
     columns, of an array's elements, or of a struct's members. ``clear`` has four lanes for each
-    target, and depths are at first what the pass says. ``progress`` is called with the part that is
-    done.
+    target, and depths are at first what the pass says.
 
     Raises ``ValueError`` for a parameter, texture or vertex attribute without a value, or with one
     that does not fit. Values that are not finite only affect the triangles and pixels that they
@@ -85,8 +83,8 @@ def draw(
             rules.sample_count, clear, written, rounds=errors is not None,
             depth=shader.render_state.depth.clear, blend_constant=blend_constant,
         )  # fmt: skip
-        broken = draw_onto(canvas, shader, values, textures, geometry, rules, errors, progress)
-        return expected_on(canvas, rules, broken)
+        draw_onto(canvas, shader, values, textures, geometry, rules, errors)
+        return expected_on(canvas, rules)
 
 
 def draw_onto(
@@ -103,8 +101,9 @@ def draw_onto(
     """Draws over the content of a canvas, as ``draw`` does on an empty one.
 
     The errors are the same. The canvas has as many samples as ``rules`` say, which are those of the
-    pass. ``hulls`` gets the possible values of undecided samples. Returns the ids of the promises
-    that were broken.
+    pass. ``progress`` is called with the part that is done, and ``hulls`` gets the possible values
+    of undecided samples. Returns the ids of the promises that were broken: of calls of ``nonzero``
+    whose operand was zero at some vertex or pixel, as far as float32 can tell.
     """
     size = _size_of(shader, geometry)
     with holding(size, f"what `{shader.name}` draws needs"), np.errstate(all="ignore"):

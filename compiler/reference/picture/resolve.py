@@ -16,12 +16,7 @@ from .hulls import Hulls
 from .scene import Bools, Expected, Floats, RasterRules
 
 
-def expected_on(
-    canvas: Canvas,
-    rules: RasterRules,
-    broken: frozenset[int] = frozenset(),
-    hulls: Hulls | None = None,
-) -> Expected:
+def expected_on(canvas: Canvas, rules: RasterRules, hulls: Hulls | None = None) -> Expected:
     """The picture on a canvas. ``hulls`` has the bounds of undecided samples, if known."""
     shape = rules.height, rules.width, rules.samples
     undecided = canvas.undecided | canvas.shaky
@@ -40,7 +35,6 @@ def expected_on(
         low=tuple(target[1] for target in targets),
         high=tuple(target[2] for target in targets),
         layers=layers,
-        broken=broken,
         counted=canvas.counted,
     )
 

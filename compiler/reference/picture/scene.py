@@ -269,10 +269,5 @@ class Expected:
     """
     layers: Ints
     """(height, width): how many fragments were drawn, each of which was rounded to the format."""
-    broken: frozenset[int] = frozenset()
-    """The ids of calls of ``nonzero`` whose operand was zero at some vertex or pixel.
-
-    This is as far as float32 can tell. The pixels that use it are not defined.
-    """
     counted: Counted = frozenset()
     """The rare rules on which it hangs."""

@@ -26,6 +26,7 @@ from ....compiler.documents.plan import (
     RunStep,
 )
 from ....compiler.ir.shader import Shader
+from ....compiler.promises import promises
 from ....compiler.reference.bounds.errors import Errors
 from ....compiler.reference.picture import (
     Canvas,
@@ -79,6 +80,8 @@ class ReferenceFrames:
     """The buffers, by the name of the result."""
     counted: Counted = frozenset()
     """The rare rules on which the pictures so far depend."""
+    broken: dict[int, frozenset[int]] = field(default_factory=dict)
+    """The ids of promises that were broken so far, by the number of the shader."""
     told: Progress | None = None
     """Called with the finished share of the present step, layer and draw."""
     _draws: StepDraws = field(init=False)
@@ -123,6 +126,16 @@ class ReferenceFrames:
         texture = self.host.plan.output_texture(name)
         assert texture is not None, "it is no buffer"
         return self.textures[texture]
+
+    def broken_promises(self) -> list[str]:
+        """The values that were zero somewhere although they were promised not to be."""
+        found = (
+            kept.value
+            for shader, broken in self.broken.items()
+            for kept in promises(self._shader(shader))
+            if kept.node.id in broken
+        )
+        return list(dict.fromkeys(found))
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -221,10 +234,11 @@ class ReferenceFrames:
     ) -> None:
         """Draw on a canvas; ``layer`` is for shaders that draw each layer by itself."""
         drawn = self._drawn_of(draw, layer)
-        draw_onto(
+        broken = draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
             self.told, hulls=None if self.errors is None else hulls,
         )  # fmt: skip
+        self.broken[draw.shader] = self.broken.get(draw.shader, frozenset()) | broken
 
     def _drawn_of(self, draw: StepDraw, layer: int) -> ReferenceInputs:
         """The inputs of a draw; ``layer`` is for shaders that draw each layer by itself."""

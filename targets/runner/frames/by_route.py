@@ -152,19 +152,18 @@ class _Job:
         draws = list(self._draws.of(step, is_first=is_first))
         for draw in draws:
             self._tell_counts(draw)
-        layers = (
-            [0]
-            if step.attachments[0].layer is not None
-            else range(self._plan.textures[step.attachments[0].texture].layers)
-        )
         found, state = [], self._host.state_of(step)
         buffers = self._resources.buffer_barriers(step, is_first=is_first)
-        for layer in layers:
-            depth = None if step.depth is None else self._attachment(step.depth, layer)
+        # A geometry stage reaches all layers in one draw; otherwise, each has draws of its own.
+        at_once = self._pipelines[step.draws[0].uses[0].shader].layers or 1
+        whole = self._plan.textures[step.attachments[0].texture].layers
+        drawn = 1 if step.attachments[0].layer is not None else whole // at_once
+        for layer in range(drawn):
+            depth = None if step.depth is None else self._attachment(step.depth, layer, at_once)
             found.append(
                 FrameStep(
                     barriers if layer == 0 else (),
-                    tuple(self._attachment(target, layer) for target in step.targets),
+                    tuple(self._attachment(target, layer, at_once) for target in step.targets),
                     depth,
                     tuple(self._draw(draw, layer) for draw in draws),
                     state.viewport,
@@ -178,12 +177,12 @@ class _Job:
             return _drawn_on(self._steps.pop(), alone)
         return found
 
-    def _attachment(self, target: AttachmentRow, layer: int) -> Attachment:
+    def _attachment(self, target: AttachmentRow, layer: int, layers: int) -> Attachment:
         at = layer if target.layer is None else target.layer
         stencil = target.stencil
         return Attachment(
-            self._resources.texture(target.texture), at, 1, target.level, target.load == "load",
-            target.store, stencil is not None and stencil.store,
+            self._resources.texture(target.texture), at, layers, target.level,
+            target.load == "load", target.store, stencil is not None and stencil.store,
             self._host.clear_of(target), self._resolve(target.resolve),
         )  # fmt: skip
 

@@ -43,6 +43,7 @@ class FrameHost:
         """Raises ``PlanError`` for a plan that cannot be executed."""
         plan = subject.plan
         check_plan(plan, [shader.reflection for shader in subject.shaders])
+        self.frame = subject
         self.plan = plan
         self.shaders = subject.shaders
         self.scenery = scenery
@@ -81,26 +82,30 @@ class FrameHost:
 
     def _set(self, name: str, act: Callable[[HostValues], None]) -> None:
         self.given |= {name}
-        is_known = False
+        errors: list[UnknownParameterError] = []
         every: tuple[HostValues, ...] = (self.values, *self.instances)
         for instance in every:
             try:
                 act(instance)
-            except UnknownParameterError:
+            except UnknownParameterError as error:
+                errors.append(error)
                 continue
             if instance is self.values:
                 return
-            is_known = True
-        if not is_known:
-            raise UnknownParameterError(name, self._unknown(name))
+        if len(errors) == len(every):
+            unset = (error for error in errors if error.names_no_value)
+            raise next(unset, UnknownParameterError(name, self._unknown(name)))
 
     def _unknown(self, name: str) -> str:
         """The message about a name that neither the frame nor a shader has."""
-        declared = [each.declared for each in (self.values, *self.instances)]
+        declared = [each.declared for each in (*self.instances, self.values)]
+        # The size of a single material's picture is called by its step: it is not the material's.
+        steps = tuple(f"{step.name}." for step in self.plan.steps)
         names = [
             row.name
             for each in declared
             for row in (*each.parameters, *each.textures, *each.buffers)
+            if not row.name.startswith(steps)
         ]
         return no_parameter(name, names)
 

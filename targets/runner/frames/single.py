@@ -1,7 +1,8 @@
 """Shows a single material as a frame: a plan of one step that draws or runs it.
 
-Hosts have one road only: they execute plans. ``burnish view`` takes this road for materials,
-kernels and passes that capture; the author of an engine can do the same with any reflection.
+Hosts have one road only: they execute plans. ``burnish render`` and ``burnish view`` take this road
+for materials and kernels, and the latter for passes that capture, too; the author of an engine can
+do the same with any reflection.
 """
 
 from __future__ import annotations
@@ -9,18 +10,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from ....compiler.documents.drawing import TargetRow
 from ....compiler.documents.plan import FramePlan
 from ....compiler.documents.reflection import Reflection
 from ....compiler.ir.shader import Shader
 from ....support.frozen import changed
+from ..binding import EXACT, FORMATS, shows_less
 from ..capturing import give_elements
 from ..codes import ShaderFile
+from ..kernels import has_images
 from ..meshes import MESHES, farthest_first
 from ..scene import Scene, with_inputs
 from ..scene_state import CLEAR, Color, set_up
 from ..subject import Subject
 from .checks.rows import PlanError
-from .host import FrameHost
+from .host import FrameHost, PlannedFrame
 from .scenery import Model, Scenery
 from .single_plan import single_plan
 
@@ -40,16 +44,20 @@ class SingleFrame:
 
 
 @dataclass(frozen=True, slots=True)
-class _Renamed:
-    """A material under the name that frames give their shaders."""
+class _Exact:
+    """A material whose targets hold every number that it writes."""
 
     subject: Subject
-    name: str
     reflection: Reflection
 
     @property
+    def name(self) -> str:
+        """The name of the material."""
+        return self.subject.name
+
+    @property
     def files(self) -> Sequence[ShaderFile]:
-        """The emitted texts."""
+        """The emitted texts, which do not depend on the formats of targets."""
         return self.subject.files
 
     @property
@@ -67,26 +75,35 @@ class _Renamed:
         return self.subject.emitted(profile)
 
 
-def single_frame(subject: Subject, background: Color = CLEAR) -> SingleFrame:
+def single_frame(
+    subject: Subject, background: Color = CLEAR, *, exact: bool = False
+) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or the results of a kernel.
 
     The frame has an output for each render target, image or buffer. ``background`` is the clear
-    value of its first target, unless its pass has one. Raises ``PlanError`` for a pass that
-    captures vertices by a stream output, as it leaves nothing for a host.
+    value of targets for which the pass has none. With ``exact``, targets keep what the material
+    writes, instead of rounding it to their formats, if the pass shows no less than that. Raises
+    ``PlanError`` for a pass that captures vertices by a stream output, as it leaves nothing for a
+    host.
     """
     reflection = subject.reflection
     if not (reflection.targets or reflection.results):
         raise PlanError(f"{subject.name} draws no picture")
-    parts = [subject.name, reflection.pass_, subject.name]
-    name = ".".join(part for part in parts if part)
-    shader = _Renamed(subject, name, changed(reflection, material=name))
-    plan = single_plan(subject.name, shader.name, reflection, background)
-    return SingleFrame(subject.name, plan, (shader,))
+    if exact and not (has_images(reflection) or shows_less(reflection)):
+        targets = tuple(map(_exact, reflection.targets))
+        subject = _Exact(subject, changed(reflection, targets=targets))
+    return SingleFrame(subject.name, single_plan(subject.reflection, background), (subject,))
 
 
-def captures(frame: SingleFrame) -> bool:
-    """True if the frame captures the vertices of a mesh, which ``give_captured`` gives it."""
-    return frame.shaders[0].reflection.capture is not None
+def _exact(row: TargetRow) -> TargetRow:
+    format_ = next(name for name, word in FORMATS.items() if word == EXACT[row.representation])
+    return changed(row, format=format_, encoding="linear")
+
+
+def captures(frame: PlannedFrame) -> bool:
+    """True if a frame of a single kernel captures the vertices of a mesh, which ``give_captured``
+    gives it."""
+    return isinstance(frame, SingleFrame) and frame.shaders[0].reflection.capture is not None
 
 
 def give_captured(host: FrameHost, mesh: str, instances: int) -> None:

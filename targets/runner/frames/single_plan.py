@@ -37,7 +37,7 @@ from ....compiler.documents.plan import (
 )
 from ....compiler.documents.reflection import Reflection
 from ....compiler.documents.steps import ComposedStep, ConstantStep, ParameterStep, StepRow
-from ....compiler.documents.values import LayoutRow, LightRow, ParameterRow
+from ....compiler.documents.values import LayoutRow, ParameterRow
 from ....compiler.reflection.plan import VERSION
 from ....support.frozen import changed
 from ..scene import declared_as
@@ -49,28 +49,26 @@ STEP = "shown"
 SIZE = f"{STEP}.size"
 """The parameter with the size of the picture. A material may have a ``size`` of its own."""
 
-_DEPTH = "depth"
+_DEPTH = "depth buffer"
+"""The name of the depth attachment, which no target can have."""
 _PLACE = PlaceRow(file="", line=1, column=1, length=0)
 """The place of all rows: nobody has written the plan."""
 
 
-def single_plan(material: str, shader: str, reflection: Reflection, background: Color) -> FramePlan:
+def single_plan(reflection: Reflection, background: Color) -> FramePlan:
     """The plan that shows a material, or a kernel.
 
-    ``shader`` is the plan's name for its only shader, and ``background`` the clear value of its
-    first target, unless its pass has one.
+    Its only shader is called like the material. ``background`` is the clear value of all targets
+    for which the pass has none.
     """
-    return _Planning(material, shader, reflection, background).plan()
+    return _Planning(reflection, background).plan()
 
 
 class _Planning:
     """A plan that is being made: its values, textures, results and outputs so far."""
 
-    def __init__(
-        self, material: str, shader: str, reflection: Reflection, background: Color
-    ) -> None:
-        self._material = material
-        self._shader = shader
+    def __init__(self, reflection: Reflection, background: Color) -> None:
+        self._material = reflection.material
         self._reflection = reflection
         self._background = background
         self._is_kernel = reflection.extent is not None
@@ -99,15 +97,15 @@ class _Planning:
             source=_PLACE,
             rig=reflection.rig,
             parameters=parameters,
-            lights=tuple(map(_own, reflection.lights)),
+            lights=tuple(reflection.lights),
             host_textures=(),
             host_buffers=(),
             sources={row.name: _PLACE for row in parameters},
             models=() if self._is_kernel else (models,),
             shaders=(
                 ShaderRow(
-                    name=self._shader,
-                    reflection=f"{self._shader}.json",
+                    name=self._material,
+                    reflection=f"{self._material}.json",
                     pass_=reflection.pass_ or None,
                     rig=reflection.rig or None,
                 ),
@@ -210,7 +208,7 @@ class _Planning:
         """The attachment of a target: its texture, or a multisampled one that is resolved to it."""
         target, samples = self._reflection.targets[number], self._reflection.render_state.samples
         clear = target.clear
-        if clear is None and number == 0 and any(self._background):
+        if clear is None and any(self._background):
             clear = self._background
         value = None if clear is None else self._constant(clear)
         if samples == 1:
@@ -339,33 +337,12 @@ def _size_value() -> ValueRow:
 
 
 def _parameters_of_lights(reflection: Reflection) -> list[ParameterRow]:
-    """The parameters of the lights, under the names that a frame has for them."""
+    """The parameters of the lights, which a frame sets for all its shaders."""
     names = {
-        name: _in_rig(light, name)
+        name
         for light in reflection.lights
-        for name in (*light.parameters, *_counts(light))
+        for name in (*light.parameters, *filter(None, [light.count]))
     }
     return [
-        changed(row, name=names[row.name], block=None, offset=None)
-        for row in reflection.parameters
-        if row.name in names
+        changed(row, block=None, offset=None) for row in reflection.parameters if row.name in names
     ]
-
-
-def _own(light: LightRow) -> LightRow:
-    """The row of a light in a frame, where nothing else has the light's name."""
-    return changed(
-        light,
-        name=light.entry,
-        count=next((_in_rig(light, name) for name in _counts(light)), None),
-        parameters=tuple(_in_rig(light, name) for name in light.parameters),
-    )
-
-
-def _counts(light: LightRow) -> tuple[str, ...]:
-    return () if light.count is None else (light.count,)
-
-
-def _in_rig(light: LightRow, name: str) -> str:
-    """The name of a light's array, parameter or count behind the name that the rig gives it."""
-    return light.entry + name.removeprefix(light.name)

@@ -89,6 +89,17 @@ class StepDraws:
         self._costs = [_cost(shader.reflection) for shader in host.shaders]
         self._entries = {row.entry: row for row in host.plan.lights}
 
+    def check_values(self) -> None:
+        """Raise ``MissingValuesError`` if something is drawn for which a value is missing."""
+        self._host.begin(0)
+        for step in self._host.plan.steps:
+            if isinstance(step, DrawStep):
+                drawn = list(self.of(step, is_first=True))
+            else:
+                drawn = [self.kernel(step, is_first=True)] if isinstance(step, RunStep) else []
+            for draw in drawn:
+                draw.state.instance.values()
+
     def of(self, step: DrawStep, *, is_first: bool) -> Iterator[StepDraw]:
         """All draws of a step, in order."""
         state = self._host.state_of(step)
@@ -185,7 +196,9 @@ class StepDraws:
                 source = f"{source}[{light[1]}]"
             if row.capacity is None:
                 for name in row.parameters:
-                    instance.set(name, self._host.values.get(f"{source}.{row.member(name)}"))
+                    value = self._host.values.get(f"{source}.{row.member(name)}")
+                    if value is not None:
+                        instance.set(name, value)
             else:
                 instance.take(row.name, self._host.values, own.name)
                 if row.count is not None and own.count is not None:

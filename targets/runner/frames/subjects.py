@@ -38,6 +38,6 @@ def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:
     return not is_shader(subject)
 
 
-def is_shader(subject: Subject | FrameSubject) -> TypeGuard[Subject]:
+def is_shader(subject: Subject | PlannedFrame) -> TypeGuard[Subject]:
     """True if something compiled is a material or a kernel, and no frame."""
     return hasattr(subject, "files")

@@ -79,7 +79,7 @@ class Names:
             parameter = ".".join(steps[:end])
             if parameter in self.shapes:
                 return self._inside(parameter, steps[end:], name)
-        raise UnknownParameterError(name, self._unknown(name))
+        raise self._unknown(name)
 
     def _check_whole(self, name: str) -> None:
         """Raise ``ParameterError`` for a part of a storage buffer."""
@@ -98,15 +98,17 @@ class Names:
             path.append(position)
         return ValuePlace(parameter, tuple(path), shape)
 
-    def _unknown(self, name: str) -> str:
+    def _unknown(self, name: str) -> UnknownParameterError:
         if name in self._lights:
             members = ", ".join(f"`{name}.{member}`" for member in self._lights[name])
-            return f"`{name}` is a light, whose parameters are {members}"
+            text = f"`{name}` is a light, whose parameters are {members}"
+            return UnknownParameterError(name, text, names_no_value=True)
         if inputs := self._derived.get(name):
             listed = ", ".join(f"`{each}`" for each in inputs)
-            return f"`{name}` is not set but derived, from {listed}"
+            text = f"`{name}` is not set but derived, from {listed}"
+            return UnknownParameterError(name, text, names_no_value=True)
         names = [*self.shapes, *self.textures, *self.counters.values(), *self._lights]
-        return no_parameter(name, names)
+        return UnknownParameterError(name, no_parameter(name, names))
 
 
 def no_parameter(name: str, known: Sequence[str]) -> str:

@@ -43,6 +43,11 @@ class ParameterError(ValueError):
 class UnknownParameterError(ParameterError):
     """A name that no parameter has."""
 
+    def __init__(self, name: str, message: str, *, names_no_value: bool = False) -> None:
+        super().__init__(name, message)
+        self.names_no_value = names_no_value
+        """True for the name of something that has no value of its own, such as a light."""
+
 
 def initial(shape: Shape, default: Any = None) -> Value:
     """The value before a host sets one: the declared default, or its part of ``default``."""

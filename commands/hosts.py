@@ -1,0 +1,126 @@
+"""Sets frames up to be drawn: a scene, values by name, and pictures and elements to work on.
+
+``render`` and ``view`` call it for everything that they draw: a material is a frame of one step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .console import remark
+
+if TYPE_CHECKING:
+    from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.frames.scenery import Scenery
+    from ..targets.runner.frames.single import SingleFrame
+    from ..targets.runner.frames.subjects import PlannedFrame
+    from ..targets.runner.instances.instance import Instance
+
+
+def is_single(frame: PlannedFrame) -> bool:
+    """True for a single material or kernel, of which no file declares a frame."""
+    from ..targets.runner.frames.single import SingleFrame
+
+    return isinstance(frame, SingleFrame)
+
+
+def scenery_of(frame: PlannedFrame, mesh: str, instances: int, scene: Path | None) -> Scenery:
+    """The scene to draw: a mesh for a material, a model of each of a frame's materials, or the
+    objects of a file."""
+    from ..targets.runner.frames.scenery import in_a_row
+    from ..targets.runner.frames.single import SingleFrame
+
+    if scene is None and isinstance(frame, SingleFrame):
+        return _single_scenery(frame, mesh, instances)
+    tags = {row.name: row.materials for row in frame.plan.models}
+    materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
+    if scene is None:
+        return in_a_row(materials, tags, mesh)
+    from ..targets.runner.frames.staging import staged
+    from ..targets.runner.scenes.gltf.reading import read_gltf
+
+    file = read_gltf(scene)
+    for note in file.notes:
+        remark("note", f"{scene}: {note}")
+    return staged(file, materials, list(tags))
+
+
+def _single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:
+    """A mesh with all inputs that the material reads."""
+    from ..targets.runner.frames.single import single_scenery
+    from ..targets.runner.meshes import MESHES
+
+    found = single_scenery(frame, mesh, instances)
+    own = MESHES[mesh]().channels
+    made_up = [f"`{name}`" for model in found.models for name in model.mesh.channels
+               if name not in own]  # fmt: skip
+    if made_up:
+        remark("note", (
+            f"no mesh here has {', '.join(made_up)}: {frame.name} is drawn with smooth waves in "
+            "place of them"
+        ))  # fmt: skip
+    return found
+
+
+def set_values(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[str, str]]) -> None:
+    """Set each value in every frame and kernel that has a parameter or texture of this name.
+
+    Raises ``UnknownParameterError`` if none has one.
+    """
+    from ..targets.runner.instances.values import UnknownParameterError
+
+    for name, text in values:
+        unknown = []
+        for owner in owners:
+            try:
+                owner.set_text(name, text)
+            except UnknownParameterError as error:
+                unknown.append(error)
+        if len(unknown) == len(owners):
+            # The shortest message suggests a similar name; the others list all names.
+            raise min(unknown, key=lambda error: len(str(error)))
+
+
+def set_pictures(instances: Iterable[Instance], size: tuple[int, int]) -> None:
+    """Give kernels over images a picture to work on for each texture that has none."""
+    from ..targets.runner.kernels import has_images
+    from ..targets.runner.textures.chart import chart
+
+    for instance in instances:
+        reflection = instance.reflection
+        for row in reflection.textures if has_images(reflection) else ():
+            is_picture = (row.dimension, row.sample) == ("2d", "float")
+            if is_picture and instance.get(row.name) is None:
+                instance.set(row.name, chart(size))
+                remark("note", (
+                    f"`{row.name}` of {reflection.material} is a test chart: "
+                    f"--set {row.name}=PICTURE sets another"
+                ))  # fmt: skip
+
+
+def tell_unmade(instances: Iterable[Instance]) -> None:
+    """Note textures that lights bring to frames, and that nobody has set here."""
+    unmade = {
+        row.name: row.default
+        for instance in instances
+        for row in instance.reflection.textures
+        if row.brought and row.stages and instance.get(row.name) is None
+    }
+    for name, default in unmade.items():
+        remark("note", (
+            f"`{name}` is made by steps of its light, which only a frame draws; here it is "
+            f"`{default}`: --set {name}=PICTURE sets another"
+        ))  # fmt: skip
+
+
+def tell_unused_lamps(host: FrameHost) -> None:
+    """Note the lights of a file for which the rig has no place."""
+    from ..targets.runner.scenes.notes import Notes
+
+    notes = Notes()
+    for name in host.unused_lamps():
+        notes.add(f"the light {name!r} of the scene", " is left out: the rig has no place for it")
+    for note in notes.told():
+        remark("note", note)
