@@ -7,12 +7,7 @@ reason costs only time: the caller draws its picture.
 
 from __future__ import annotations
 
-import base64
-import faulthandler
-import json
-import os
 import pickle
-import sys
 
 from ...compiler.budget import BudgetError, current, raised
 from ...compiler.ir.node import Graph
@@ -22,6 +17,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...support.frozen import changed
 from ..closing import Closing
 from ..toolchain.limits import WORKERS
+from ..toolchain.pipe import Message, serve
 from ..toolchain.surroundings import python_worker
 from ..toolchain.workers import Pool, Worker
 from .reference import dumped, expected, loaded
@@ -49,9 +45,9 @@ class References(Closing):
         question = self._size and _question(shader, state, rules, errors)
         if question:
             with self._pool.borrow() as worker:
-                answer = worker.ask({"question": question}, TIME_LIMIT)
-            if "picture" in answer.reply:
-                return loaded(base64.b64decode(answer.reply["picture"]))
+                answer = worker.ask({}, TIME_LIMIT, question)
+            if answer.data:
+                return loaded(answer.data)
             if "refused" in answer.reply:
                 raise BudgetError(answer.reply["refused"])
             if "lacks_memory" in answer.reply:
@@ -61,40 +57,27 @@ class References(Closing):
 
 def _question(
     shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None
-) -> str | None:
-    """The data for a process, encoded; ``None`` if the graph is too deep to be sent."""
+) -> bytes | None:
+    """The data for a process; ``None`` if the graph is too deep to be sent."""
     # Results hold their nodes. The graph, in which passes look for equal nodes, stays here.
     bare = changed(shader, graph=Graph(), notes=Notes())
     try:
         whole = bare, state, rules, errors, current()
-        return base64.b64encode(pickle.dumps(whole)).decode("ascii")
+        return pickle.dumps(whole)
     except RecursionError:
         return None
 
 
-def _answer(question: str) -> dict[str, str]:
-    shader, state, rules, errors, limits = pickle.loads(base64.b64decode(question))
+def _answer(question: Message) -> Message:
+    shader, state, rules, errors, limits = pickle.loads(question.data)
     try:
         with raised(limits):
-            picture = dumped(expected(shader, state, rules, errors))
+            return Message({}, dumped(expected(shader, state, rules, errors)))
     except BudgetError as error:
-        return {"refused": str(error)}
+        return Message({"refused": str(error)})
     except MemoryError as error:
-        return {"lacks_memory": str(error)}
-    return {"picture": base64.b64encode(picture).decode("ascii")}
-
-
-def main() -> None:
-    """Answer questions until the input ends. Output of libraries goes to standard error."""
-    with os.fdopen(os.dup(1), "w") as answers:
-        os.dup2(2, 1)
-        for line in sys.stdin:
-            # The caller has given up earlier, unless its process has died.
-            faulthandler.dump_traceback_later(1.5 * TIME_LIMIT, exit=True)
-            answers.write(json.dumps(_answer(json.loads(line)["question"])) + "\n")
-            answers.flush()
-            faulthandler.cancel_dump_traceback_later()
+        return Message({"lacks_memory": str(error)})
 
 
 if __name__ == "__main__":
-    main()
+    serve(_answer, 1.5 * TIME_LIMIT)

@@ -15,13 +15,14 @@ from threading import Lock
 from typing import Any
 
 from ..closing import Closing
+from ..toolchain.pipe import Message
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
 from .drivers.device import Device, DriverError
 from .drivers.draws import Draw
 from .drivers.frame_job import Captured, Found, FrameJob, FrameTexels, Picture
 from .drivers.pipeline import Pipeline
-from .drivers.wire import from_json, packed, to_json, unpacked
+from .drivers.wire import from_json, joined, packed, split, unpacked
 from .job_sizes import check_job
 from .pipeline_jobs import Written, draw_job, pictures, written
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
@@ -80,8 +81,8 @@ class Runner(Closing):
         with self._locks[name]:
             if name not in self._devices:
                 try:
-                    answer = self._ask(name, {})
-                    self._devices[name] = from_json(Device, answer["device"])
+                    answer = self._ask(name, Message({}))
+                    self._devices[name] = from_json(Device, answer.content["device"])
                 except DriverError as error:
                     self._devices[name] = error
         found = self._devices[name]
@@ -89,13 +90,13 @@ class Runner(Closing):
             raise found
         return found
 
-    def draw_frame(self, route: Route, job: FrameJob) -> Found:
+    def draw_frame(self, route: Route, job: FrameJob, *, keep: bool = True) -> Found:
         """Do a frame job: returns what it reads back, from the store if it was done before.
 
-        Raises ``DriverError``.
+        Without ``keep``, the store has no part in it. Raises ``DriverError``.
         """
-        request = {"frame": to_json(job)}
-        if self._store is None:
+        request = frame_request(job)
+        if self._store is None or not keep:
             return self._found(route, request)
         name = self._digest(route, request)
         kept = self._store.read(name)
@@ -105,14 +106,16 @@ class Runner(Closing):
         self._store.write(name, packed(found))
         return found
 
-    def draw(self, route: Route, pipeline: Pipeline, draws: Sequence[Draw]) -> list[Picture]:
-        """A picture for each draw with a pipeline.
+    def draw(
+        self, route: Route, pipeline: Pipeline, draws: Sequence[Draw], *, keep: bool = True
+    ) -> list[Picture]:
+        """A picture for each draw with a pipeline; ``keep`` is that of ``draw_frame``.
 
         Raises ``DriverError``, and ``BudgetError`` for pictures that are too large.
         """
         job = draw_job(pipeline, draws)
         check_job(job)
-        return pictures(job, self.draw_frame(route, job))
+        return pictures(job, self.draw_frame(route, job, keep=keep))
 
     def compute(self, route: Route, job: FrameJob) -> list[Written]:
         """Run a job of dispatches: returns what each of them writes.
@@ -136,8 +139,8 @@ class Runner(Closing):
         Raises ``DriverError``.
         """
         request = {"whole": package, "outputs": list(outputs), "count": count}
-        answer = self._ask(route.driver, {"package": request})
-        return tuple(from_json(FrameTexels, texels) for texels in answer["texels"])
+        answer = self._ask(route.driver, Message({"package": request}))
+        return joined(Found, answer.content["texels"], answer.data).texels
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
@@ -145,22 +148,29 @@ class Runner(Closing):
             lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
         )
 
-    def _found(self, route: Route, request: Mapping[str, Any]) -> Found:
-        return from_json(Found, self._ask(route.driver, request)["found"])
+    def _found(self, route: Route, request: Message) -> Found:
+        answer = self._ask(route.driver, request)
+        return joined(Found, answer.content["found"], answer.data)
 
-    def _ask(self, driver: str, request: Mapping[str, Any]) -> Mapping[str, Any]:
+    def _ask(self, driver: str, request: Message) -> Message:
         with self._pools[driver].borrow() as worker:
-            answer = worker.ask(request, self._time_limit)
+            answer = worker.ask(request.content, self._time_limit, request.data)
         if answer.ending != "ended":
             raise DriverError(f"{driver} {answer.ending}: {answer.log.strip()}")
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return answer.reply
+        return Message(answer.reply, answer.data)
 
-    def _digest(self, route: Route, request: Mapping[str, Any]) -> str:
+    def _digest(self, route: Route, request: Message) -> str:
         device = self.device(route)
         about = (route.driver, device.name, device.version, *map(str, self.versions(route).items()))
-        return digest(_runner_digest(), *about, json.dumps(request))
+        return digest(_runner_digest(), *about, json.dumps(request.content), request.data)
+
+
+def frame_request(job: FrameJob) -> Message:
+    """The message that asks a driver's process to do a job."""
+    content, data = split(job)
+    return Message({"frame": content}, data)
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Persistent child processes that answer one line of JSON with one line of JSON.
+"""Persistent child processes that answer messages: lines of JSON, and bytes behind them.
 
 DXC and Tint run in them, since starting these takes long and they may crash. If a child dies or
 hangs, only the current request fails: the next request starts a new child.
@@ -6,12 +6,11 @@ hangs, only the current request fails: the next request starts a new child.
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from queue import LifoQueue
 from subprocess import PIPE
@@ -20,6 +19,7 @@ from typing import IO, Any
 
 from .children import Child
 from .limits import COMPILERS, Limits, exhausted, in_words
+from .pipe import Message, receive, send
 from .process import Ending, how_it_crashed
 
 LOG_TAIL = 20_000
@@ -38,6 +38,8 @@ class Answer:
     """The child's answer; empty unless the ending is ``ended``."""
     log: str
     """The reason why there is no answer."""
+    data: bytes = b""
+    """The bytes that follow the child's answer."""
 
 
 class Worker:
@@ -53,10 +55,11 @@ class Worker:
         self._lock = Lock()
         """Held while a request is answered, and while the child is ended."""
 
-    def ask(self, request: Mapping[str, Any], time_limit: float) -> Answer:
-        """Send one request and wait at most ``time_limit`` seconds for its answer."""
+    def ask(self, request: Mapping[str, Any], time_limit: float, data: bytes = b"") -> Answer:
+        """Send one request, with the bytes that follow it, and wait at most ``time_limit`` seconds
+        for its answer."""
         with self._lock:
-            return self._answer(request, time_limit)
+            return self._answer(Message(request, data), time_limit)
 
     def close(self) -> None:
         """End the child process, if there is one; a request that it works on gets no answer."""
@@ -66,7 +69,7 @@ class Worker:
         with self._lock:
             self._bury()
 
-    def _answer(self, request: Mapping[str, Any], time_limit: float) -> Answer:
+    def _answer(self, request: Message, time_limit: float) -> Answer:
         timed_out = Event()
         try:
             child = self._child or self._start()
@@ -81,19 +84,29 @@ class Worker:
         timer.daemon = True
         try:
             timer.start()  # Here, too, Ctrl-C may come, and a timer would keep the process waiting.
-            line = _exchange(child, json.dumps(request).encode() + b"\n", self._limits.output)
+            reply = self._exchange(child, request)
         finally:
             timer.cancel()
         if timed_out.is_set():
             return self._post_mortem("timeout", f"no answer within {time_limit:g} s")
-        if len(line) > self._limits.output:
-            most = in_words(self._limits.output)
-            return self._post_mortem("crashed", f"stopped, after an answer of more than {most}")
-        if not line.endswith(b"\n"):
-            return self._post_mortem("crashed", "")
-        with suppress(ValueError):
-            return Answer("ended", json.loads(line), "")
-        return self._post_mortem("crashed", "stopped, after an answer that is no JSON")
+        if isinstance(reply, str):
+            return self._post_mortem("crashed", reply)
+        return Answer("ended", reply.content, "", reply.data)
+
+    def _exchange(self, child: Child, request: Message) -> Message | str:
+        """The child's answer to a request; or the reason why there is none, empty if the child has
+        ended."""
+        stdin, stdout = child.process.stdin, child.process.stdout
+        assert stdin is not None and stdout is not None
+        try:
+            send(request, stdin)
+            return receive(stdout, self._limits.output)
+        except (BrokenPipeError, EOFError):
+            return ""
+        except OverflowError:
+            return f"stopped, after an answer of more than {in_words(self._limits.output)}"
+        except ValueError:
+            return "stopped, after an answer that is no JSON"
 
     def _start(self) -> Child:
         self._command = self._find_command()
@@ -129,20 +142,6 @@ class Worker:
         if self._errors is not None:
             self._errors.close()
         self._child = self._errors = None
-
-
-def _exchange(child: Child, request: bytes, most: int) -> bytes:
-    """The child's answer to a request: a whole line, or less if the child died, or more than
-    ``most`` bytes of a line that is longer.
-    """
-    stdin, stdout = child.process.stdin, child.process.stdout
-    assert stdin is not None and stdout is not None
-    try:
-        stdin.write(request)
-        stdin.flush()
-    except BrokenPipeError:
-        return b""
-    return stdout.readline(most + 1)
 
 
 class Pool:

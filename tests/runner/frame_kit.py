@@ -19,6 +19,7 @@ from burnish.targets.runner.drivers.draws import Dispatch, Draw
 from burnish.targets.runner.drivers.frame_job import (
     Attachment,
     Barrier,
+    Found,
     FrameBuffer,
     FrameDraw,
     FrameJob,
@@ -35,7 +36,8 @@ from burnish.targets.runner.drivers.slots import (
     Place,
     TextureSlot,
 )
-from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.drivers.wire import joined
+from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.workers import Answer
 
 from .vulkan_kit import glsl, quad, spirv
@@ -82,11 +84,11 @@ class Driver:
 
     def draw(self, job: FrameJob) -> list[Floats]:
         """The texels read back, by layer, row, column and lane. Raises ``DriverError``."""
-        answer: Answer = self._asker.answer({"frame": to_json(job)}, TIME_LIMIT)
+        answer: Answer = self._asker.answer(frame_request(job), TIME_LIMIT)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return [_array(from_json(FrameTexels, each)) for each in answer.reply["found"]["texels"]]
+        return [_array(each) for each in joined(Found, answer.reply["found"], answer.data).texels]
 
     def pipeline(
         self,

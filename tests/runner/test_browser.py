@@ -15,8 +15,8 @@ import pytest
 from burnish.targets.runner.drivers.browser import chromium
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.wire import to_json
 from burnish.targets.runner.pipeline_jobs import draw_job
+from burnish.targets.runner.runner import frame_request
 
 from ..suite.processes import Program, run, started, until
 from . import textual_shaders as shaders
@@ -128,7 +128,7 @@ def test_ends_in_the_midst_of_a_job() -> None:
     folder = profile({pid: commands[pid] for pid in family})
     pixel = replace(full(RED), width=1, height=1)
     hanging = draw_job(pipeline(api, wgsl=HANG_WGSL), (pixel,))
-    assert own.answer({"frame": to_json(hanging)}, 3.0).ending == "timeout"
+    assert own.answer(frame_request(hanging), 3.0).ending == "timeout"
     await_end(family, folder)
     own.close()
 

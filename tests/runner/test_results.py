@@ -10,9 +10,10 @@ import pytest
 
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.drivers.frame_job import Captured, Found, FrameTexels
-from burnish.targets.runner.drivers.wire import packed, to_json, unpacked
+from burnish.targets.runner.drivers.wire import packed, split, unpacked
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
+from burnish.targets.toolchain.pipe import Message
 
 from .frame_kit import back, job, texture
 
@@ -34,7 +35,8 @@ def test_the_same_job_is_done_once(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
     def answer(_runner: Runner, _driver: str, request: Any) -> Any:
         asked.append(request)
-        return {"found": to_json(FOUND)}
+        content, data = split(FOUND)
+        return Message({"found": content}, data)
 
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     monkeypatch.setattr(Runner, "_ask", answer)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import sys
@@ -9,6 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from subprocess import PIPE
 from typing import Any
 
 import numpy as np
@@ -19,10 +21,12 @@ from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image
-from burnish.targets.runner.drivers.wire import to_json
 from burnish.targets.runner.pipeline_jobs import draw_job
+from burnish.targets.runner.runner import frame_request
+from burnish.targets.toolchain.limits import WORKERS
+from burnish.targets.toolchain.pipe import Message, receive, send
 
-from ..suite.processes import Background, run
+from ..suite.processes import Background, run, started
 from .vulkan_kit import (
     PAINT,
     PLACE,
@@ -262,18 +266,28 @@ def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
 # --- workers -----------------------------------------------------------------------------------
 
 
-def request(pipeline: Pipeline, **draw: Any) -> str:
-    job = draw_job(pipeline, (replace(draw_of(WHOLE), **draw),))
-    return json.dumps({"frame": to_json(job)}) + "\n"
+def request(pipeline: Pipeline, **draw: Any) -> Message:
+    return frame_request(draw_job(pipeline, (replace(draw_of(WHOLE), **draw),)))
+
+
+def sent(*requests: Message) -> bytes:
+    """The bytes that a worker reads."""
+    stream = io.BytesIO()
+    for each in requests:
+        send(each, stream)
+    return stream.getvalue()
 
 
 def test_a_worker_leaves_nothing_behind(vulkan: Asker) -> None:
     """The layer would speak of objects that are not destroyed, and the exit code would tell."""
     good = request(flat_pipeline())
     bad = request(flat_pipeline(PAINTED))
-    worker = run(vulkan.command, text=good + bad + good)
-    answers = [json.loads(line) for line in worker.stdout.splitlines()]
-    assert [list(answer) for answer in answers] == [["found"], ["error"], ["found"]]
+    with started(vulkan.command, stdin=PIPE) as program:
+        worker = program.ended(sent(good, bad, good))
+    answers = io.BytesIO(worker.stdout.encode("utf-8", "surrogateescape"))
+    for expected in ("found", "error", "found"):
+        assert list(receive(answers, WORKERS.output).content) == [expected]
+    assert not answers.read()
     assert (worker.returncode, worker.stderr) == (0, "")
 
 
@@ -285,7 +299,8 @@ def endless() -> tuple[Pipeline, dict[str, Any]]:
 
 def test_a_draw_without_end_ends_the_worker(vulkan: Asker) -> None:
     pipeline, draw = endless()
-    worker = run([*vulkan.command, "", "0.5"], text=request(pipeline, **draw))
+    with started([*vulkan.command, "", "0.5"], stdin=PIPE) as program:
+        worker = program.ended(sent(request(pipeline, **draw)))
     assert worker.returncode == 3
     assert worker.stdout == ""
     assert worker.stderr == "the device did not finish drawing within 0.5 s\n"
@@ -293,7 +308,7 @@ def test_a_draw_without_end_ends_the_worker(vulkan: Asker) -> None:
 
 def test_a_worker_that_takes_too_long_is_replaced(vulkan: Asker) -> None:
     pipeline, draw = endless()
-    answer = vulkan.answer(json.loads(request(pipeline, **draw)), time_limit=1.0)
+    answer = vulkan.answer(request(pipeline, **draw), time_limit=1.0)
     assert answer.ending == "timeout"
     assert np.all(vulkan.one(flat_pipeline(), draw_of(WHOLE)) == 1.0)
 
@@ -306,7 +321,7 @@ def test_a_worker_that_is_killed_is_replaced(vulkan: Asker) -> None:
         vulkan.kill()
 
     killer = Background(kill)
-    answer = vulkan.answer(json.loads(request(pipeline, **draw)))
+    answer = vulkan.answer(request(pipeline, **draw))
     killer.returned()
     assert answer.ending == "crashed"
     assert "killed by signal 9" in answer.log

@@ -11,7 +11,6 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -25,9 +24,11 @@ from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
-from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.drivers.wire import from_json, joined
 from burnish.targets.runner.pipeline_jobs import draw_job, pictures
+from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import BROWSERS
+from burnish.targets.toolchain.pipe import Message
 from burnish.targets.toolchain.workers import Answer, Worker
 
 from . import textual_shaders as shaders
@@ -59,28 +60,29 @@ class Asker:
         self.api = api
         self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]], BROWSERS)
 
-    def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
+    def answer(self, request: Message, time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""
-        return self._worker.ask(request, time_limit)
+        return self._worker.ask(request.content, time_limit, request.data)
 
     def device(self) -> Device:
         """The device that the worker draws with."""
-        return from_json(Device, self._reply({})["device"])
+        return from_json(Device, self._reply(Message({})).content["device"])
 
     def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
-        return pictures(job, from_json(Found, self._reply({"frame": to_json(job)})["found"]))
+        reply = self._reply(frame_request(job))
+        return pictures(job, joined(Found, reply.content["found"], reply.data))
 
     def close(self) -> None:
         """End the worker."""
         self._worker.close()
 
-    def _reply(self, request: dict[str, Any]) -> Any:
+    def _reply(self, request: Message) -> Message:
         answer = self.answer(request)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return answer.reply
+        return Message(answer.reply, answer.data)
 
 
 @cache

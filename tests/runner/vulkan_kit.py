@@ -23,10 +23,12 @@ from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.texels import Image
-from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.drivers.wire import from_json, joined
 from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.routes import DRIVERS
+from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain import Toolchain
+from burnish.targets.toolchain.pipe import Message
 from burnish.targets.toolchain.tools import inspect_all, tool_named
 from burnish.targets.toolchain.workers import Answer, Worker
 
@@ -66,17 +68,18 @@ class Asker:
         self.command = row.command(states)
         self._worker = Worker(lambda: self.command, row.limits)
 
-    def answer(self, request: dict[str, Any], time_limit: float = TIME_LIMIT) -> Answer:
+    def answer(self, request: Message, time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""
-        return self._worker.ask(request, time_limit)
+        return self._worker.ask(request.content, time_limit, request.data)
 
     def device(self) -> Device:
         """The device that the worker draws with."""
-        return from_json(Device, self._reply({})["device"])
+        return from_json(Device, self._reply(Message({})).content["device"])
 
     def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
-        return pictures(job, from_json(Found, self._reply({"frame": to_json(job)})["found"]))
+        reply = self._reply(frame_request(job))
+        return pictures(job, joined(Found, reply.content["found"], reply.data))
 
     def one(self, pipeline: Pipeline, draw: Draw, target: int = 0) -> Floats:
         """A target of the only picture, as an array of rows, columns and lanes."""
@@ -103,12 +106,12 @@ class Asker:
         assert child is not None
         return child.pid
 
-    def _reply(self, request: dict[str, Any]) -> dict[str, Any]:
+    def _reply(self, request: Message) -> Message:
         answer = self.answer(request)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return dict(answer.reply)
+        return Message(answer.reply, answer.data)
 
 
 def pixels(picture: Picture, target: int = 0) -> Floats:

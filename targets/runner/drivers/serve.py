@@ -1,26 +1,24 @@
-"""The driver's side of the pipe: reads a JSON request per line and writes a JSON answer per line.
+"""The driver's side of the pipe: answers the messages that ``runner.py`` sends.
 
 Each driver's ``__main__`` calls ``serve``. A driver may crash or hang, so it runs in a process of
-its own.
+its own. Bytes of jobs and of results follow the JSON of messages, see ``wire.py``.
 """
 
 from __future__ import annotations
 
-import faulthandler
-import json
-import os
-import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any, Protocol, runtime_checkable
 
+from ...toolchain import pipe
+from ...toolchain.pipe import Message
 from .device import Device, DriverError
 from .frame_checks import check_frame
 from .frame_job import Found, FrameJob, FrameTexels
-from .wire import from_json, to_json
+from .wire import joined, split, to_json
 
 ORPHAN_LIMIT = 900.0
-"""The seconds after which a request ends the process. The sender waits for less time; so this
-happens only if the sender has died, which a driver that hangs does not notice."""
+"""The seconds after which a request ends the process: far more than callers wait for."""
 
 
 class Driver(Protocol):
@@ -45,28 +43,28 @@ class PackageDriver(Protocol):
 
 
 def serve(driver: Driver) -> None:
-    """Answer requests until the input ends. Whatever libraries print goes to standard error."""
-    with os.fdopen(os.dup(1), "w") as answers:
-        os.dup2(2, 1)
-        for line in sys.stdin:
-            faulthandler.dump_traceback_later(ORPHAN_LIMIT, exit=True)
-            answers.write(json.dumps(_answer(driver, json.loads(line))) + "\n")
-            answers.flush()
-            faulthandler.cancel_dump_traceback_later()
+    """Answer requests until the input ends."""
+    pipe.serve(partial(_answer, driver), ORPHAN_LIMIT)
 
 
-def _answer(driver: Driver, request: dict[str, Any]) -> dict[str, Any]:
+def _answer(driver: Driver, request: Message) -> Message:
     """The answer to ``{"frame": …}`` has ``found``, that to ``{"package": …}`` has ``texels``, and
     that to ``{}`` has ``device``; or it has ``error``."""
+    content = request.content
     try:
-        if "frame" in request:
-            frame = from_json(FrameJob, request["frame"])
+        if "frame" in content:
+            frame = joined(FrameJob, content["frame"], request.data)
             check_frame(frame)
-            return {"found": to_json(driver.draw_frame(frame))}
-        if "package" in request:
+            return _message("found", driver.draw_frame(frame))
+        if "package" in content:
             if not isinstance(driver, PackageDriver):
-                return {"error": "this driver draws no packages of frames"}
-            return {"texels": to_json(tuple(driver.draw_package(request["package"])))}
-        return {"device": to_json(driver.device())}
+                return Message({"error": "this driver draws no packages of frames"})
+            return _message("texels", Found(tuple(driver.draw_package(content["package"]))))
+        return Message({"device": to_json(driver.device())})
     except DriverError as error:
-        return {"error": str(error)}
+        return Message({"error": str(error)})
+
+
+def _message(name: str, record: Found) -> Message:
+    content, data = split(record)
+    return Message({name: content}, data)

@@ -1,5 +1,5 @@
-"""Converts jobs and their results to JSON and back, for the pipe to a driver's process, and to
-bytes, for the store."""
+"""Converts jobs and their results to JSON and back: for the pipe to a driver's process and for the
+store with the bytes apart, which are many, and for web pages with all in one."""
 
 from __future__ import annotations
 
@@ -52,24 +52,36 @@ def from_json(
     return kind(**{name: _read(hints[name], value, to_bytes) for name, value in data.items()})
 
 
-def packed(record: Any) -> bytes:
-    """A record as bytes, which are fewer than those of its JSON, and are compressed better: the
-    JSON with a length for each ``bytes``, and behind it all of these."""
+def split(record: Any) -> tuple[Any, bytes]:
+    """A record as JSON that has a length for each ``bytes``, and all of these, one behind the
+    other."""
     parts: list[bytes] = []
 
     def length(data: bytes) -> int:
         parts.append(data)
         return len(data)
 
-    head = json.dumps(to_json(record, length)).encode()
-    return b"".join((_LENGTH.pack(len(head)), head, *parts))
+    content = to_json(record, length)
+    return content, b"".join(parts)
+
+
+def joined(kind: type[T], content: Mapping[str, Any], data: bytes) -> T:
+    """The record of class ``kind`` that ``split`` has taken apart."""
+    return from_json(kind, content, io.BytesIO(data).read)
+
+
+def packed(record: Any) -> bytes:
+    """A record as bytes: the JSON of ``split`` behind its length, and the bytes of the record."""
+    content, data = split(record)
+    head = json.dumps(content).encode()
+    return b"".join((_LENGTH.pack(len(head)), head, data))
 
 
 def unpacked(kind: type[T], data: bytes) -> T:
     """The record of class ``kind`` from which ``packed`` has made ``data``."""
-    stream = io.BytesIO(data)
-    (length,) = _LENGTH.unpack(stream.read(_LENGTH.size))
-    return from_json(kind, json.loads(stream.read(length)), stream.read)
+    (length,) = _LENGTH.unpack_from(data)
+    start = _LENGTH.size + length
+    return joined(kind, json.loads(data[_LENGTH.size : start]), data[start:])
 
 
 _hints: Callable[[type], Mapping[str, Any]] = cache(typing.get_type_hints)

@@ -24,7 +24,7 @@ from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_checks import check_frame
 from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Code
-from burnish.targets.runner.drivers.wire import from_json, to_json
+from burnish.targets.runner.drivers.wire import packed, unpacked
 from burnish.targets.runner.files import FileError
 from burnish.targets.runner.frames.by_route import frame_job
 from burnish.targets.runner.frames.checking import PlanError
@@ -128,7 +128,7 @@ def _prepare(path: Path) -> None:
         names = [row.name for row in frame.plan.outputs if row.texture is not None]
         codes = [_codes(shader.files) for shader in frame.shaders]
         job = frame_job(host, ROUTE, codes, names, 2)
-    check_frame(from_json(FrameJob, json.loads(json.dumps(to_json(job)))))
+    check_frame(unpacked(FrameJob, packed(job)))
 
 
 def _codes(files: Sequence[Any]) -> Codes:

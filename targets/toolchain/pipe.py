@@ -1,0 +1,73 @@
+"""Messages between Burnish and a process that it has started: a line of JSON, and bytes behind it.
+
+``workers.py`` is Burnish's side of the pipe. Workers of Burnish's own (drivers, the reference)
+answer by ``serve``; compilers' workers, which import nothing of Burnish, write lines only.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import json
+import os
+import sys
+from collections.abc import Callable, Mapping
+from typing import IO, Any, NamedTuple
+
+FOLLOWING = "following"
+"""The key of a line that bytes follow: their number."""
+
+
+class Message(NamedTuple):
+    """A request, or the answer to one."""
+
+    content: Mapping[str, Any]
+    """The part that is JSON."""
+    data: bytes = b""
+    """Texels, elements or whatever else takes long as JSON."""
+
+
+def send(message: Message, stream: IO[bytes]) -> None:
+    """Write a message. Raises ``BrokenPipeError`` if nobody reads it."""
+    following = {FOLLOWING: len(message.data)} if message.data else {}
+    stream.write(json.dumps({**message.content, **following}).encode() + b"\n")
+    stream.write(message.data)
+    stream.flush()
+
+
+def receive(stream: IO[bytes], most: int) -> Message:
+    """Read a message of at most ``most`` bytes.
+
+    Raises ``EOFError`` if the stream ends before the message does, ``OverflowError`` if the message
+    is longer, and ``ValueError`` if its line is no object of JSON.
+    """
+    line = stream.readline(most + 1)
+    if len(line) > most:
+        raise OverflowError
+    if not line.endswith(b"\n"):
+        raise EOFError
+    content = json.loads(line)
+    if not isinstance(content, dict):
+        raise ValueError
+    following = content.pop(FOLLOWING, 0)
+    if len(line) + following > most:
+        raise OverflowError
+    data = stream.read(following)
+    if len(data) < following:
+        raise EOFError
+    return Message(content, data)
+
+
+def serve(answer: Callable[[Message], Message], orphan_limit: float) -> None:
+    """Answer messages until the input ends. Whatever libraries print goes to standard error.
+
+    A request that takes ``orphan_limit`` seconds ends the process. The sender waits for less time;
+    so this happens only if the sender has died, which a process that hangs does not notice.
+    """
+    with os.fdopen(os.dup(1), "wb") as answers:
+        os.dup2(2, 1)
+        for line in sys.stdin.buffer:
+            faulthandler.dump_traceback_later(orphan_limit, exit=True)
+            content = json.loads(line)
+            data = sys.stdin.buffer.read(content.pop(FOLLOWING, 0))
+            send(answer(Message(content, data)), answers)
+            faulthandler.cancel_dump_traceback_later()
