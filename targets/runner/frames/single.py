@@ -24,9 +24,10 @@ from ..scene import Scene, with_inputs
 from ..scene_state import CLEAR, Color, set_up
 from ..subject import Subject
 from .checks.rows import PlanError
-from .host import FrameHost, PlannedFrame
+from .host import FrameHost
 from .scenery import Model, Scenery
 from .single_plan import single_plan
+from .subjects import PlannedFrame
 
 
 @dataclass(frozen=True, slots=True)
