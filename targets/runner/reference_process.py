@@ -17,7 +17,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...support.frozen import changed
 from ..closing import Closing
 from ..toolchain.limits import WORKERS
-from ..toolchain.pipe import Message, serve
+from ..toolchain.pipe import Packet, serve
 from ..toolchain.surroundings import python_worker
 from ..toolchain.workers import Pool, Worker
 from .reference import dumped, expected, loaded
@@ -68,15 +68,15 @@ def _question(
         return None
 
 
-def _answer(question: Message) -> Message:
+def _answer(question: Packet) -> Packet:
     shader, state, rules, errors, limits = pickle.loads(question.data)
     try:
         with raised(limits):
-            return Message({}, dumped(expected(shader, state, rules, errors)))
+            return Packet({}, dumped(expected(shader, state, rules, errors)))
     except BudgetError as error:
-        return Message({"refused": str(error)})
+        return Packet({"refused": str(error)})
     except MemoryError as error:
-        return Message({"lacks_memory": str(error)})
+        return Packet({"lacks_memory": str(error)})
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from threading import Lock
 from typing import Any
 
 from ..closing import Closing
-from ..toolchain.pipe import Message
+from ..toolchain.pipe import Packet
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
 from .drivers.device import Device, DriverError
@@ -81,7 +81,7 @@ class Runner(Closing):
         with self._locks[name]:
             if name not in self._devices:
                 try:
-                    answer = self._ask(name, Message({}))
+                    answer = self._ask(name, Packet({}))
                     self._devices[name] = from_json(Device, answer.content["device"])
                 except DriverError as error:
                     self._devices[name] = error
@@ -139,7 +139,7 @@ class Runner(Closing):
         Raises ``DriverError``.
         """
         request = {"whole": package, "outputs": list(outputs), "count": count}
-        answer = self._ask(route.driver, Message({"package": request}))
+        answer = self._ask(route.driver, Packet({"package": request}))
         return joined(Found, answer.content["texels"], answer.data).texels
 
     def _pool(self, row: DriverRow, count: int) -> Pool:
@@ -148,29 +148,29 @@ class Runner(Closing):
             lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
         )
 
-    def _found(self, route: Route, request: Message) -> Found:
+    def _found(self, route: Route, request: Packet) -> Found:
         answer = self._ask(route.driver, request)
         return joined(Found, answer.content["found"], answer.data)
 
-    def _ask(self, driver: str, request: Message) -> Message:
+    def _ask(self, driver: str, request: Packet) -> Packet:
         with self._pools[driver].borrow() as worker:
             answer = worker.ask(request.content, self._time_limit, request.data)
         if answer.ending != "ended":
             raise DriverError(f"{driver} {answer.ending}: {answer.log.strip()}")
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return Message(answer.reply, answer.data)
+        return Packet(answer.reply, answer.data)
 
-    def _digest(self, route: Route, request: Message) -> str:
+    def _digest(self, route: Route, request: Packet) -> str:
         device = self.device(route)
         about = (route.driver, device.name, device.version, *map(str, self.versions(route).items()))
         return digest(_runner_digest(), *about, json.dumps(request.content), request.data)
 
 
-def frame_request(job: FrameJob) -> Message:
-    """The message that asks a driver's process to do a job."""
+def frame_request(job: FrameJob) -> Packet:
+    """The packet that asks a driver's process to do a job."""
     content, data = split(job)
-    return Message({"frame": content}, data)
+    return Packet({"frame": content}, data)
 
 
 @cache

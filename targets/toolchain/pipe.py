@@ -1,4 +1,4 @@
-"""Messages between Burnish and a process that it has started: a line of JSON, and bytes behind it.
+"""Packets between Burnish and a process that it has started: a line of JSON, and bytes behind it.
 
 ``workers.py`` is Burnish's side of the pipe. Workers of Burnish's own (drivers, the reference)
 answer by ``serve``; compilers' workers, which import nothing of Burnish, write lines only.
@@ -17,7 +17,7 @@ FOLLOWING = "following"
 """The key of a line that bytes follow: their number."""
 
 
-class Message(NamedTuple):
+class Packet(NamedTuple):
     """A request, or the answer to one."""
 
     content: Mapping[str, Any]
@@ -26,18 +26,18 @@ class Message(NamedTuple):
     """Texels, elements or whatever else takes long as JSON."""
 
 
-def send(message: Message, stream: IO[bytes]) -> None:
-    """Write a message. Raises ``BrokenPipeError`` if nobody reads it."""
+def send(message: Packet, stream: IO[bytes]) -> None:
+    """Write a packet. Raises ``BrokenPipeError`` if nobody reads it."""
     following = {FOLLOWING: len(message.data)} if message.data else {}
     stream.write(json.dumps({**message.content, **following}).encode() + b"\n")
     stream.write(message.data)
     stream.flush()
 
 
-def receive(stream: IO[bytes], most: int) -> Message:
-    """Read a message of at most ``most`` bytes.
+def receive(stream: IO[bytes], most: int) -> Packet:
+    """Read a packet of at most ``most`` bytes.
 
-    Raises ``EOFError`` if the stream ends before the message does, ``OverflowError`` if the message
+    Raises ``EOFError`` if the stream ends before the packet does, ``OverflowError`` if the packet
     is longer, and ``ValueError`` if its line is no object of JSON.
     """
     line = stream.readline(most + 1)
@@ -54,11 +54,11 @@ def receive(stream: IO[bytes], most: int) -> Message:
     data = stream.read(following)
     if len(data) < following:
         raise EOFError
-    return Message(content, data)
+    return Packet(content, data)
 
 
-def serve(answer: Callable[[Message], Message], orphan_limit: float) -> None:
-    """Answer messages until the input ends. Whatever libraries print goes to standard error.
+def serve(answer: Callable[[Packet], Packet], orphan_limit: float) -> None:
+    """Answer packets until the input ends. Whatever libraries print goes to standard error.
 
     A request that takes ``orphan_limit`` seconds ends the process. The sender waits for less time;
     so this happens only if the sender has died, which a process that hangs does not notice.
@@ -69,5 +69,5 @@ def serve(answer: Callable[[Message], Message], orphan_limit: float) -> None:
             faulthandler.dump_traceback_later(orphan_limit, exit=True)
             content = json.loads(line)
             data = sys.stdin.buffer.read(content.pop(FOLLOWING, 0))
-            send(answer(Message(content, data)), answers)
+            send(answer(Packet(content, data)), answers)
             faulthandler.cancel_dump_traceback_later()

@@ -1,4 +1,4 @@
-"""Persistent child processes that answer messages: lines of JSON, and bytes behind them.
+"""Persistent child processes that answer packets: lines of JSON, and bytes behind them.
 
 DXC and Tint run in them, since starting these takes long and they may crash. If a child dies or
 hangs, only the current request fails: the next request starts a new child.
@@ -19,7 +19,7 @@ from typing import IO, Any
 
 from .children import Child
 from .limits import COMPILERS, Limits, exhausted, in_words
-from .pipe import Message, receive, send
+from .pipe import Packet, receive, send
 from .process import Ending, how_it_crashed
 
 LOG_TAIL = 20_000
@@ -59,7 +59,7 @@ class Worker:
         """Send one request, with the bytes that follow it, and wait at most ``time_limit`` seconds
         for its answer."""
         with self._lock:
-            return self._answer(Message(request, data), time_limit)
+            return self._answer(Packet(request, data), time_limit)
 
     def close(self) -> None:
         """End the child process, if there is one; a request that it works on gets no answer."""
@@ -69,7 +69,7 @@ class Worker:
         with self._lock:
             self._bury()
 
-    def _answer(self, request: Message, time_limit: float) -> Answer:
+    def _answer(self, request: Packet, time_limit: float) -> Answer:
         timed_out = Event()
         try:
             child = self._child or self._start()
@@ -93,7 +93,7 @@ class Worker:
             return self._post_mortem("crashed", reply)
         return Answer("ended", reply.content, "", reply.data)
 
-    def _exchange(self, child: Child, request: Message) -> Message | str:
+    def _exchange(self, child: Child, request: Packet) -> Packet | str:
         """The child's answer to a request; or the reason why there is none, empty if the child has
         ended."""
         stdin, stdout = child.process.stdin, child.process.stdout

@@ -13,7 +13,7 @@ from burnish.targets.runner.drivers.frame_job import Captured, Found, FrameTexel
 from burnish.targets.runner.drivers.wire import packed, split, unpacked
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
-from burnish.targets.toolchain.pipe import Message
+from burnish.targets.toolchain.pipe import Packet
 
 from .frame_kit import back, job, texture
 
@@ -36,7 +36,7 @@ def test_the_same_job_is_done_once(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     def answer(_runner: Runner, _driver: str, request: Any) -> Any:
         asked.append(request)
         content, data = split(FOUND)
-        return Message({"found": content}, data)
+        return Packet({"found": content}, data)
 
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     monkeypatch.setattr(Runner, "_ask", answer)

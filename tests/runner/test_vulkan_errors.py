@@ -24,7 +24,7 @@ from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import WORKERS
-from burnish.targets.toolchain.pipe import Message, receive, send
+from burnish.targets.toolchain.pipe import Packet, receive, send
 
 from ..suite.processes import Background, run, started
 from .vulkan_kit import (
@@ -266,11 +266,11 @@ def test_python_cannot_talk_to_vulkan(vulkan: Asker, tmp_path: Path) -> None:
 # --- workers -----------------------------------------------------------------------------------
 
 
-def request(pipeline: Pipeline, **draw: Any) -> Message:
+def request(pipeline: Pipeline, **draw: Any) -> Packet:
     return frame_request(draw_job(pipeline, (replace(draw_of(WHOLE), **draw),)))
 
 
-def sent(*requests: Message) -> bytes:
+def sent(*requests: Packet) -> bytes:
     """The bytes that a worker reads."""
     stream = io.BytesIO()
     for each in requests:

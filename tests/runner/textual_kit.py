@@ -28,7 +28,7 @@ from burnish.targets.runner.drivers.wire import from_json, joined
 from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import BROWSERS
-from burnish.targets.toolchain.pipe import Message
+from burnish.targets.toolchain.pipe import Packet
 from burnish.targets.toolchain.workers import Answer, Worker
 
 from . import textual_shaders as shaders
@@ -60,13 +60,13 @@ class Asker:
         self.api = api
         self._worker = Worker(lambda: [sys.executable, "-m", *COMMANDS[api]], BROWSERS)
 
-    def answer(self, request: Message, time_limit: float = TIME_LIMIT) -> Answer:
+    def answer(self, request: Packet, time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""
         return self._worker.ask(request.content, time_limit, request.data)
 
     def device(self) -> Device:
         """The device that the worker draws with."""
-        return from_json(Device, self._reply(Message({})).content["device"])
+        return from_json(Device, self._reply(Packet({})).content["device"])
 
     def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
@@ -77,12 +77,12 @@ class Asker:
         """End the worker."""
         self._worker.close()
 
-    def _reply(self, request: Message) -> Message:
+    def _reply(self, request: Packet) -> Packet:
         answer = self.answer(request)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return Message(answer.reply, answer.data)
+        return Packet(answer.reply, answer.data)
 
 
 @cache

@@ -28,7 +28,7 @@ from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.routes import DRIVERS
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain import Toolchain
-from burnish.targets.toolchain.pipe import Message
+from burnish.targets.toolchain.pipe import Packet
 from burnish.targets.toolchain.tools import inspect_all, tool_named
 from burnish.targets.toolchain.workers import Answer, Worker
 
@@ -68,13 +68,13 @@ class Asker:
         self.command = row.command(states)
         self._worker = Worker(lambda: self.command, row.limits)
 
-    def answer(self, request: Message, time_limit: float = TIME_LIMIT) -> Answer:
+    def answer(self, request: Packet, time_limit: float = TIME_LIMIT) -> Answer:
         """The worker's answer to a request, whatever it is."""
         return self._worker.ask(request.content, time_limit, request.data)
 
     def device(self) -> Device:
         """The device that the worker draws with."""
-        return from_json(Device, self._reply(Message({})).content["device"])
+        return from_json(Device, self._reply(Packet({})).content["device"])
 
     def draw(self, job: FrameJob) -> list[Picture]:
         """The pictures of a job. Raises ``DriverError`` as the worker does."""
@@ -106,12 +106,12 @@ class Asker:
         assert child is not None
         return child.pid
 
-    def _reply(self, request: Message) -> Message:
+    def _reply(self, request: Packet) -> Packet:
         answer = self.answer(request)
         assert answer.ending == "ended", answer.log
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
-        return Message(answer.reply, answer.data)
+        return Packet(answer.reply, answer.data)
 
 
 def pixels(picture: Picture, target: int = 0) -> Floats:

@@ -1,7 +1,7 @@
-"""The driver's side of the pipe: answers the messages that ``runner.py`` sends.
+"""The driver's side of the pipe: answers the packets that ``runner.py`` sends.
 
 Each driver's ``__main__`` calls ``serve``. A driver may crash or hang, so it runs in a process of
-its own. Bytes of jobs and of results follow the JSON of messages, see ``wire.py``.
+its own. Bytes of jobs and of results follow the JSON of packets, see ``wire.py``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from functools import partial
 from typing import Any, Protocol, runtime_checkable
 
 from ...toolchain import pipe
-from ...toolchain.pipe import Message
+from ...toolchain.pipe import Packet
 from .device import Device, DriverError
 from .frame_checks import check_frame
 from .frame_job import Found, FrameJob, FrameTexels
@@ -47,7 +47,7 @@ def serve(driver: Driver) -> None:
     pipe.serve(partial(_answer, driver), ORPHAN_LIMIT)
 
 
-def _answer(driver: Driver, request: Message) -> Message:
+def _answer(driver: Driver, request: Packet) -> Packet:
     """The answer to ``{"frame": …}`` has ``found``, that to ``{"package": …}`` has ``texels``, and
     that to ``{}`` has ``device``; or it has ``error``."""
     content = request.content
@@ -55,16 +55,16 @@ def _answer(driver: Driver, request: Message) -> Message:
         if "frame" in content:
             frame = joined(FrameJob, content["frame"], request.data)
             check_frame(frame)
-            return _message("found", driver.draw_frame(frame))
+            return _packet("found", driver.draw_frame(frame))
         if "package" in content:
             if not isinstance(driver, PackageDriver):
-                return Message({"error": "this driver draws no packages of frames"})
-            return _message("texels", Found(tuple(driver.draw_package(content["package"]))))
-        return Message({"device": to_json(driver.device())})
+                return Packet({"error": "this driver draws no packages of frames"})
+            return _packet("texels", Found(tuple(driver.draw_package(content["package"]))))
+        return Packet({"device": to_json(driver.device())})
     except DriverError as error:
-        return Message({"error": str(error)})
+        return Packet({"error": str(error)})
 
 
-def _message(name: str, record: Found) -> Message:
+def _packet(name: str, record: Found) -> Packet:
     content, data = split(record)
-    return Message({name: content}, data)
+    return Packet({name: content}, data)
