@@ -26,11 +26,11 @@ class Packet(NamedTuple):
     """Texels, elements or whatever else takes long as JSON."""
 
 
-def send(message: Packet, stream: IO[bytes]) -> None:
+def send(packet: Packet, stream: IO[bytes]) -> None:
     """Write a packet. Raises ``BrokenPipeError`` if nobody reads it."""
-    following = {FOLLOWING: len(message.data)} if message.data else {}
-    stream.write(json.dumps({**message.content, **following}).encode() + b"\n")
-    stream.write(message.data)
+    following = {FOLLOWING: len(packet.data)} if packet.data else {}
+    stream.write(json.dumps({**packet.content, **following}).encode() + b"\n")
+    stream.write(packet.data)
     stream.flush()
 
 
