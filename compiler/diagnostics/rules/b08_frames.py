@@ -182,3 +182,9 @@ TOO_MANY_STEPS = error(
     "Repetitions inside of each other multiply their steps, each of which a host draws one by one. "
     "Work that is repeated so often belongs into a loop of a shader.",
 )
+TWO_DEPTHS = error(
+    "B0829",
+    "`{step}` has depths and a target of the name `depth`",
+    "`step.depth` are the depths that a pass tests or writes. Give the target another name, such "
+    "as `distance`, or leave depths alone: `depth { compare = always, write = false }`.",
+)

@@ -435,6 +435,8 @@ class Steps:
             if result.state is not None
         )
         uses_depth = state.depth.is_used or state.stencil.is_used
+        if uses_depth and any(target.target == DEPTH for target in targets):
+            self._ctx.report.add(rules.TWO_DEPTHS, e.span, step=name)
         depth = attached(DEPTH, DEPTH_FORMAT, "", state.depth.clear) if uses_depth else None
         step = RenderStep(
             name, shader.shader.pass_name, targets, depth, tuple(draws), "", e.span,
