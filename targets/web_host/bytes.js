@@ -2,6 +2,8 @@
 
 import { present } from "./present.js";
 
+/** @import { Pixels } from "./renderer.js" */
+
 /**
  * The bytes of a text in base64.
  * @param {string} base64
@@ -54,6 +56,23 @@ export function toFloats(format, bytes) {
     found[at] = format.endsWith("srgb") && lane < 3 ? linear(value) : value;
   }
   return found;
+}
+
+/**
+ * Turns the rows of all layers over: the first one becomes the last.
+ * @param {Pixels} pixels
+ */
+export function turnedOver({ width, height, layers, texels }) {
+  const lanes = 4 * width;
+  for (let layer = 0; layer < layers; layer++) {
+    for (let row = 0; row < height >> 1; row++) {
+      const upper = (layer * height + row) * lanes;
+      const lower = (layer * height + height - 1 - row) * lanes;
+      const kept = texels.slice(upper, upper + lanes);
+      texels.copyWithin(upper, lower, lower + lanes);
+      texels.set(kept, lower);
+    }
+  }
 }
 
 /**

@@ -28,9 +28,8 @@ def draw_frames(
     """
     check_textures(host, count)
     if EVERY_DRIVER[route.driver].draws_packages:
-        drawn = _by_package(host, route, runner, count)
-    else:
-        drawn = by_route.draw_frames(host, route, runner, toolchain, count)
+        return _by_package(host, route, runner, count)
+    drawn = by_route.draw_frames(host, route, runner, toolchain, count)
     if not any(draws_bottom_up(shader.reflection, route) for shader in host.shaders):
         return drawn
     return [{name: layers[:, ::-1] for name, layers in outputs.items()} for outputs in drawn]

@@ -1,6 +1,6 @@
 // Executes the plan of a frame, step by step, with the renderer of an API: see docs/plans.md.
 
-import { bytesOf, halved } from "./bytes.js";
+import { bytesOf, halved, turnedOver } from "./bytes.js";
 import { bareMesh, checkLevels, unpacked } from "./geometry.js";
 import { present } from "./present.js";
 import { hostBuffer, previousOf, Resources } from "./resources.js";
@@ -36,6 +36,18 @@ export function checkVersions({ package: version, plan, shaders }) {
 }
 
 /**
+ * True if a shader draws the bottom row of its picture to the first row of a texture. No shader of
+ * a frame does, but those of single materials do so for WebGL 2.
+ * @param {PackagedShader} shader
+ * @param {string} profile
+ */
+function drawsBottomUp({ reflection }, profile) {
+  const { first_row: first, images } = reflection.backends[profile];
+  // A kernel that writes images itself has their top row first.
+  return first === "bottom" && !Object.keys(images).length;
+}
+
+/**
  * An open frame: `openFrame` makes one. Methods throw an `Error` with a sentence if they fail.
  * @template Texture, Buffer
  */
@@ -64,6 +76,7 @@ export class PlanFrame {
 
   #from;
   #renderer;
+  #isBottomUp;
 
   /**
    * @param {Package} from
@@ -78,6 +91,7 @@ export class PlanFrame {
     this.#given = new Set(from.given);
     this.#camera = from.camera;
     this.#size = from.size;
+    this.#isBottomUp = shaders.some((each) => drawsBottomUp(each, renderer.profile));
     this.#values = new Values(plan.frame, declared);
     this.#materials = shaders.map(({ reflection }) => new Values(reflection.material, reflection));
     this.#resources = new Resources(from, renderer, this.#values);
@@ -163,7 +177,7 @@ export class PlanFrame {
    * @param {string} [output]
    */
   show(output) {
-    this.#renderer.show(this.#outputOf(output));
+    this.#renderer.show(this.#outputOf(output), this.#isBottomUp);
   }
 
   /**
@@ -194,8 +208,10 @@ export class PlanFrame {
    * @param {string} output
    * @returns {Promise<Pixels>}
    */
-  read(output) {
-    return this.#renderer.read(this.#outputOf(output));
+  async read(output) {
+    const pixels = await this.#renderer.read(this.#outputOf(output));
+    if (this.#isBottomUp) turnedOver(pixels);
+    return pixels;
   }
 
   /**

@@ -90,7 +90,8 @@
  * @property {(kernel: Bound<Texture, Buffer>, images: Texture[], groups: number[]) => void} run
  * @property {(from: Texture, to: Texture) => void} copy
  * @property {() => void} end
- * @property {(texture: Texture) => void} show
+ * @property {(texture: Texture, isBottomUp: boolean) => void} show Put a texture on the canvas;
+ *   with `isBottomUp`, its first row is that at the bottom.
  * @property {(texture: Texture) => Promise<Pixels>} read
  * @property {(buffer: Buffer) => Promise<Uint8Array<ArrayBuffer>>} readBuffer
  * @property {() => Promise<void>} finished

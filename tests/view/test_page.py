@@ -250,6 +250,19 @@ def test_browsers_without_webgpu_draw_with_webgl_2(browser: Browser, viewer: Vie
         shows(page, (srgb(0.25),) * 3)
 
 
+@pytest.mark.parametrize("script", ["", NO_WEBGPU], ids=["webgpu", "webgl2"])
+def test_the_upper_side_is_up(browser: Browser, viewer: Viewer, script: str) -> None:
+    """Texts for WebGL 2 draw the bottom row of a material's picture first."""
+    write(viewer, FACING)
+    with browser.new_context(viewport=SIZE) as context:
+        page = context.new_page()
+        page.add_init_script(script)
+        opened(page, viewer, "?mesh=sphere")
+        until(lambda: pixel(page) != BEHIND, "a sphere")
+        (_, upper, _), (_, lower, _) = pixel(page, 0.5, 0.2), pixel(page, 0.5, 0.8)
+        assert upper > lower + 50
+
+
 def test_a_browser_that_cannot_draw(browser: Browser, viewer: Viewer) -> None:
     write(viewer, FLAT)
     with browser.new_context(viewport=SIZE) as context:

@@ -16,6 +16,7 @@ import burnish
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import Scenery
+from burnish.targets.runner.frames.single import single_frame, single_scenery
 from burnish.targets.web_host.package import frame_package
 
 from ..docs.kit import ROOT, blocks
@@ -180,3 +181,40 @@ def test_the_elements_of_buffers(page: Page, site: Path) -> None:
         [[0, 0, 1, 1], [2, 2]],
     ]
     assert told["wrong"] == "`none` of Counted is no buffer, or was not written yet"
+
+
+ROWS = """async (api) => {
+  const { openFrame } = await import("./host/host.js");
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [2, 3];
+  const frame = await openFrame(canvas, await (await fetch("Rows.json")).json(), api);
+  frame.resize(2, 3);
+  frame.draw();
+  frame.show();
+  const context = new OffscreenCanvas(2, 3).getContext("2d");
+  context.drawImage(canvas, 0, 0);
+  const shown = [...context.getImageData(0, 0, 2, 3).data].filter((_, at) => at % 8 === 0);
+  const { texels } = await frame.read("color");
+  frame.dispose();
+  return { shown, read: [...texels].filter((_, at) => at % 8 === 0) };
+}"""
+
+
+@pytest.mark.parametrize("api", ["webgpu", "webgl2"])
+def test_the_top_row_of_a_material_comes_first(page: Page, site: Path, api: str) -> None:
+    file = site / "rows.burnish"
+    file.write_text(
+        "material Rows {\n"
+        "    clip_position = vec4(position.xy * 4, 0, 1)\n"
+        "    color = vec3(floor(frag_coord.y) / 2)\n"
+        "}\n"
+    )
+    (material,) = burnish.compile(file, targets=("wgsl:webgpu", "glsl:es300")).materials
+    frame = single_frame(material)
+    host = FrameHost(frame, single_scenery(frame, "plane", 1), (2, 3))
+    package = frame_package(host, ["wgsl:webgpu", "glsl:es300"])
+    (site / "Rows.json").write_text(json.dumps(to_json(package)))
+    page.goto(ADDRESS)
+    found = page.evaluate(ROWS, api)
+    assert found["read"] == pytest.approx([0.0, 0.5, 1.0], abs=1 / 255)
+    assert found["shown"] == [0, 188, 255]

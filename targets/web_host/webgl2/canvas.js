@@ -22,10 +22,10 @@ vec4 texel(vec2 at) {
   return texelFetch(shown, ivec2(at / size * vec2(textureSize(shown, 0))), 0);
 }`;
 
-/** Encodes sRGB, drops the alpha, and turns rows: a canvas counts them from below. */
+/** Encodes sRGB and drops the alpha. */
 const ON_SCREEN = `${TEXT}
 void main() {
-  vec3 linear = clamp(texel(vec2(gl_FragCoord.x, size.y - gl_FragCoord.y)).LANES, 0., 1.);
+  vec3 linear = clamp(texel(vec2(gl_FragCoord.x, ROW)).LANES, 0., 1.);
   vec3 bent = 1.055 * pow(linear, vec3(1. / 2.4)) - .055;
   pixel = vec4(mix(bent, linear * 12.92, lessThanEqual(linear, vec3(.0031308))), 1);
 }`;
@@ -56,12 +56,15 @@ export class Presenter {
   /**
    * Show a flat texture on the whole canvas.
    * @param {Texture} texture
+   * @param {boolean} isBottomUp True if the first row of the texture is the bottom one.
    */
-  show(texture) {
+  show(texture, isBottomUp) {
     const { gl } = this.#context;
     const lanes = lanesOf(texture.format)[0] === 1 ? "rrr" : "rgb";
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    const text = ON_SCREEN.replace("LANES", lanes);
+    // A canvas counts its rows from below.
+    const row = isBottomUp ? "gl_FragCoord.y" : "size.y - gl_FragCoord.y";
+    const text = ON_SCREEN.replace("LANES", lanes).replace("ROW", row);
     this.#cover(text, texture, gl.drawingBufferWidth, gl.drawingBufferHeight);
   }
 

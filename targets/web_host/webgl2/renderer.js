@@ -399,10 +399,13 @@ export class WebGl2Renderer {
 
   // --- results ---
 
-  /** @param {Texture} texture */
-  show(texture) {
+  /**
+   * @param {Texture} texture
+   * @param {boolean} isBottomUp
+   */
+  show(texture, isBottomUp) {
     if (!this.#hasCanvas) throw new Error("this frame was opened without a canvas");
-    this.#flat(texture, 0, (found) => this.#presenter.show(found));
+    this.#flat(texture, 0, (found) => this.#presenter.show(found, isBottomUp));
   }
 
   /** @returns {Promise<void>} */
