@@ -96,7 +96,7 @@ class Runner(Closing):
         return found
 
     def _asked_device(self, driver: str) -> Device | DriverError:
-        """The device, or the reason why there is none; it is kept unless the next try may differ."""
+        """The device, or the reason why there is none; kept unless the next try may differ."""
         try:
             answer = self._ask(driver, Packet({}))
         except EndedError as error:
