@@ -1,12 +1,12 @@
-"""Functions are checked once for each signature, with variables for their arguments.
+"""Functions and terms are checked once for each signature, with variables for their arguments.
 
 ``applications`` asks this module for every call of a function. The first call with a signature has
 the body checked with variables in the place of its arguments; then each call with that signature is
 this body with its own arguments. A signature is what checks may ask of arguments: the type and the
-meaning of each, and which literal it is, if it is one. Some calls have no signature, and each of
-them is checked by itself: where a body depends on more (as where the range of an argument bounds a
-loop), where checks look into an argument (a constant expression, a splat), and where the function
-is a term, which reads slots of a surface.
+meaning of each, and which literal it is, if it is one. That of a term also has the surface whose
+slots the term reads. Some calls have no signature, and each of them is checked by itself: where a
+body depends on more (as where the range of an argument bounds a loop), and where checks look into
+an argument (a constant expression, a splat).
 
 A call in a body is the called body once more. If each function calls the one before it twice, the
 number of bodies doubles with every function. So a call that would come to more than ``MOST_BODIES``
