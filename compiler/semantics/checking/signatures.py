@@ -60,7 +60,7 @@ def shared_call(
 ) -> SharedCall | None:
     """A call by its signature; ``None`` if there is none that says enough of the arguments."""
     repeated = bodies_of(ctx, symbol) <= MOST_BODIES
-    # A body that is repeated reads the very surface; one that is applied has its slots as variables.
+    # A repeated body reads this very surface; one that is applied has replaced slots as variables.
     base, slots = surface, EMPTY
     if surface is not None and not repeated:
         base, slots = slots_given(ctx, surface)
