@@ -13,6 +13,8 @@ import pytest
 
 from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
+pytestmark = pytest.mark.xdist_group("new member")  # One process copies the package, for all tests.
+
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
 DELIVERS = "compiler/semantics/shading/passes/blending.py"
 
