@@ -13,6 +13,8 @@ from burnish.targets import registry
 
 from .modules import PACKAGE, between, circles, modules
 
+pytestmark = pytest.mark.xdist_group("imports")  # One process reads all modules.
+
 BACKENDS = registry.names()
 
 FLOORS: dict[str, str] = {

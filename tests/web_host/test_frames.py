@@ -18,6 +18,8 @@ from burnish.targets.web_host.documents import Package
 
 from .by_hand import FILLED, HEIGHT, WIDTH, package
 
+pytestmark = pytest.mark.xdist_group("frames of web pages")  # One browser draws for all tests.
+
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:

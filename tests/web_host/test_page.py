@@ -23,6 +23,8 @@ from ..docs.kit import ROOT, blocks
 from ..suite import browsers
 from ..suite.processes import until
 
+pytestmark = pytest.mark.xdist_group("page of the manual")  # One process writes the site.
+
 DOCUMENT = ROOT / "docs" / "hosts.md"
 ADDRESS = "https://burnish.invalid/"
 
