@@ -37,7 +37,7 @@ Otherwise, a loop that adds up lanes which share nothing would have more of them
 """
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)
 class Form:
     """The errors of one lane."""
 
@@ -46,34 +46,42 @@ class Form:
     """(errors, …): how much each shared error contributes at most, with its sign."""
     rest: Array
     """The largest magnitude of all other errors together."""
+    _shared: Array | None = None
 
     @property
     def radius(self) -> Array:
         """The possible distance of the lane from its value; NaN where the form says nothing."""
         if not self.errors:
             return self.rest
-        return np.add.reduce(np.abs(self.terms)) + self.rest
+        if self._shared is None:
+            self._shared = np.add.reduce(np.abs(self.terms))
+        return self._shared + self.rest
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
         terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
+    def negated(self) -> Form:
+        """The form of the lane with the other sign."""
+        return Form(self.errors, -self.terms, self.rest, self._shared)
+
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
         rest = self.rest + other.rest
-        if self.errors == other.errors or not other.errors:
-            terms = _joined(self.terms, other.terms) if other.errors else self.terms
-            return Form(self.errors, terms, rest)
+        if not other.errors:
+            return Form(self.errors, self.terms, rest, self._shared)
         if not self.errors:
-            return Form(other.errors, other.terms, rest)
+            return Form(other.errors, other.terms, rest, other._shared)
+        if self.errors == other.errors:
+            return Form(self.errors, _joined(self.terms, other.terms), rest)
         errors, one, two = _together(self.errors, other.errors)
         terms = _joined(_placed(self.terms, one), _placed(other.terms, two))
         return Form(errors, terms, rest)._limited()
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
-        return Form(self.errors, self.terms, self.rest + by)
+        return Form(self.errors, self.terms, self.rest + by, self._shared)
 
     def or_else(self, other: Form) -> Form | None:
         """The form of a lane that is one of two, if they share the same errors."""

@@ -178,7 +178,7 @@ class Bounded(Operators):
     def __neg__(self) -> Bounded:
         made = exact(-self.value)
         if not self.is_exact:
-            form = None if self.form is None else self.form.scaled(-1.0)
+            form = None if self.form is None else self.form.negated()
             made = Bounded(made.value, -self.high, -self.low, form)
         made._number = self._number
         return made.made_as(self)
@@ -190,7 +190,7 @@ class Bounded(Operators):
         low = np.minimum(np.abs(self.low), np.abs(self.high))
         form = None
         if self.form is not None:
-            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.scaled(-1.0),
+            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.negated(),
                           self.radius)  # fmt: skip
         return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude, form)
 
