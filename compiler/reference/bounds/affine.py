@@ -17,6 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
+from typing import NamedTuple
 
 import numpy as np
 
@@ -76,7 +77,11 @@ class Form:
         if self.errors == other.errors:
             return Form(self.errors, _joined(self.terms, other.terms), rest)
         errors, one, two = _together(self.errors, other.errors)
-        terms = _joined(_placed(self.terms, one), _placed(other.terms, two))
+        if self.terms.shape[1:] != other.terms.shape[1:]:
+            terms = _joined(_placed(self.terms, one), _placed(other.terms, two))
+        else:
+            terms = _placed(self.terms, one, is_new=True)
+            terms[two.rows] += other.terms
         return Form(errors, terms, rest)._limited()
 
     def widened(self, by: Array) -> Form:
@@ -128,6 +133,8 @@ def chosen(
 
     ``is_second`` is ``None`` where one of both is chosen for certain.
     """
+    if _is_all(is_first, x, y):
+        return x
     errors, one, two = _together(x.errors, y.errors)
     axes = max(map(np.ndim, (is_first, is_second, x.rest, y.rest)))
     first, second = (
@@ -159,16 +166,41 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
 
 _NO_TERMS = np.zeros((0,))
 
-_Places = tuple[int, tuple[int, ...]]
-"""The number of terms of two forms together, and the places of one form's terms among them."""
+
+class _Places(NamedTuple):
+    """The places of one form's terms among the terms of two forms."""
+
+    count: int
+    """The number of terms of both forms together."""
+    rows: slice | list[int]
+    """A slice, if no other terms are between them: NumPy is faster with one."""
+
+    @classmethod
+    def of(cls, some: Errors, errors: Errors) -> _Places:
+        """The places of some of the errors among all of them."""
+        places = [errors.index(error) for error in some]
+        first, count = min(places, default=0), len(places)
+        adjoin = places == list(range(first, first + count))
+        return cls(len(errors), slice(first, first + count) if adjoin else places)
 
 
 @lru_cache(maxsize=1024)
 def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
     errors = tuple(sorted({*x, *y}))
-    place = {error: i for i, error in enumerate(errors)}
-    one, two = (tuple(place[error] for error in some) for some in (x, y))
-    return errors, (len(errors), one), (len(errors), two)
+    return errors, _Places.of(x, errors), _Places.of(y, errors)
+
+
+def _is_all(is_first: Array, x: Form, y: Form) -> bool:
+    """True if ``x`` is chosen everywhere, and has the errors and the elements of ``y``, too."""
+    shape = np.shape(is_first)
+    return (
+        np.count_nonzero(is_first) == np.size(is_first)
+        and np.shape(x.rest) == shape
+        and (x.terms.shape[1:] == shape or not x.errors)
+        and np.shape(y.rest) in ((), shape)
+        and y.terms.shape[1:] in ((), shape)
+        and (not y.errors or set(x.errors).issuperset(y.errors))
+    )
 
 
 def _joined(x: Array, y: Array) -> Array:
@@ -187,13 +219,12 @@ def _with_axes(terms: Array, axes: int) -> Array:
     return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
 
 
-def _placed(terms: Array, places: _Places) -> Array:
-    """Terms in their places among more terms, which are zero."""
-    count, where = places
-    if count == len(where):
-        return terms
-    placed = np.zeros((count, *terms.shape[1:]))
-    placed[list(where)] = terms
+def _placed(terms: Array, places: _Places, *, is_new: bool = False) -> Array:
+    """Terms in their places among more terms, which are zero; a copy, if it has to be new."""
+    if places.count == len(terms):
+        return terms.copy() if is_new else terms
+    placed = np.zeros((places.count, *terms.shape[1:]))
+    placed[places.rows] = terms
     return placed
 
 
