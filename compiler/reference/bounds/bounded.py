@@ -24,6 +24,7 @@ from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
     Array,
+    all_fit,
     constant_ends,
     is_float32,
     lost,
@@ -308,9 +309,14 @@ def correctly_rounded(
         return Bounded(value, *outward(low, high))
     magnitude = np.maximum(np.abs(low), np.abs(high))
     error = rounding_error(magnitude, times)
-    low, high = outward(low, high) if times == 1 else of_device(low - error, high + error)
+    farthest = magnitude + error
+    fits = all_fit(farthest)
+    if times == 1:
+        low, high = outward(low, high, fits=fits)
+    else:
+        low, high = of_device(low - error, high + error, fits=fits)
     if form is not None:
-        form = form.widened(error + lost(magnitude + error))
+        form = form.widened(error + lost(farthest, fits=fits))
     return Bounded(value, low, high, form)
 
 
