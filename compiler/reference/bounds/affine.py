@@ -77,12 +77,7 @@ class Form:
         if self.errors == other.errors:
             return Form(self.errors, _joined(self.terms, other.terms), rest)
         errors, one, two = _together(self.errors, other.errors)
-        if self.terms.shape[1:] != other.terms.shape[1:]:
-            terms = _joined(_placed(self.terms, one), _placed(other.terms, two))
-        else:
-            terms = _placed(self.terms, one, is_new=True)
-            terms[two.rows] += other.terms
-        return Form(errors, terms, rest)._limited()
+        return Form(errors, _merged(self.terms, one, other.terms, two), rest)._limited()
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -135,16 +130,17 @@ def chosen(
     """
     if _is_all(is_first, x, y):
         return x
+    is_second = ~is_first if is_second is None else is_second & ~is_first
+    if _is_all(is_second, y, x):
+        return y
     errors, one, two = _together(x.errors, y.errors)
     axes = max(map(np.ndim, (is_first, is_second, x.rest, y.rest)))
-    first, second = (
-        _with_axes(_placed(form.terms, place), axes) if form.errors else 0.0
-        for form, place in ((x, one), (y, two))
-    )
-    if is_second is None:
-        terms = np.where(is_first, first, second) if errors else _NO_TERMS
-        return Form(errors, terms, np.where(is_first, x.rest, y.rest))._limited()
-    terms = np.where(is_first, first, np.where(is_second, second, 0.0)) if errors else _NO_TERMS
+    terms = _NO_TERMS
+    if x.errors:
+        terms = _only(is_first, _with_axes(x.terms, axes))
+    if y.errors:
+        others = _only(is_second, _with_axes(y.terms, axes))
+        terms = _merged(terms, one, others, two) if x.errors else others
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
     return Form(errors, terms, rest)._limited()
 
@@ -219,13 +215,32 @@ def _with_axes(terms: Array, axes: int) -> Array:
     return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
 
 
-def _placed(terms: Array, places: _Places, *, is_new: bool = False) -> Array:
-    """Terms in their places among more terms, which are zero; a copy, if it has to be new."""
+def _merged(x: Array, one: _Places, y: Array, two: _Places) -> Array:
+    """The sums of the terms of the same errors, for terms of different errors."""
+    if x.shape[1:] != y.shape[1:]:
+        return _joined(_placed(x, one), _placed(y, two))
+    terms = _placed(x, one) if one.count > len(x) else x.copy()
+    terms[two.rows] += y
+    return terms
+
+
+def _placed(terms: Array, places: _Places) -> Array:
+    """Terms in their places among more terms, which are zero."""
     if places.count == len(terms):
-        return terms.copy() if is_new else terms
+        return terms
     placed = np.zeros((places.count, *terms.shape[1:]))
     placed[places.rows] = terms
     return placed
+
+
+def _only(condition: Array, terms: Array) -> Array:
+    """The terms where a condition holds, and zeros elsewhere.
+
+    The bits of a number are taken or not, which is several times as fast as ``np.where``.
+    """
+    mask = -condition.astype(np.int64)
+    only: Array = (terms.view(np.int64) & mask).view(np.float64)
+    return only
 
 
 Derivative = Callable[[Array], Array]
