@@ -135,6 +135,12 @@ class Bounded(Operators):
         self._sum, self._factors, self._of = other._sum, other._factors, other._of
         return self
 
+    def within(self, low: Array, high: Array) -> Bounded:
+        """The lane, if it is known that it lies between these ends, which are in its interval."""
+        made = Bounded(self.value, low, high)
+        made.form = self.form
+        return made
+
     def mapped(self, change: Callable[[Array], Array]) -> Bounded:
         """The lane with all arrays changed in their shape or order only."""
         value = change(np.asarray(self.value))
@@ -179,8 +185,9 @@ class Bounded(Operators):
     def __neg__(self) -> Bounded:
         made = exact(-self.value)
         if not self.is_exact:
-            form = None if self.form is None else self.form.negated()
-            made = Bounded(made.value, -self.high, -self.low, form)
+            made = Bounded(made.value, -self.high, -self.low)
+            made.form = None if self.form is None else self.form.negated()
+            made._radius, made._magnitude = self._radius, self._magnitude
         made._number = self._number
         return made.made_as(self)
 
