@@ -48,6 +48,7 @@ class Form:
     rest: Array
     """The largest magnitude of all other errors together."""
     _shared: Array | None = None
+    """The sum of the magnitudes of its terms, once it is known."""
 
     @property
     def radius(self) -> Array:
@@ -166,7 +167,7 @@ _NO_TERMS = np.zeros((0,))
 class _Places(NamedTuple):
     """The places of one form's terms among the terms of two forms."""
 
-    count: int
+    size: int
     """The number of terms of both forms together."""
     rows: slice | list[int]
     """A slice, if no other terms are between them: NumPy is faster with one."""
@@ -219,16 +220,16 @@ def _merged(x: Array, one: _Places, y: Array, two: _Places) -> Array:
     """The sums of the terms of the same errors, for terms of different errors."""
     if x.shape[1:] != y.shape[1:]:
         return _joined(_placed(x, one), _placed(y, two))
-    terms = _placed(x, one) if one.count > len(x) else x.copy()
+    terms = _placed(x, one) if one.size > len(x) else x.copy()
     terms[two.rows] += y
     return terms
 
 
 def _placed(terms: Array, places: _Places) -> Array:
     """Terms in their places among more terms, which are zero."""
-    if places.count == len(terms):
+    if places.size == len(terms):
         return terms
-    placed = np.zeros((places.count, *terms.shape[1:]))
+    placed = np.zeros((places.size, *terms.shape[1:]))
     placed[places.rows] = terms
     return placed
 

@@ -26,6 +26,7 @@ def outward(low: Array, high: Array, *, fits: bool = False) -> tuple[Array, Arra
     subnormal result to zero (Vulkan, "Precision and Operation of SPIR-V Instructions"; WGSL,
     "Differences from IEEE-754"). ``fits`` says that no number is beyond the largest float32.
     """
+    # Numbers that are not subnormal, which few are, need fewer operations.
     nearest = np.fmin(np.abs(low), np.abs(high))
     if np.count_nonzero(nearest < SMALLEST_NORMAL):
         ends = _down(low), _up(high)
@@ -60,13 +61,14 @@ def relative_error(times: int) -> float:
     return times * ULP * (1.0 + times * ULP)
 
 
-def lost(magnitude: Array, *, fits: bool | None = None) -> Array:
+def lost(magnitude: Array, *, fits: bool = False) -> Array:
     """The amount that a result of this magnitude may lose besides rounding.
 
-    All of it is lost if it is flushed to zero, and everything if it overflows.
+    All of it is lost if it is flushed to zero, and everything if it overflows. ``fits`` says that
+    none does.
     """
     found = np.minimum(magnitude, SMALLEST_NORMAL)
-    if fits if fits is not None else all_fit(magnitude):
+    if fits or all_fit(magnitude):
         return found
     return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
 
