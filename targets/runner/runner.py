@@ -114,8 +114,10 @@ class Runner(Closing):
     def draw_frame(self, route: Route, job: FrameJob, *, keep: bool = True) -> Found:
         """Do a frame job: returns what it reads back, from the store if it was done before.
 
-        Without ``keep``, the store has no part in it. Raises ``DriverError``.
+        Without ``keep``, the store has no part in it. Raises ``DriverError``, and ``BudgetError``
+        for a job that sends or reads back too much.
         """
+        check_job(job)
         request = frame_request(job)
         if self._store is None or not keep:
             return self._found(route, request)
@@ -135,7 +137,6 @@ class Runner(Closing):
         Raises ``DriverError``, and ``BudgetError`` for pictures that are too large.
         """
         job = draw_job(pipeline, draws)
-        check_job(job)
         return pictures(job, self.draw_frame(route, job, keep=keep))
 
     def compute(self, route: Route, job: FrameJob) -> list[Written]:
@@ -143,13 +144,11 @@ class Runner(Closing):
 
         Raises ``DriverError`` and ``BudgetError``.
         """
-        check_job(job)
         return written(job, self.draw_frame(route, job))
 
     def capture(self, route: Route, job: FrameJob) -> tuple[Captured, ...]:
         """The vertices that each draw of a job captures. Raises ``DriverError`` and
         ``BudgetError``."""
-        check_job(job)
         return self.draw_frame(route, job).captured
 
     def draw_package(

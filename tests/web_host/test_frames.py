@@ -61,8 +61,8 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
 
 def other_version(what: str, version: int) -> str:
     return (
-        f"this host knows {what} of version 2, and this one is of version {version}: compile the "
-        "source again"
+        f"this host knows {what} of version 2, and this one is of version {version}: make the "
+        "package again with `frame_package`"
     )
 
 
