@@ -165,7 +165,9 @@ class Runner(Closing):
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
             1 if row.one_worker else count,
-            lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
+            lambda: Worker(
+                lambda: row.command(self._states, self._wanted), row.limits, tells_command=False
+            ),
         )
 
     def _found(self, route: Route, request: Packet) -> Found:

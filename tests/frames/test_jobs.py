@@ -1,4 +1,4 @@
-"""The memory of a frame is counted before it is drawn: no less than a job then has."""
+"""The jobs that are made of plans: what is counted before them, and how their steps are called."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import pytest
 
 import burnish
 from burnish.targets.runner.codes import Codes
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Code
 from burnish.targets.runner.frames.by_route import frame_job
 from burnish.targets.runner.frames.counting import bytes_of_blocks
@@ -23,8 +24,11 @@ NAMES = ("shadows", "cascades", "light_by_light", "ripples")
 """Frames that draw models, layers, light by light, and that run kernels."""
 
 
-@pytest.mark.parametrize("path", [FOLDER / f"{name}.burnish" for name in NAMES], ids=NAMES)
-def test_blocks_are_counted_as_they_are_sent(path: Path) -> None:
+ALL = pytest.mark.parametrize("path", [FOLDER / f"{name}.burnish" for name in NAMES], ids=NAMES)
+
+
+def made(path: Path) -> tuple[FrameHost, FrameJob]:
+    """The host of a frame, and its job, with texts that nobody reads."""
     (frame,) = burnish.compile(path, (ROUTE.profile,)).frames
     tags = {row.name: row.materials for row in frame.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
@@ -34,8 +38,23 @@ def test_blocks_are_counted_as_they_are_sent(path: Path) -> None:
                file.entry_points.items()})
         for shader in frame.shaders
     ]  # fmt: skip
-    job = frame_job(host, ROUTE, codes, [], 1)
+    names = [row.name for row in frame.plan.outputs if row.texture is not None]
+    return host, frame_job(host, ROUTE, codes, names, 1)
+
+
+@ALL
+def test_blocks_are_counted_as_they_are_sent(path: Path) -> None:
+    host, job = made(path)
     sent = sum(
         len(block) for step in job.steps for draw in step.draws for block in draw.values.blocks
     )
     assert 0 < sent <= bytes_of_blocks(host) <= 2 * sent
+
+
+@ALL
+def test_errors_name_the_steps_of_the_plan(path: Path) -> None:
+    host, job = made(path)
+    plan = host.plan
+    known = {f"{plan.frame}, {step.name}" for step in plan.steps}
+    known |= {f"{plan.frame}, the end", f"the outputs of {plan.frame}"}
+    assert {job.called(number) for number in range(len(job.steps))} <= known
