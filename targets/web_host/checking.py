@@ -9,9 +9,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from ...compiler.documents.typescript import typescript
-from .documents import Package
 from .serving.builtin_table import builtins_module
 from .serving.modules import BUILTINS, SHAPES
+from .serving.packages import Package
 from .serving.shapes import shapes_module
 
 _TYPES = "generated/documents.d.ts"

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from burnish.compiler.documents.reading import ShapeError, read
-from burnish.targets.web_host.documents import Package
+from burnish.targets.web_host.serving.packages import Package
 
 from ..fuzz.hostile.documents import mutated
 from .by_hand import package

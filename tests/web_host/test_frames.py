@@ -14,7 +14,7 @@ from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.drivers.browser.driver import Browser
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import FrameTexels
-from burnish.targets.web_host.documents import Package
+from burnish.targets.web_host.serving.packages import Package
 
 from .by_hand import FILLED, HEIGHT, WIDTH, package
 

@@ -33,7 +33,7 @@ from ....compiler.documents.plan import (
 from ....compiler.documents.schema import json_schema
 from ....compiler.documents.values import BlockRow, BufferRow, ResultRow
 from ....compiler.ir.image_sizes import LARGEST_SIDE
-from ..documents import ModelRow, Package, PackagedShader, PictureRow, PipelineRow
+from .packages import ModelRow, Package, PackagedShader, PictureRow, PipelineRow
 
 OF = "of"
 """The keyword of a number, or of a member's numbers, that count the rows of a list."""
