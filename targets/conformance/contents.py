@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.documents.reflection import Reflection
-from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.shader import Result, Shader, Store
 from ...compiler.ir.stages import COMPUTED
 from ...compiler.ir.storage import LANE, byte_size, stored_element
@@ -74,8 +73,8 @@ class Content:
     """Makes the part of a driver's job that is about one case; raises ``ValueError``."""
     answers: Callable[[Route, Runner, Reflection, Pipeline, Sequence[Any]], Sequence[Any]]
     """Has a route do all cases of a series: an answer for each. Raises ``DriverError``."""
-    evaluated: Callable[[Shader, bool], Shader]
-    """Makes the shader that the reference evaluates; for exact targets, if the flag is set."""
+    evaluated: Callable[[Shader], Shader]
+    """Makes the shader that the reference evaluates."""
     found: Finds
     """Computes a case by the reference; without errors, as it is meant."""
     compared: Callable[[Any, Said], Compared]
@@ -93,10 +92,10 @@ def content_of(reflection: Reflection, store: Pictures, draw: Draw) -> Content:
     ) -> Expected:
         return remembered(program, state, rules, store, errors, draw)
 
-    return Content(SceneState.draw, _pixels, _drawing, found, _compared_pixels)
+    return Content(SceneState.draw, _pixels, as_drawn, found, _compared_pixels)
 
 
-def _as_it_is(shader: Shader, _exact: bool) -> Shader:
+def _as_it_is(shader: Shader) -> Shader:
     return shader
 
 
@@ -109,29 +108,21 @@ def _pixels(
     return [arrays(each) for each in pictures_of(route, runner, reflection, bound, draws)]
 
 
-def _drawing(shader: Shader, exact: bool) -> Shader:
-    return to_targets(drawable(shader), exact=exact)
-
-
 def _compared_pixels(got: Sequence[Floats], said: Said) -> Compared:
     formats = [result.state.format for result in said.source.shader.results if result.state]
     return Compared.of(got, said.allowed(), said.meant(), formats, said.possible)
 
 
-def to_targets(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to; ``exact`` ones hold every float, and have
-    one sample for each pixel."""
-    state = changed(shader.render_state, samples=1) if exact else shader.render_state
-    results = tuple(_to_target(one, exact=exact) for one in shader.results)
-    return changed(shader, results=results, render_state=state)
+def as_drawn(shader: Shader) -> Shader:
+    """The shader as the reference draws what is compared: with the formats that drivers draw to."""
+    drawn = drawable(shader)
+    return changed(drawn, results=tuple(map(_as_drawn, drawn.results)))
 
 
-def _to_target(result: Result, *, exact: bool) -> Result:
+def _as_drawn(result: Result) -> Result:
     state = result.state
     if state is None:
         return result
-    if exact:
-        return changed(result, state=changed(state, format=FLOATS, blend=REPLACES, mask="rgba"))
     drawn = FORMATS[state.format]
     name = next(name for name, other in FORMATS.items() if other == drawn)
     return changed(result, state=changed(state, format=name))

@@ -18,6 +18,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ..runner.binding import pipeline
 from ..runner.codes import compile_one
 from ..runner.drivers.device import Device
+from ..runner.exact import Exact
 from ..runner.explanation import explained
 from ..runner.frames.pixel_origins import Origin
 from ..runner.kernels import UndrawableError, drawable, is_drawn
@@ -28,7 +29,7 @@ from ..runner.scene_state import SceneState
 from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
 from .bounds import Bounds, bounds_of, precise
-from .cases import Size, series_of
+from .cases import Series, Size, series_of
 from .compare import Level
 from .contents import Content, Said
 from .judging import Answer, Compared
@@ -121,14 +122,13 @@ class ShaderPlan(Plan):
     ) -> Iterator[Answer]:
         """An answer of a route for each case; it does a series when the first one is asked for."""
         (subject,) = self.shaders
-        codes, reflection = compile_one(route, subject.files, toolchain), subject.reflection
+        codes = compile_one(route, subject.files, toolchain)
         for series, given in self._work:
-            bound = pipeline(reflection, route, codes, exact=series.exact)
+            reflection = _form(subject, series).reflection
+            bound = pipeline(reflection, route, codes)
             made = self._content.answers(route, runner, reflection, bound, given)
             for case, got in zip(series.cases, made, strict=True):
-                program, source = (
-                    self._program(profile, exact=series.exact) for profile in (route.profile, None)
-                )
+                program, source = (self._program(series, each) for each in (route.profile, None))
                 yield Answer(
                     case.name,
                     bounds_of(case.state, route, device),
@@ -177,14 +177,20 @@ class ShaderPlan(Plan):
             lambda found: not isinstance(found, Expected) or rules.agree_with(found.counted),
         )
 
-    def _program(self, profile: str | None, *, exact: bool) -> Program:
+    def _program(self, series: Series, profile: str | None) -> Program:
         """The program as emitted for a profile, or that of the source."""
 
         def made() -> Program:
-            shader = self._meant.shader if profile is None else self._meant.emitted(profile)
-            return Program.of(self._content.evaluated(shader, exact))
+            form = _form(self._meant, series)
+            shader = form.shader if profile is None else form.emitted(profile)
+            return Program.of(self._content.evaluated(shader))
 
-        return self._programs.value((profile, exact), made)
+        return self._programs.value((profile, series.exact), made)
+
+
+def _form(subject: Subject, series: Series) -> Subject:
+    """The form of a subject whose targets are those of a series."""
+    return Exact.of(subject) if series.exact else subject
 
 
 def _computed(subject: Subject, meant: Subject | None) -> Subject:

@@ -87,7 +87,7 @@ def _sprites(options: Mapping[str, Any]) -> tuple[Pipeline, Draw]:
     state = set_up(instance, with_inputs(material.reflection, _cloud()), Scene(), SIZE)
     with Toolchain() as toolchain:
         codes = compile_one(ROUTE, material.files, toolchain)
-    return pipeline(material.reflection, ROUTE, codes, exact=False), state.draw()
+    return pipeline(material.reflection, ROUTE, codes), state.draw()
 
 
 def _cloud() -> Mesh:

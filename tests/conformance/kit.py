@@ -21,6 +21,7 @@ from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
 from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
@@ -85,7 +86,7 @@ class Studio(Closing):
         problem = self.runner.problem(route)
         assert problem is None, f"{where} cannot be drawn: {problem}"
         codes = compile_one(route, material.files, self.toolchain)
-        made = pipeline(material.reflection, route, codes, exact=True)
+        made = pipeline(Exact.of(material).reflection, route, codes)
         (picture,) = self.runner.draw(route, made, [state.draw()])
         return arrays(picture)
 

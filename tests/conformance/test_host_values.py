@@ -17,6 +17,7 @@ from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
@@ -90,7 +91,7 @@ def drawn(
         draw = replace(draw, vertices=(places.tobytes(),))
     route = ROUTES[where]
     codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True)
+    made = pipeline(Exact.of(material()).reflection, route, codes)
     (picture,) = studio.runner.draw(route, made, [draw])
     return arrays(picture)
 

@@ -24,6 +24,7 @@ from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
 from burnish.targets.runner.meshes import plane
@@ -85,7 +86,7 @@ def ours(studio: Studio, name: str) -> Pipeline:
     """The pipeline with all stages by Burnish."""
     material = compiled(name)
     codes = compile_one(ROUTE, material.files, studio.toolchain)
-    return pipeline(material.reflection, ROUTE, codes, exact=True)
+    return pipeline(Exact.of(material).reflection, ROUTE, codes)
 
 
 def drawn(studio: Studio, made: Pipeline, name: str, values: Values) -> Floats:

@@ -23,7 +23,6 @@ from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import compare
-from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
@@ -32,6 +31,7 @@ from burnish.targets.runner.drivers.pipeline import Pipeline, VertexInput
 from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
+from burnish.targets.runner.exact import Exact, exact_shader
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route
@@ -212,7 +212,7 @@ def drawn(studio: Studio, route: Route, made: Pipeline, draw: Draw) -> Floats:
 
 def drawn_by_burnish(studio: Studio, route: Route, taken: SceneState) -> Floats:
     codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True)
+    made = pipeline(Exact.of(material()).reflection, route, codes)
     return drawn(studio, route, made, taken.draw())
 
 
@@ -231,7 +231,7 @@ def drawn_by_reference(
     studio: Studio, route: Route, taken: SceneState, error: str = ""
 ) -> Expected:
     bounds = bounds_of(taken, route, studio.runner.device(route))[0]
-    program = to_targets(material(error).shader, exact=True)
+    program = exact_shader(material(error).shader)
     return expected(program, taken, bounds.rules, bounds.errors)
 
 

@@ -11,6 +11,7 @@ import pytest
 import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
 from burnish.targets.runner.pipeline_jobs import draw_job
@@ -46,7 +47,7 @@ def pictures() -> dict[str, Floats]:
     shown = {}
     for api, route in ROUTE_OF.items():
         codes = compile_one(ROUTES[route], plastic.files, Toolchain())
-        made = pipeline(plastic.reflection, ROUTES[route], codes, exact=True)
+        made = pipeline(Exact.of(plastic).reflection, ROUTES[route], codes)
         shown[api] = shoot(api, draw_job(made, (draw,)))
     return shown
 

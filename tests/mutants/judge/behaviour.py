@@ -123,15 +123,15 @@ def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]
     from burnish.targets.conformance.cases import series_of
     from burnish.targets.runner.binding import pipeline
     from burnish.targets.runner.drivers.wire import to_json
+    from burnish.targets.runner.exact import Exact
 
     work = [
         (series.exact, [to_json(case.state.draw()) for case in series.cases])
         for series in series_of(material.reflection)
     ]
+    forms = [Exact.of(material) if exact else material for exact, _ in work]
     for route, (codes,) in _codes(material):
-        pipelines = [
-            to_json(pipeline(material.reflection, route, codes, exact=exact)) for exact, _ in work
-        ]
+        pipelines = [to_json(pipeline(form.reflection, route, codes)) for form in forms]
         yield route.name, (pipelines, work)
 
 
