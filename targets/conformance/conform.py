@@ -17,6 +17,7 @@ from ..runner.codes import CodeError
 from ..runner.drivers.device import DriverError
 from ..runner.frames.checking import PlanError
 from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
+from ..runner.instances.host_values import MissingValuesError
 from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError
 from ..runner.reference import STORE, Draw, expected
@@ -168,7 +169,9 @@ def _row(
             results.append(result)
             if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
-    except (BudgetError, CodeError, DriverError, PlanError, UndrawableError) as error:
+    except (
+        BudgetError, CodeError, DriverError, MissingValuesError, PlanError, UndrawableError,
+    ) as error:  # fmt: skip
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 

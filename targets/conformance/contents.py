@@ -1,8 +1,8 @@
 """The contents that single shaders leave, and that are compared: pixels, elements or vertices.
 
 ``plan.py`` runs the cases of a shader by a route, and compares the answers with what the reference
-says. For that it has a row for each content: how a case is given to a driver, how the reference
-computes it, and how both become pictures.
+says. For that it has a row for each content: how a route makes it, how the reference computes it,
+and how both become pictures.
 """
 
 from __future__ import annotations
@@ -25,25 +25,16 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...support.frozen import changed
 from ..runner.binding import FORMATS
 from ..runner.capturing import Vertices, captured_by, give_elements
-from ..runner.drivers.draws import Draw as Drawn
 from ..runner.drivers.pipeline import Pipeline
-from ..runner.drivers.readback import arrays
-from ..runner.kernels import (
-    dispatch_of,
-    drawable,
-    elements_of,
-    is_drawn,
-    is_over_buffers,
-    job_of,
-    pictures_of,
-)
-from ..runner.pipeline_jobs import Written
+from ..runner.frames.states import Outcome, draw_states
+from ..runner.kernels import drawable, is_drawn, is_over_buffers
 from ..runner.reference import Draw, Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
 from ..runner.store import Store as Pictures
+from ..runner.subject import Subject
 from .judging import FLOATS, Bools, Compared, Floats, all_covered, row_of
 
 
@@ -69,9 +60,7 @@ Finds = Callable[[Program, SceneState, RasterRules, Errors | None], Any]
 class Content:
     """The results of shaders, as far as they are compared."""
 
-    given: Callable[[SceneState], Any]
-    """Makes the part of a driver's job that is about one case; raises ``ValueError``."""
-    answers: Callable[[Route, Runner, Reflection, Pipeline, Sequence[Any]], Sequence[Any]]
+    answers: Callable[[Subject, Sequence[SceneState], Route, Pipeline, Runner], Sequence[Any]]
     """Has a route do all cases of a series: an answer for each. Raises ``DriverError``."""
     evaluated: Callable[[Shader], Shader]
     """Makes the shader that the reference evaluates."""
@@ -92,7 +81,7 @@ def content_of(reflection: Reflection, store: Pictures, draw: Draw) -> Content:
     ) -> Expected:
         return remembered(program, state, rules, store, errors, draw)
 
-    return Content(SceneState.draw, _pixels, as_drawn, found, _compared_pixels)
+    return Content(draw_states, as_drawn, found, _compared_pixels)
 
 
 def _as_it_is(shader: Shader) -> Shader:
@@ -102,15 +91,9 @@ def _as_it_is(shader: Shader) -> Shader:
 # --- pixels of render targets, and of the images that kernels write ------------------------------
 
 
-def _pixels(
-    route: Route, runner: Runner, reflection: Reflection, bound: Pipeline, draws: Sequence[Drawn]
-) -> Sequence[Sequence[Floats]]:
-    return [arrays(each) for each in pictures_of(route, runner, reflection, bound, draws)]
-
-
-def _compared_pixels(got: Sequence[Floats], said: Said) -> Compared:
+def _compared_pixels(got: Outcome, said: Said) -> Compared:
     formats = [result.state.format for result in said.source.shader.results if result.state]
-    return Compared.of(got, said.allowed(), said.meant(), formats, said.possible)
+    return Compared.of(got.pictures, said.allowed(), said.meant(), formats, said.possible)
 
 
 def as_drawn(shader: Shader) -> Shader:
@@ -131,12 +114,6 @@ def _as_drawn(result: Result) -> Result:
 # --- elements of buffers: pixels of one row, each written part of which is a target ---------------
 
 
-def _elements(
-    route: Route, runner: Runner, reflection: Reflection, bound: Pipeline, given: Sequence[Any]
-) -> Sequence[Written]:
-    return runner.compute(route, job_of(reflection, bound, given))
-
-
 def _lanes(
     program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
 ) -> Sequence[Lane]:
@@ -146,11 +123,11 @@ def _lanes(
     return computed(shader, values, texels, instance.extent(), counts, errors, rules)
 
 
-def _compared_elements(got: Written, said: Said) -> Compared:
+def _compared_elements(got: Outcome, said: Said) -> Compared:
     lanes, width = said.allowed(), said.state.width
     meant = _pictures(said.meant(), width)
     return Compared.of(
-        _written(lanes, elements_of(said.state.instance, got), width),
+        _written(lanes, got.elements, width),
         _pictures(lanes, width),
         meant,
         [FLOATS] * len(meant.targets),
@@ -192,18 +169,10 @@ def _written(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> li
     return found
 
 
-ELEMENTS = Content(
-    lambda state: dispatch_of(state.instance), _elements, _as_it_is, _lanes, _compared_elements
-)
+ELEMENTS = Content(draw_states, _as_it_is, _lanes, _compared_elements)
 
 
 # --- captured vertices: pixels of one row, whose targets are the values ---------------------------
-
-
-def _vertices(
-    route: Route, runner: Runner, _: Reflection, bound: Pipeline, states: Sequence[SceneState]
-) -> Sequence[Vertices]:
-    return captured_by(route, bound, states, runner)
 
 
 def _listed(
@@ -276,4 +245,4 @@ def _row(lanes: Sequence[NDArray[Any]], count: int) -> Floats:
     return row_of(lanes, max(count, 1))
 
 
-VERTICES = Content(lambda state: state, _vertices, _as_it_is, _listed, _compared_vertices)
+VERTICES = Content(captured_by, _as_it_is, _listed, _compared_vertices)

@@ -102,14 +102,14 @@ class ShaderPlan(Plan):
         self._content = content
         self._meant = form = _computed(subject, meant)
         self._work = [
-            (series, [content.given(case.state) for case in run.cases])
+            (series, [case.state for case in run.cases])
             for series, run in zip(
                 series_of(form.reflection, seed, size),
                 series_of(subject.reflection, seed, size, like=form.reflection),
                 strict=True,
             )
         ]
-        """Each series as the reference computes it, with what drivers are given for its cases."""
+        """Each series as the reference computes it, with the states of its cases for drivers."""
         self._programs: Known[Program] = Known()
         self._known: Known[Any] = Known()
 
@@ -123,10 +123,10 @@ class ShaderPlan(Plan):
         """An answer of a route for each case; it does a series when the first one is asked for."""
         (subject,) = self.shaders
         codes = compile_one(route, subject.files, toolchain)
-        for series, given in self._work:
-            reflection = _form(subject, series).reflection
-            bound = pipeline(reflection, route, codes)
-            made = self._content.answers(route, runner, reflection, bound, given)
+        for series, states in self._work:
+            form = _form(subject, series)
+            bound = pipeline(form.reflection, route, codes)
+            made = self._content.answers(form, states, route, bound, runner)
             for case, got in zip(series.cases, made, strict=True):
                 program, source = (self._program(series, each) for each in (route.profile, None))
                 yield Answer(
@@ -137,7 +137,7 @@ class ShaderPlan(Plan):
 
     def cases(self) -> Mapping[str, SceneState]:
         """The states of the cases, by name."""
-        return {case.name: case.state for series, _ in self._work for case in series.cases}
+        return {case.name: case.state for series, _states in self._work for case in series.cases}
 
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]

@@ -95,16 +95,6 @@ def _is_upright(route: Route) -> bool:
     return EVERY_DRIVER[route.driver].module == "vulkan"
 
 
-def draws_bottom_up(reflection: Reflection, route: Route) -> bool:
-    """True if a shader's picture has its bottom row first in the memory of a texture.
-
-    No text of a frame does so, but those of single materials do for OpenGL and its relatives.
-    """
-    backend = reflection.backends[route.profile]
-    # A kernel that writes images itself has their top row first.
-    return backend.first_row == "bottom" and not backend.images and not _is_upright(route)
-
-
 def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot]:
     """The buffers that some stage reads, and those that a kernel writes."""
     for read in reflection.buffers:

@@ -19,12 +19,8 @@ from ..toolchain.pipe import Packet
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
 from .drivers.device import Device, DriverError
-from .drivers.draws import Draw
-from .drivers.frame_job import Captured, Found, FrameJob, FrameTexels, Picture
-from .drivers.pipeline import Pipeline
+from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.wire import from_json, joined, packed, split, unpacked
-from .job_sizes import check_job
-from .pipeline_jobs import Written, draw_job, pictures, written
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
@@ -105,31 +101,6 @@ class Runner(Closing):
         found = self._found(route, request)
         self._store.write(name, packed(found))
         return found
-
-    def draw(
-        self, route: Route, pipeline: Pipeline, draws: Sequence[Draw], *, keep: bool = True
-    ) -> list[Picture]:
-        """A picture for each draw with a pipeline; ``keep`` is that of ``draw_frame``.
-
-        Raises ``DriverError``, and ``BudgetError`` for pictures that are too large.
-        """
-        job = draw_job(pipeline, draws)
-        check_job(job)
-        return pictures(job, self.draw_frame(route, job, keep=keep))
-
-    def compute(self, route: Route, job: FrameJob) -> list[Written]:
-        """Run a job of dispatches: returns what each of them writes.
-
-        Raises ``DriverError`` and ``BudgetError``.
-        """
-        check_job(job)
-        return written(job, self.draw_frame(route, job))
-
-    def capture(self, route: Route, job: FrameJob) -> tuple[Captured, ...]:
-        """The vertices that each draw of a job captures. Raises ``DriverError`` and
-        ``BudgetError``."""
-        check_job(job)
-        return self.draw_frame(route, job).captured
 
     def draw_package(
         self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int

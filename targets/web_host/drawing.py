@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from ...compiler.documents.writing import to_json
-from ..runner.binding import draws_bottom_up
 from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
@@ -29,10 +28,7 @@ def draw_frames(
     check_textures(host, count)
     if EVERY_DRIVER[route.driver].draws_packages:
         return _by_package(host, route, runner, count)
-    drawn = by_route.draw_frames(host, route, runner, toolchain, count)
-    if not any(draws_bottom_up(shader.reflection, route) for shader in host.shaders):
-        return drawn
-    return [{name: layers[:, ::-1] for name, layers in outputs.items()} for outputs in drawn]
+    return by_route.draw_frames(host, route, runner, toolchain, count)
 
 
 def _by_package(

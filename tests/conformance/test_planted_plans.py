@@ -205,16 +205,16 @@ def _all_in_one_place(_plan: documents.FramePlan, needed: Mapping[int, int]) -> 
     return [sorted(needed)]
 
 
-ATTACHMENT, BOUND = by_route._Job._attachment, by_route._Job._bound
+ATTACHMENT, BOUND = by_route.HostSteps._attachment, by_route.HostSteps._bound
 BARRIERS = JobResources.barriers
 
 
 @pytest.mark.parametrize(
     ("place", "name", "planted", "told"),
     [
-        (by_route._Job, "_attachment", _never_loads, ""),
-        (by_route._Job, "_bound", _other_textures, ""),
-        (by_route._Job, "_attachment", _never_stores,
+        (by_route.HostSteps, "_attachment", _never_loads, ""),
+        (by_route.HostSteps, "_bound", _other_textures, ""),
+        (by_route.HostSteps, "_attachment", _never_stores,
          "is read, but nothing has drawn its layer 0, level 0"),
         (JobResources, "barriers", _without_barriers,
          "is used as 'target', but its use is 'undefined'"),

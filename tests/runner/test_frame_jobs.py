@@ -125,7 +125,7 @@ void main() { target = vec4(texelFetch(before, ivec2(gl_FragCoord.xy), 0).r); }
 """
     only_depths = driver.pipeline("void main() {}\n", targets=())
     reader = driver.pipeline(text, textures=(slot(sample="depth"),))
-    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25), targets=0))
+    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25)))
     (found,) = driver.draw(
         job(
             [texture(format="depth32float"), texture()],
@@ -287,9 +287,7 @@ layout(location = 1) out vec4 other;
 void main() { one = vec4(gl_FragCoord.xy, 0.0, 1.0); other = vec4(0.25); }
 """
     both = driver.pipeline(text, targets=(RenderTarget("rgba32float"),) * 2)
-    drawn = FrameStep(
-        drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0, targets=2),)
-    )
+    drawn = FrameStep(drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0),))
     one, other = driver.draw(job([texture(), texture()], [both], drawn, back(0, 1)))
     assert tuple(one[0, 0, 1]) == (1.5, 0.5, 0.0, 1.0)  # the first row is the top one
     np.testing.assert_array_equal(other[0], np.full((SIZE, SIZE, 4), 0.25))

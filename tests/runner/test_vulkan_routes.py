@@ -17,11 +17,11 @@ from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
 from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
+from .jobs_kit import draw_job
 from .vulkan_kit import Asker, Floats, pixels, tools
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -1,8 +1,8 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan, and
-``pipeline_jobs.py`` of draws with one pipeline. A job has any number of pipelines, and its steps
-draw into textures that later steps read. Only requested results are read back.
+They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan: of a frame's,
+or of that of a single shader. A job has any number of pipelines, and its steps draw into textures
+that later steps read. Only requested results are read back.
 """
 
 from __future__ import annotations
@@ -206,18 +206,16 @@ class FrameBuffer:
     """The number of words of four bytes."""
     initial: int = 0
     """The first value of each word."""
-    data: bytes = b""
-    """The first contents, instead of ``words`` and ``initial``."""
 
     @property
     def size(self) -> int:
         """The number of bytes."""
-        return len(self.data) or 4 * self.words
+        return 4 * self.words
 
     @property
     def contents(self) -> bytes:
         """The buffer's first contents."""
-        return self.data or self.initial.to_bytes(4, "little") * self.words
+        return self.initial.to_bytes(4, "little") * self.words
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,10 +242,6 @@ class FrameTexels:
     texels: bytes
     """float32 RGBA, layer by layer and row by row from the top; lanes that the format lacks are 0,
     0, 1. Depths are in the first lane."""
-
-
-Picture = tuple[FrameTexels, ...]
-"""The targets of one draw, or the images of one dispatch."""
 
 
 @dataclass(frozen=True, slots=True)

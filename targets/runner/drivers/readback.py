@@ -1,4 +1,4 @@
-"""Converts the texels of a render target to float32 RGBA, as ``Picture`` has them.
+"""Converts the texels of a render target to float32 RGBA, as answers have them.
 
 Every driver calls this module for the texels that it reads back.
 """
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.reference.transfer import decode_srgb
-from .frame_job import FrameTexels, Picture
+from .frame_job import FrameTexels
 from .render_state import TargetFormat
 
 TexelLanes = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
@@ -61,8 +61,3 @@ def layers_of(texels: FrameTexels) -> NDArray[np.float64]:
     """The texels of a texture that was read back: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
-
-
-def arrays(picture: Picture) -> tuple[NDArray[np.float64], ...]:
-    """The targets of a picture, each of shape (height, width, 4); one layer is below the other."""
-    return tuple(np.concatenate(layers_of(texels)) for texels in picture)

@@ -7,10 +7,6 @@ do the same with any reflection.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
-from ....compiler.documents.plan import FramePlan
 from ..binding import shows_less
 from ..capturing import give_elements
 from ..exact import Exact
@@ -23,21 +19,7 @@ from .checks.rows import PlanError
 from .host import FrameHost
 from .scenery import Model, Scenery
 from .single_plan import single_plan
-from .subjects import PlannedFrame
-
-
-@dataclass(frozen=True, slots=True)
-class SingleFrame:
-    """A frame with one shader."""
-
-    name: str
-    plan: FramePlan
-    shaders: Sequence[Subject]
-
-    @property
-    def plan_of_reference(self) -> FramePlan:
-        """The plan itself, as the results of one step share nothing."""
-        return self.plan
+from .subjects import PlannedFrame, SingleFrame
 
 
 def single_frame(
