@@ -40,6 +40,6 @@ def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
-    from ..targets.web_host.documents import Package
+    from ..targets.web_host.serving.packages import Package
 
     return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package), strict=True))

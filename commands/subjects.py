@@ -83,7 +83,7 @@ class Subject(NamedTuple):
     """One frame with one rig, ready to draw; or one material with one rig and one pass."""
 
     titles: Titles
-    """Its name, and what tells it apart from others of the name."""
+    """The subject's name, with the properties that tell it apart from others of this name."""
     host: FrameHost
     """The frame with a scene and all values."""
     outputs: Mapping[str, Titles]

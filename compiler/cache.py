@@ -17,6 +17,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
+from _imp import source_hash
 
 KEPT = 256
 """The number of values of each name that stay when one is written."""
@@ -24,6 +25,8 @@ ROOM = 64 << 20
 """Bytes that the values of each name may take together."""
 
 _DIGEST_SIZE = 8
+_KEY = 0
+"""The key of the hash: any number, but always the same."""
 _BINARY = getattr(os, "O_BINARY", 0)
 _OLD = os.O_RDONLY | _BINARY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
 """The flags that open files: neither follow a link nor wait for the other end of a pipe."""
@@ -61,10 +64,12 @@ def private_folder() -> str:
 
 
 def digest(data: bytes) -> str:
-    """The hash that Python's own cache files use: 64 bits, and far cheaper to load than hashlib."""
-    from importlib.util import source_hash
+    """The hash of Python's own cache files: 64 bits, and far cheaper to load than hashlib.
 
-    return source_hash(data).hex()
+    ``importlib.util.source_hash`` would put the number of Python's byte code into it. Then nothing
+    would be found that another version of Python has computed, such as the one that built a wheel.
+    """
+    return source_hash(_KEY, data).hex()
 
 
 def load(name: str, key: str) -> bytes | None:

@@ -13,6 +13,11 @@ from .types import INT, RuntimeArray, Type
 
 MOST_ELEMENTS = float(2**31 - 1)
 """Elements of a storage buffer: their numbers are of type ``int``."""
+LARGEST_PLACE = 65535
+"""The largest number of a group or a binding.
+
+The number of them that a language has is a limit of its profiles.
+"""
 
 
 @frozen

@@ -48,6 +48,16 @@ class Binder:
 
     formals: Formals | None
 
+    def __str__(self) -> str:
+        """The properties as nodes print them, and the names of the variables: ``add 8 [i]``."""
+        names = ", ".join(formal.name for formal in self.variables)
+        return " ".join(filter(None, (self.properties, f"[{names}]" if names else "")))
+
+    @property
+    def properties(self) -> str:
+        """Everything but the variables, in a few words."""
+        return ""
+
     @property
     def variables(self) -> Formals:
         """The variables of an opened binder, in order; none while it is closed."""
@@ -83,6 +93,11 @@ class Folding(Binder):
     formals: Formals | None = None
 
     @property
+    def properties(self) -> str:
+        """The operator and the largest number of turns."""
+        return f"{self.operator} {self.bound}"
+
+    @property
     def index(self) -> Formal:
         """The number of the turn, once the fold has been opened."""
         (index,) = self.variables
@@ -115,6 +130,11 @@ class Iterating(Binder):
     """The largest number of iterations."""
     states: int
     formals: Formals | None = None
+
+    @property
+    def properties(self) -> str:
+        """The largest number of turns."""
+        return f"{self.bound}"
 
     @property
     def count(self) -> int:
@@ -225,7 +245,7 @@ class Node:
             case op, None:
                 return op
             case op, data:
-                return f"{op} {getattr(data, 'name', data)}"
+                return f"{op} {getattr(data, 'name', data)}".rstrip()
 
 
 def binders(node: Node) -> int:

@@ -100,7 +100,7 @@ class Ranges:
         return UNKNOWN.as_kind(_kind(node.type)) if known is None else known
 
     def assuming(self, facts: Mapping[Node, Fact]) -> Ranges:
-        """This knowledge with further facts assumed; facts that follow are not kept."""
+        """A copy of the knowledge with further facts assumed; facts that follow are not kept."""
         other = Ranges((), self.without)
         other._facts = ChainMap(dict(facts), self._facts)
         other._sources, other._indices = self._sources, self._indices

@@ -46,6 +46,13 @@ def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
     return roots
 
 
+def announce(shader: Shader) -> None:
+    """Print the name of the shader whose graphs come next, where graphs are printed."""
+    if shown := os.environ.get(SHOWN):
+        _wanted(shown)  # Before all graphs, it tells of names that no pass has.
+        print(f"shader {shader.name}:", file=sys.stderr)
+
+
 def verified_results(shader: Shader) -> tuple[Result, ...]:
     """The results of a shader; where it is wanted, they are verified to fit the shader's stages."""
     if os.environ.get(VARIABLE) == "1":

@@ -15,7 +15,7 @@ from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Shader
 from ..ir.stages import EXTENT, LENGTH
-from .checkpoint import verified, verified_results
+from .checkpoint import announce, verified, verified_results
 from .corners_in_buffer import MOST_INPUTS, corners_in_buffer
 from .expand_builtins import expand_builtins
 from .fuse import fuse
@@ -100,6 +100,7 @@ class Staged:
 
 def stage(shader: Shader, options: Options) -> Staged:
     """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
+    announce(shader)
     shader = _without_lengths(shader)
     graph, notes = shader.graph, shader.notes
     results = verified_results(shader)

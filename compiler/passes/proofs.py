@@ -211,7 +211,7 @@ def _tells(fact: Fact) -> bool:
 
 
 def _without(facts: Sequence[Fact], position: int) -> list[Fact]:
-    """These facts, with nothing known of one."""
+    """A copy of the facts, with nothing known of one value."""
     return [UNKNOWN.as_kind(fact.kind) if i == position else fact for i, fact in enumerate(facts)]
 
 

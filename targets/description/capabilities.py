@@ -38,7 +38,7 @@ NUMBERED_CAPTURES = Need(
     lambda profile: profile.stream_output is None or profile.stream_output.indexed,
 )
 IMAGES = Need("images that kernels write", lambda profile: bool(profile.image_formats))
-EDGES = Need("edges of triangles instead of them", lambda profile: profile.draws_edges)
+EDGES = Need("drawing of the edges of triangles", lambda profile: profile.draws_edges)
 BLENDING_SWITCHED = Need(
     "blending of its own for each target", lambda profile: profile.blending != "alike"
 )

@@ -19,12 +19,18 @@ from ...compiler.ir.types import ScalarKind
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from .capabilities import OF_INPUTS
-from .form_fields import FIELDS, NEEDED
+from .form_fields import FIELDS, MAY_BE_EMPTY, NEEDED
 from .forms import Forms
 from .profile import Profile
 from .shading_language import Language
 
 Name = TypeVar("Name", bound=str)
+
+_DEFAULTS = Forms()
+_WRITTEN = {
+    name for name in Forms.__annotations__ if name not in MAY_BE_EMPTY and getattr(_DEFAULTS, name)
+}
+"""Forms that every language writes."""
 
 
 class LanguageError(ValueError):
@@ -139,7 +145,13 @@ def _textures(language: Language, profile: Profile) -> Iterator[str]:
 
 
 def _forms(forms: Forms) -> Iterator[str]:
-    """Forms with unknown fields, and forms that lack a field that they need."""
+    """Forms with unknown fields, forms that lack a field that they need, and empty ones."""
+    for name in sorted(_WRITTEN):
+        if not getattr(forms, name):
+            yield (
+                f"leaves `Forms.{name}` empty, and then nothing is written where it stands: "
+                f"write it, such as `{getattr(_DEFAULTS, name)}`."
+            )
     for name in FIELDS:
         row: str | Mapping[str, str] = getattr(forms, name)
         for text in (row,) if isinstance(row, str) else row.values():

@@ -105,3 +105,11 @@ NEEDED: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
 )
 """The fields that a form loses something without, if it is written at all: of each set, one field
 has to be there."""
+
+MAY_BE_EMPTY = frozenset(
+    {
+        "accumulate", "array", "loop_while", "matrix_by_rows", "member_end", "splat_constant",
+    }
+)  # fmt: skip
+"""Rows with a default that a language may leave empty, or set to false, all the same: it needs
+nothing there, or writes something else. All other forms that have a default are written."""

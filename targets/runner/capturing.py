@@ -24,7 +24,6 @@ from .drivers.frame_job import OWN, Captured, FrameDraw, FrameJob, FrameStep
 from .drivers.pipeline import Pipeline
 from .frames.states import Outcome, draw_states
 from .instances.shapes import lanes_of, stored_as
-from .job_sizes import check_job
 from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
 from .routes import Route
@@ -90,7 +89,6 @@ def captured_by(
     """
     if _capture(subject.reflection).buffer is None:
         job = capture_job(bound, states)
-        check_job(job)
         found: Sequence[Captured] = runner.draw_frame(route, job).captured
     else:
         for state in states:

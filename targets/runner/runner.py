@@ -18,9 +18,10 @@ from ..closing import Closing
 from ..toolchain.pipe import Packet
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
-from .drivers.device import Device, DriverError
+from .drivers.device import Device, DriverError, EndedError
 from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.wire import from_json, joined, packed, split, unpacked
+from .job_sizes import check_job
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
@@ -29,6 +30,11 @@ STORE = "pictures"
 
 TIME_LIMIT = 120.0
 """The seconds that one job may take, including the start of its driver."""
+MOST_DEATHS = 3
+"""The number of processes that may end without an answer when they are asked for their device.
+
+Then no further one is started. One may have been killed from outside, and the next would draw.
+"""
 
 
 class Runner(Closing):
@@ -56,6 +62,7 @@ class Runner(Closing):
         count = parallel or os.cpu_count() or 1
         self._pools = {row.name: self._pool(row, count) for row in EVERY_DRIVER.values()}
         self._devices: dict[str, Device | DriverError] = {}
+        self._deaths = dict.fromkeys(EVERY_DRIVER, 0)
         self._locks = {name: Lock() for name in EVERY_DRIVER}
 
     def close(self) -> None:
@@ -72,25 +79,42 @@ class Runner(Closing):
         return versions(route, self._states)
 
     def device(self, route: Route) -> Device:
-        """The device that a route draws with; it is asked only once. Raises ``DriverError``."""
+        """The device that a route draws with. Raises ``DriverError``.
+
+        It is asked only once, or again where a process has ended without an answer.
+        """
         name = route.driver
         with self._locks[name]:
-            if name not in self._devices:
-                try:
-                    answer = self._ask(name, Packet({}))
-                    self._devices[name] = from_json(Device, answer.content["device"])
-                except DriverError as error:
-                    self._devices[name] = error
-        found = self._devices[name]
+            found = self._devices.get(name)
+            if found is None:
+                found = self._asked_device(name)
         if isinstance(found, DriverError):
             raise found
+        return found
+
+    def _asked_device(self, driver: str) -> Device | DriverError:
+        """The device, or the reason why there is none; kept unless the next try may differ."""
+        try:
+            answer = self._ask(driver, Packet({}))
+        except EndedError as error:
+            self._deaths[driver] += 1
+            if self._deaths[driver] < MOST_DEATHS:
+                return error
+            found: Device | DriverError = error
+        except DriverError as error:
+            found = error
+        else:
+            found = from_json(Device, answer.content["device"])
+        self._devices[driver] = found
         return found
 
     def draw_frame(self, route: Route, job: FrameJob, *, keep: bool = True) -> Found:
         """Do a frame job: returns what it reads back, from the store if it was done before.
 
-        Without ``keep``, the store has no part in it. Raises ``DriverError``.
+        Without ``keep``, the store has no part in it. Raises ``DriverError``, and ``BudgetError``
+        for a job that sends or reads back too much.
         """
+        check_job(job)
         request = frame_request(job)
         if self._store is None or not keep:
             return self._found(route, request)
@@ -116,7 +140,9 @@ class Runner(Closing):
     def _pool(self, row: DriverRow, count: int) -> Pool:
         return Pool(
             1 if row.one_worker else count,
-            lambda: Worker(lambda: row.command(self._states, self._wanted), row.limits),
+            lambda: Worker(
+                lambda: row.command(self._states, self._wanted), row.limits, tells_command=False
+            ),
         )
 
     def _found(self, route: Route, request: Packet) -> Found:
@@ -127,7 +153,8 @@ class Runner(Closing):
         with self._pools[driver].borrow() as worker:
             answer = worker.ask(request.content, self._time_limit, request.data)
         if answer.ending != "ended":
-            raise DriverError(f"{driver} {answer.ending}: {answer.log.strip()}")
+            kind = EndedError if answer.ending == "crashed" else DriverError
+            raise kind(f"{driver} {answer.ending}: {answer.log.strip()}")
         if "error" in answer.reply:
             raise DriverError(answer.reply["error"])
         return Packet(answer.reply, answer.data)

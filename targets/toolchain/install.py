@@ -55,7 +55,7 @@ CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
 """
-NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript"}
+NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript", "pyodide": "pyodide"}
 """The packages of npm, by the tool that each of them is."""
 
 PATIENCE = 1800.0
@@ -352,6 +352,7 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "naga": _cargo_naga,
     "tint": partial(_npm, "tint"),
     "typescript": partial(_npm, "typescript"),
+    "pyodide": partial(_npm, "pyodide"),
 }
 
 

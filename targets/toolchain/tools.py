@@ -42,6 +42,7 @@ from .versions import (
 
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
+PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mjs")
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
@@ -144,7 +145,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="node",
-        purpose="runs tint and typescript",
+        purpose="runs tint, typescript and pyodide",
         place=Programs(("node",)),
         version=says("--version", r"v(\S+)"),
         source=Debian(("nodejs", "npm")),
@@ -162,6 +163,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles(TYPESCRIPT),
         version=stated("version"),
         source=OwnInstaller("6.0.3"),
+    ),
+    Tool(
+        name="pyodide",
+        purpose="CPython 3.14, with which tests try wheels that another Python built",
+        place=FolderFiles(PYODIDE),
+        version=stated("version"),
+        source=OwnInstaller("314.0.7"),
     ),
     Tool(
         name="clang",

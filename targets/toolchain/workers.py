@@ -45,8 +45,17 @@ class Answer:
 class Worker:
     """One child process, which the first request starts."""
 
-    def __init__(self, command: Callable[[], Sequence[str]], limits: Limits = COMPILERS) -> None:
+    def __init__(
+        self,
+        command: Callable[[], Sequence[str]],
+        limits: Limits = COMPILERS,
+        *,
+        tells_command: bool = True,
+    ) -> None:
+        """With ``tells_command``, the reason why there is no answer begins with the program: that
+        of Burnish's own workers is always the interpreter, which says nothing."""
         self._find_command = command
+        self._tells_command = tells_command
         self._limits = limits.scaled()
         self._command: Sequence[str] = ()
         self._child: Child | None = None
@@ -134,7 +143,10 @@ class Worker:
         self._bury()
         if not reason and (lacking := exhausted(said, self._limits)):
             return Answer(ending, {}, f"{lacking}\n")
-        return Answer(ending, {}, f"{said}{self._command[0]}: {reason or how_it_crashed(code)}\n")
+        told = reason or how_it_crashed(code)
+        if self._tells_command:
+            told = f"{self._command[0]}: {told}"
+        return Answer(ending, {}, f"{said}{told}\n")
 
     def _bury(self) -> None:
         if self._child is not None:

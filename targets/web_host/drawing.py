@@ -9,7 +9,7 @@ from ...compiler.documents.writing import to_json
 from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
-from ..runner.frames.counting import check_textures
+from ..runner.frames.counting import check_memory
 from ..runner.frames.host import FrameHost
 from ..runner.routes import EVERY_DRIVER, Route
 from ..runner.runner import Runner
@@ -23,9 +23,9 @@ def draw_frames(
     """The outputs of some frames, by name, with their top rows first: (layers, height, width, 4).
 
     Raises ``CodeError`` if a compiler refuses a text, ``DriverError``, and ``BudgetError`` for
-    textures that are too large.
+    what takes too much memory.
     """
-    check_textures(host, count)
+    check_memory(host, count)
     if EVERY_DRIVER[route.driver].draws_packages:
         return _by_package(host, route, runner, count)
     return by_route.draw_frames(host, route, runner, toolchain, count)

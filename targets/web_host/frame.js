@@ -16,24 +16,8 @@ import { Values } from "./values.js";
  * @import { Attachment, Bound, DrawCall, Pixels, Renderer } from "./renderer.js"
  */
 
-const VERSION = 2;
 /** Frames and vertices are numbered below this: float32 holds all whole numbers up to it. */
 const NUMBERS = 2 ** 24;
-
-/**
- * An error for a package that this host cannot draw.
- * @param {Package} from
- */
-export function checkVersions({ package: version, plan, shaders }) {
-  const reflections = shaders.map(({ reflection }) => reflection.format);
-  const found = { packages: [version], plans: [plan.plan], reflections };
-  for (const [what, versions] of Object.entries(found)) {
-    const other = versions.find((each) => each !== VERSION);
-    if (other === undefined) continue;
-    const known = `this host knows ${what} of version ${VERSION}`;
-    throw new Error(`${known}, and this one is of version ${other}: compile the source again`);
-  }
-}
 
 /**
  * True if a shader draws the bottom row of its picture to the first row of a texture. No shader of

@@ -1,6 +1,7 @@
 // Opens packages of frames in a web page: see docs/hosts.md.
 
-import { checkVersions, PlanFrame } from "./frame.js";
+import { checkPackage } from "./checking.js";
+import { PlanFrame } from "./frame.js";
 import { PROFILE as ES_3_00 } from "./webgl2/programs.js";
 import { WebGl2Renderer } from "./webgl2/renderer.js";
 import { Device } from "./webgpu/device.js";
@@ -46,7 +47,7 @@ export async function hasApi(api) {
  * @returns {Promise<Api>}
  */
 export async function apiFor(from) {
-  checkVersions(from);
+  checkPackage(from);
   /** @type {(profile: string) => boolean} */
   const has = (profile) => from.shaders.every(({ texts }) => profile in texts);
   if (has(WGSL) && (await hasApi("webgpu"))) return "webgpu";
@@ -75,7 +76,7 @@ const devices = new WeakMap();
  * @returns {Promise<Frame>}
  */
 export async function openFrame(canvas, from, api) {
-  checkVersions(from);
+  checkPackage(from);
   if ((api ?? (await apiFor(from))) === "webgl2") {
     return new PlanFrame(from, WebGl2Renderer.open(from, canvas));
   }

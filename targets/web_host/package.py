@@ -1,8 +1,8 @@
 """Makes the package of a frame: all that the host for web pages needs, as one JSON document.
 
 ``burnish view`` sends packages to its page, and routes of the browser draw with them.
-``documents.py`` declares it. It is complete, so the host needs no Python: the declarations of the
-library have their values from the scene, and meshes are the buffers of draw calls.
+``serving/packages.py`` declares it. It is complete, so the host needs no Python: the declarations
+of the library have their values from the scene, and meshes are the buffers of draw calls.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from ..runner.scene import texture_roles, value_roles
 from ..runner.scene_state import drawn_state
 from ..runner.subject import Subject
 from ..runner.textures.texture import Texture
-from .documents import (
+from .serving.packages import (
     CameraRow,
     ElementsRow,
     GeometryRow,

@@ -17,7 +17,7 @@ from ..runner.codes import Codes
 from ..runner.drivers import webgpu
 from ..runner.drivers.slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from ..runner.routes import ROUTES
-from .documents import PackagedShader, PipelineRow, WebGPUPipeline
+from .serving.packages import PackagedShader, PipelineRow, WebGPUPipeline
 
 _ROUTE = ROUTES["chromium:webgpu"]
 WGSL = _ROUTE.profile

@@ -261,7 +261,7 @@ def test_a_driver_that_breaks_down(monkeypatch: pytest.MonkeyPatch) -> None:
     assert result.stdout.endswith("\n1 failed\n")
     assert result.stderr == (
         "error: m.burnish: Up, llvmpipe:gl330: failed\n"
-        f"  llvmpipe crashed: {sys.executable}: killed by signal 9 (Killed)\n"
+        "  llvmpipe crashed: killed by signal 9 (Killed)\n"
     )
 
 

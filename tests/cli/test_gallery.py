@@ -17,6 +17,8 @@ from ..suite import browsers
 from ..suite.processes import until
 from .kit import invoke, tree
 
+pytestmark = pytest.mark.xdist_group("gallery")  # One process makes the gallery, for all tests.
+
 UP = """//! A colour for each direction.
 //!
 //!     burnish render up.burnish -o up.png --mesh cube

@@ -26,6 +26,8 @@ from ..suite import browsers
 from .hostile_folder import COMMENTS, MODULE, OWN_COLOR, SECRET, SECRET_COLOR, Reader, fill
 from .kit import invoke, tree
 
+pytestmark = pytest.mark.xdist_group("hostile gallery")  # One process makes the gallery.
+
 ROOT = Path(__file__).parents[2]
 OPTIONS = ("--size", 16, "--jobs", 2, "--on", "llvmpipe:gl330", "--routes", "llvmpipe:gl330")
 

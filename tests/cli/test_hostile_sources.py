@@ -97,7 +97,7 @@ CASES = {
     ),
     "thousands of large pictures by a route": Hostile(
         MOVING, f"{RENDER} --frames 10000 --on lavapipe:glsl",
-        "10000 pictures of the frame `F` need 1,342 GB, and ",
+        "10000 pictures of the frame `F` need 839 GB, and ",
     ),
     "a deep type": Hostile(
         DEEP, RENDER, "a value of type `B[1000]` has 250,000,000 numbers, and 262,144 are possible"

@@ -280,11 +280,9 @@ def test_all_routes_without_their_tools() -> None:
 
 
 CRASHES = {
-    "import os; os.kill(os.getpid(), 9)": "crashed: {python}: killed by signal 9 (Killed)",
-    "import sys; sys.exit('out of luck')": (
-        "crashed: out of luck\n  {python}: ended with exit code 1"
-    ),
-    "import time; time.sleep(100)": "timeout: {python}: no answer within 0.5 s",
+    "import os; os.kill(os.getpid(), 9)": "crashed: killed by signal 9 (Killed)",
+    "import sys; sys.exit('out of luck')": ("crashed: out of luck\n  ended with exit code 1"),
+    "import time; time.sleep(100)": "timeout: no answer within 0.5 s",
 }
 
 
@@ -297,15 +295,14 @@ def test_a_driver_that_breaks_down(deed: str, said: str, monkeypatch: pytest.Mon
     worker = [sys.executable, "-c", deed]
     monkeypatch.setattr(routes.DriverRow, "command", lambda *_: worker)
     result = invoke("render", "m.burnish", "-o", "x.png", "--on", "llvmpipe:gl330")
-    text = said.format(python=sys.executable)
     assert result.exit_code == 1
-    assert result.stderr == f"error: llvmpipe {text}\n"
+    assert result.stderr == f"error: llvmpipe {said}\n"
     assert not Path("x.png").exists()
 
     sheet = ("-o", "sheet.png", "--on", "reference,llvmpipe:gl330", "--size", 4)
     result = invoke("render", "m.burnish", *sheet)
     assert result.exit_code == 1
-    assert result.stderr == f"error: Whole, llvmpipe:gl330: llvmpipe {text}\n"
+    assert result.stderr == f"error: Whole, llvmpipe:gl330: llvmpipe {said}\n"
     assert Path("sheet.png").exists()
 
 

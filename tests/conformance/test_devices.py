@@ -17,7 +17,7 @@ from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.meshes import plane
-from burnish.targets.runner.routes import DEVICE_ROUTES
+from burnish.targets.runner.routes import DEVICE_ROUTES, Route
 from burnish.targets.runner.runner import Runner
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import set_up
@@ -37,21 +37,26 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-def rows(names: list[str], files: list[str], device: str, toolchain: Toolchain) -> list[Row]:
-    routes = [DEVICE_ROUTES[name] for name in names]
-    profiles = sorted({route.profile for route in routes})
-    subjects = [
-        (material.name, material)
-        for file in files
-        for material in burnish.compile(ROOT / file, profiles).materials
-    ]
-    with Runner(routes, device=device) as runner:
-        return list(conform(subjects, routes, runner, toolchain))
+WGPU = DEVICE_ROUTES["wgpu:wgsl"]
 
 
+@pytest.fixture(scope="module")
+def wgpu() -> Iterator[Runner]:
+    """A driver that starts slowly, for all tests that draw with it."""
+    with Runner([WGPU], device=SOFTWARE) as runner:
+        yield runner
+
+
+def rows(file: str, route: Route, runner: Runner, toolchain: Toolchain) -> list[Row]:
+    materials = burnish.compile(ROOT / file, (route.profile,)).materials
+    subjects = [(material.name, material) for material in materials]
+    return list(conform(subjects, [route], runner, toolchain))
+
+
+@pytest.mark.xdist_group("wgpu")
 @pytest.mark.parametrize("file", [*FILES, "tests/conformance/materials/kinds.burnish"])
-def test_wgpu_agrees(file: str, toolchain: Toolchain) -> None:
-    for row in rows(["wgpu:wgsl"], [file], SOFTWARE, toolchain):
+def test_wgpu_agrees(file: str, wgpu: Runner, toolchain: Toolchain) -> None:
+    for row in rows(file, WGPU, wgpu, toolchain):
         assert row.status == "agrees", row.material
         assert row.device is not None and SOFTWARE in row.device.name
 
@@ -65,37 +70,37 @@ that go on from the last one, and samples. lavapipe would crash on `shadow_volum
 ``docs/drivers.md``."""
 
 
+@pytest.mark.xdist_group("wgpu")
 @pytest.mark.parametrize("name", FRAMES)
-def test_wgpu_draws_frames(name: str, toolchain: Toolchain) -> None:
-    route = DEVICE_ROUTES["wgpu:wgsl"]
+def test_wgpu_draws_frames(name: str, wgpu: Runner, toolchain: Toolchain) -> None:
     (frame,) = burnish.compile(ROOT / f"examples/frames/{name}.burnish", "wgsl").frames
-    with Runner([route], device=SOFTWARE) as runner:
-        (row,) = conform([(name, frame)], [route], runner, toolchain, size=(48, 40))
+    (row,) = conform([(name, frame)], [WGPU], wgpu, toolchain, size=(48, 40))
     assert row.status == "agrees", list(details(row))
 
 
-def test_wgpu_draws_nothing_of_patches_of_level_0(toolchain: Toolchain) -> None:
+@pytest.mark.xdist_group("wgpu")
+def test_wgpu_draws_nothing_of_patches_of_level_0(wgpu: Runner, toolchain: Toolchain) -> None:
     text = """material Flat {
         param rising : float in 0..1 = 0
         tessellate triangle by rising as at { }
         color = vec3(1)
     }"""
     (material,) = burnish.compile(text, "wgsl").materials
-    route = DEVICE_ROUTES["wgpu:wgsl"]
     clear = (0.25, 0.5, 0.75, 1.0)
-    made = pipeline(material.reflection, route, compile_one(route, material.files, toolchain))
+    made = pipeline(material.reflection, WGPU, compile_one(WGPU, material.files, toolchain))
     state = set_up(
         material.instance(), with_inputs(material.reflection, plane(1)), Scene(), (2, 2), clear
     )
-    with Runner([route], device=SOFTWARE) as runner:
-        (outcome,) = draw_states(material, [state], route, made, runner)
+    (outcome,) = draw_states(material, [state], WGPU, made, wgpu)
     (target,) = outcome.pictures
     assert np.abs(target - clear).max() < 0.01
 
 
 @pytest.mark.parametrize("name", ["vulkan:glsl", "opengl:gl330", "opengl:gl450", "opengl:es310"])
 def test_a_device_by_its_name(name: str, toolchain: Toolchain) -> None:
-    (row,) = rows([name], [FILES[0]], SOFTWARE.upper(), toolchain)
+    route = DEVICE_ROUTES[name]
+    with Runner([route], device=SOFTWARE.upper()) as runner:
+        (row,) = rows(FILES[0], route, runner, toolchain)
     assert row.status == "agrees", list(details(row))
 
 

@@ -15,6 +15,7 @@ from burnish.targets.toolchain import Job, Toolchain, Verdict
 
 from ..frames.kit import EXAMPLES as FRAMES
 from ..frames.kit import LACKING as LACKING_OF_FRAMES
+from ..suite.verdicts import refused
 from ..targets.standings import PROFILES
 from .kit import EXAMPLES, VARIANTS, Variant, jobs_of
 
@@ -32,10 +33,9 @@ def check_accepted(result: CompileResult, toolchain: Toolchain) -> None:
     assert result.materials
     asked = list(jobs(result))
     made = modules([job for job in asked if job.checker in OF_ROUTES], toolchain)
-    verdicts = toolchain.check([job for job in asked if job.checker not in OF_ROUTES])
-    verdicts += [each for each in made.values() if isinstance(each, Verdict)]
-    refused = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
-    assert not refused, "\n".join(refused)
+    found = refused([job for job in asked if job.checker not in OF_ROUTES], toolchain)
+    found += [each for each in made.values() if isinstance(each, Verdict)]
+    assert not found, "\n".join(verdict.report() for verdict in found)
     wanted = sum(
         len(material.staged.program.stages) * (len(PROFILES) - len(material.lacking))
         for material in result.materials

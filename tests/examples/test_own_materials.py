@@ -9,6 +9,7 @@ import pytest
 import burnish
 from burnish.targets.toolchain import Toolchain
 
+from ..suite.verdicts import refused
 from ..targets.standings import PROFILES
 from .test_accepted import jobs
 
@@ -69,9 +70,8 @@ WORKING = {
 @pytest.mark.parametrize("text", WORKING.values(), ids=WORKING.keys())
 def test_works(text: str, toolchain: Toolchain) -> None:
     result = burnish.compile(text, PROFILES)
-    verdicts = toolchain.check(list(jobs(result)))
-    refused = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
-    assert not refused, "\n".join(refused)
+    found = [each.report() for each in refused(list(jobs(result)), toolchain)]
+    assert not found, "\n".join(found)
 
 
 MISTAKES = {

@@ -78,6 +78,57 @@ def sampler_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
     shader["samplers"][0]["state"]["wrap"] = "mirrored"
 
 
+def size_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["blocks"][0]["size"] = 10**8
+
+
+def padding_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    block = shader["blocks"][0]
+    row = {"name": "pad_9", "type": "vec4", "offset": block["size"], "size": 10**8}
+    block["members"].append({**row, "parameter": None})
+    block["size"] += 10**8
+
+
+def member_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["blocks"][0]["members"][1]["offset"] = 10**8
+
+
+def value_of(plan: dict[str, Any], _shader: dict[str, Any]) -> None:
+    plan["parameters"][0]["size"] = 10**7
+
+
+def target_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["targets"][0]["location"] = 10**9
+
+
+def vertices_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["draw"] |= {"vertices": 3 * 10**9, "expanded_by": "instances"}
+
+
+def binding_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    (backend,) = shader["backends"].values()
+    next(iter(backend["blocks"].values()))["binding"] = 10**9
+
+
+def input_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["vertex_inputs"][0]["location"] = 10**9
+
+
+def input_twice(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    one, other, *_ = shader["vertex_inputs"]
+    one["location"] = other["location"]
+
+
+def captured_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    row = {"name": "at", "type": "float", "representation": "float", "offset": 0, "doc": ""}
+    capture = {"topology": "point-list", "vertices": 1, "buffer": None, "there": None}
+    shader["capture"] = {**capture, "members": [row], "stride": 10**9}
+
+
+def group_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    shader["work_group"] = [10**9, 1, 1]
+
+
 def entry_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
     (backend,) = shader["backends"].values()
     backend["files"][0]["entry_point"] = "--help"
@@ -119,6 +170,44 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     "no word of samplers": (
         sampler_of, "`Shadows.Shadowed.Clay.json` is no reflection that can be read:\n"
         '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp-to-edge" or "mirror-repeat"'
+    ),
+    "a block of other bytes than its members": (
+        size_of, "Shadows.Shadowed.Clay, Frame: its members have 80 bytes, and it has 100000000"
+    ),
+    "a block of padding": (
+        padding_of, "Shadows.Shadowed.Clay, Frame.pad_9: no padding has 100000000 bytes: the "
+        "most are 65536"
+    ),
+    "a member behind the block": (
+        member_of, "Shadows.Shadowed.Clay, Frame.spread: it is at byte 100000000, and not at 64"
+    ),
+    "a value of other bytes than its lanes": (
+        value_of, "Shadows, size: its value has 8 bytes, and not 10000000"
+    ),
+    "a target far behind": (
+        target_of, "Shadows.Shadowed.Clay, color: it is target 0, and not 1000000000"
+    ),
+    "a primitive of many vertices": (
+        vertices_of, "Shadows.Shadowed.Clay: what one primitive turns into has 3,000,000,000 "
+        "vertices, and the limit is 4,000,000 vertices: `--budget vertices=3000M` raises it"
+    ),
+    "a binding far behind": (
+        binding_of, "Shadows.Shadowed.Clay, glsl:vulkan: no binding has the number 1000000000, as "
+        "the block `Frame`"
+    ),
+    "a vertex input far behind": (
+        input_of, "Shadows.Shadowed.Clay, vertex_position: it has the location 1000000000, and "
+        "the last is 31"
+    ),
+    "two vertex inputs in one place": (
+        input_twice, "Shadows.Shadowed.Clay, vertex_normal: another vertex input has the location 1"
+    ),
+    "a vertex that is captured with a gap": (
+        captured_of, "Shadows.Shadowed.Clay, capture: its values have 4 bytes, and not 1000000000"
+    ),
+    "a large work group": (
+        group_of, "Shadows.Shadowed.Clay, work_group: no device runs 1000000000 x 1 x 1 "
+        "invocations together"
     ),
     "an option as entry point": (
         entry_of, "Shadows.Shadowed.Clay, glsl:vulkan: `--help` is no name of an entry point"

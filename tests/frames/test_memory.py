@@ -19,6 +19,8 @@ from burnish.targets.runner.frames.memory import bytes_of, taking_turns, total
 
 from .kit import EXAMPLES, compiled, memory_share, of_text
 
+pytestmark = pytest.mark.xdist_group("plans")  # One process compiles all examples.
+
 SMALL = of_text("""
 import std.frames.{FullScreen}
 pass Filled : FullScreen { target value : rgba16f = vec4(uv, 0, 1) }

@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+import burnish
+from burnish.api.entry_points import CompiledFrame
 from burnish.compiler.budget import BudgetError, raised
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.files import FileError
@@ -30,13 +32,24 @@ CLAY = "Deferred.Surfaces.Clay"
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder with all that ``burnish compile`` writes of the frame, for one target."""
-    (tmp_path / "Deferred.plan.json").write_text(json.dumps(to_json(FRAME.plan)), "utf-8")
-    for shader in FRAME.shaders:
-        reflection = json.dumps(to_json(shader.reflection))
-        (tmp_path / f"{shader.name}.json").write_text(reflection, "utf-8")
-        for file in shader.files:
-            (tmp_path / file.name).write_text(file.text, "utf-8")
+    write_files(tmp_path, FRAME, "Deferred.plan.json")
     return tmp_path
+
+
+def write_files(folder: Path, frame: CompiledFrame, name: str) -> None:
+    """Write all that ``burnish compile`` writes of a frame, whose plan has this file name."""
+    (folder / name).write_text(json.dumps(to_json(frame.plan)), "utf-8")
+    for shader in frame.shaders:
+        reflection = json.dumps(to_json(shader.reflection))
+        (folder / f"{shader.name}.json").write_text(reflection, "utf-8")
+        for file in shader.files:
+            (folder / file.name).write_text(file.text, "utf-8")
+
+
+def compiled_for(profile: str) -> CompiledFrame:
+    """A frame with kernels over images, in the texts of one profile."""
+    (frame,) = burnish.compile(FOLDER / "ripples.burnish", (profile,)).frames
+    return frame
 
 
 def said(folder: Path) -> str:
@@ -277,3 +290,39 @@ def test_reflections_that_say_what_cannot_be(folder: Path) -> None:
     assert str(raised.value).startswith("Deferred: its files contradict each other: ")
     with pytest.raises(KeyError), told_contradictions(FRAME):
         raise KeyError
+
+
+GROUPS = {
+    "glsl:vulkan": "layout(local_size_x = 8, local_size_y = 8) in;",
+    "hlsl:sm6": "[numthreads(8, 8, 1)]",
+    "wgsl:webgpu": "@compute @workgroup_size(8, 8)",
+}
+"""The work group of a kernel over images, as texts for some profiles declare it."""
+
+
+@pytest.mark.parametrize("profile", GROUPS)
+def test_a_work_group_is_that_of_the_text(tmp_path: Path, profile: str) -> None:
+    """With another one, a kernel would leave texels as they are, or write past the last of them."""
+    whole = compiled_for(profile)
+    path = tmp_path / "Ripples.plan.json"
+    write_files(tmp_path, whole, path.name)
+    read_frame(path, (profile,))
+    shader = next(each for each in whole.shaders if each.name == "Ripples.Waves")
+    (file,) = (each for each in shader.files if "compute" in each.entry_points)
+    assert f"\n{GROUPS[profile]}\n" in file.text
+    document = tmp_path / "Ripples.Waves.json"
+    edit(document, lambda found: found.update(work_group=[16, 16, 1]))
+    with pytest.raises(PlanError) as raised:
+        read_frame(path, (profile,))
+    assert str(raised.value) == (
+        f"Ripples.Waves: its work group is 16 x 16 x 1, and `{file.name}` declares 8 x 8 x 1: "
+        "compile the source again"
+    )
+    edit(document, lambda found: found.update(work_group=[8, 8, 1]))
+    text = tmp_path / file.name
+    text.write_text(file.text.replace(GROUPS[profile], f"// {GROUPS[profile]}"), "utf-8")
+    with pytest.raises(PlanError) as raised:
+        read_frame(path, (profile,))
+    assert str(raised.value) == (
+        f"Ripples.Waves: `{file.name}` has 0 lines that declare its work group"
+    )

@@ -28,6 +28,8 @@ from .changes import Change
 from .changes import Path as Place
 from .kit import EXAMPLES, FOLDER, compiled, inputs_of, of_text
 
+pytestmark = pytest.mark.xdist_group("plans")  # One process compiles all examples.
+
 GOLDEN = Path(__file__).parent / "golden"
 
 

@@ -19,8 +19,8 @@ from burnish.compiler.documents.typescript import typescript
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
-from burnish.targets.web_host.documents import Package
 from burnish.targets.web_host.package import frame_package
+from burnish.targets.web_host.serving.packages import Package
 
 from ..frames.kit import FOLDER, compiled
 from ..fuzz.hostile.documents import mutated

@@ -29,6 +29,24 @@ def test_nodes_print_as_they_are_read() -> None:
     ]
 
 
+def test_variables_are_named_where_they_are_bound(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv(SHOWN, "open_binders")
+    burnish.compile(
+        "material M {\n"
+        "    param steps : int in 1..9 = 3\n"
+        "    summed = sum i in 0..steps : uv.x / float(i + 1)\n"
+        "    root   = iterate r from 1.0 up to 5 while r * r < uv.y : r + 0.25\n"
+        "    color  = vec3(summed, root, 0)\n"
+        "}\n",
+        (),
+    )
+    said = capsys.readouterr().err
+    assert re.search(r"^  %\d+ = fold add 9 \[i\]\(%\d+, %\d+, %\d+\) : float$", said, re.MULTILINE)
+    assert re.search(r"^  %\d+ = iterate 5 \[\w+, r\]\(%\d+, .*\) : float$", said, re.MULTILINE)
+
+
 def test_the_graph_after_a_pass(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -36,6 +54,7 @@ def test_the_graph_after_a_pass(
     burnish.compile(SOURCE, ())
     said = capsys.readouterr().err
     assert re.findall("^after (.*):$", said, re.MULTILINE) == ["simplify", "guard"]
+    assert said.startswith("shader M:\nafter simplify:\n")
     before, after = said.split("after guard")
     assert re.search(r"^  %\d+ = div\(%\d+, %\d+\) : float$", before, re.MULTILINE)
     assert re.search(r"^  %\d+ = native div\(%\d+, %\d+\) : float$", after, re.MULTILINE)

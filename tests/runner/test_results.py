@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from burnish.compiler.budget import BudgetError
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.drivers.frame_job import Captured, Found, FrameTexels
 from burnish.targets.runner.drivers.wire import packed, split, unpacked
@@ -50,3 +51,11 @@ def test_the_same_job_is_done_once(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         for expected in (3, 4):
             assert forgetful.draw_frame(ROUTE, first) == FOUND
             assert len(asked) == expected
+
+
+def test_a_job_that_reads_back_too_much_is_not_sent(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Runner, "_ask", lambda *_: pytest.fail("it is sent"))
+    large = job([texture(size=16384)], [], back(0))
+    with Runner([ROUTE], reuse=False) as runner, pytest.raises(BudgetError) as raised:
+        runner.draw_frame(ROUTE, large)
+    assert str(raised.value).startswith("what a driver is sent and sends back needs ")

@@ -11,16 +11,19 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from subprocess import PIPE
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image
+from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import WORKERS
 from burnish.targets.toolchain.pipe import Packet, receive, send
@@ -207,7 +210,44 @@ def test_a_word_of_the_validation_layer_is_fatal(vulkan: Asker, mistake: str) ->
         blocks=(bytes(96),) * len(pipeline.blocks),
         textures=(Image("rgba8unorm", 1, 1, (bytes(4),)),) * len(pipeline.textures),
     )
-    assert "Validation" in said or "VUID" in said
+    first, _, rest = said.partition("\n")
+    assert first == "Vulkan refuses a part of the job:"
+    assert "Validation" in rest or "VUID" in rest
+
+
+def test_a_lack_of_memory_is_told_in_words() -> None:
+    """Drivers say the name of the code, which tells a user nothing."""
+    vk = pytest.importorskip("vulkan")
+    from burnish.targets.runner.drivers.vulkan.errors import Messages, explained
+
+    messages = Messages()
+    messages._texts.append("VK_ERROR_OUT_OF_HOST_MEMORY")
+    with pytest.raises(DriverError) as error, explained(messages):
+        raise vk.VkErrorOutOfHostMemory
+    assert str(error.value) == "there is not enough memory"
+    messages.check()
+
+
+def test_a_device_that_is_lost_is_what_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A layer objects to how it is closed, which must not take the place of that."""
+    vk = pytest.importorskip("vulkan")
+    from burnish.targets.runner.drivers.vulkan import frame, limits
+    from burnish.targets.runner.drivers.vulkan.errors import DeviceLostError, Messages
+
+    driver = VulkanDriver("", 1.0)
+    gpu = SimpleNamespace(messages=Messages())
+    monkeypatch.setattr(driver, "_gpu", gpu)
+    monkeypatch.setattr(limits, "check_limits", lambda *_: None)
+
+    def lose(*_: Any) -> Any:
+        gpu.messages._texts.append("an object was not destroyed")
+        raise vk.VkErrorDeviceLost
+
+    monkeypatch.setattr(frame, "draw_frame", lose)
+    with pytest.raises(DeviceLostError) as error:
+        driver.draw_frame(FrameJob((), (), (), ()))
+    assert str(error.value) == "the device was lost"
+    assert driver._gpu is None
 
 
 def test_a_varying_that_nobody_reads_is_no_mistake(vulkan: Asker) -> None:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from burnish.targets import toolchain
+from burnish.targets.runner.codes import modules
 from burnish.targets.runner.drivers.device import Device, DriverError
 from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.frame_job import Found, FrameJob
@@ -25,7 +25,7 @@ from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import from_json, joined
 from burnish.targets.runner.routes import DRIVERS
 from burnish.targets.runner.runner import frame_request
-from burnish.targets.toolchain import Toolchain
+from burnish.targets.toolchain import Job, Toolchain
 from burnish.targets.toolchain.pipe import Packet
 from burnish.targets.toolchain.tools import inspect_all, tool_named
 from burnish.targets.toolchain.workers import Answer, Worker
@@ -137,11 +137,11 @@ def spirv(
     entry: str = "main",
     flags: tuple[str, ...] = (),
 ) -> bytes:
-    """The SPIR-V that a compiler makes of a text."""
-    job = toolchain.Job(checker=checker, stage=stage, text=text, entry=entry, flags=flags)
-    (verdict,) = tools().check([job], keep_spirv=True)
-    assert verdict.spirv is not None, verdict.report()
-    return verdict.spirv
+    """The SPIR-V that a compiler makes of a text, unless another process has kept it."""
+    job = Job(checker=checker, stage=stage, text=text, entry=entry, flags=flags)
+    made = modules([job], tools())[job]
+    assert isinstance(made, bytes), made.report()
+    return made
 
 
 def glsl(stage: str, text: str) -> Code:

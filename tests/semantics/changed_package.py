@@ -39,6 +39,11 @@ def changed_package(folder: Path, changes: Iterable[Change]) -> Path:
     return folder
 
 
+def generate(package: Path) -> None:
+    """Compute what a changed package keeps, once for more than a few scripts."""
+    processes.run([sys.executable, "-m", "burnish.generate"], cwd=package, check=True)
+
+
 def run(package: Path, script: str, *arguments: str) -> str:
     """The output of a script that imports the changed package."""
     command = [sys.executable, "-c", script, *arguments]

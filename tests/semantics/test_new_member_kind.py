@@ -11,7 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
+from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, generate, run
+
+pytestmark = pytest.mark.xdist_group("new member")  # One process copies the package, for all tests.
 
 CONTRIBUTES = "compiler/semantics/declarations/parameters.py"
 DELIVERS = "compiler/semantics/shading/passes/blending.py"
@@ -154,7 +156,9 @@ for made in burnish.compile({PROGRAM!r}, targets=("wgsl",)).materials:
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with a copy of the package that has knobs."""
-    return changed_package(tmp_path_factory.mktemp("knobs"), (*KNOB, *MIXING))
+    package = changed_package(tmp_path_factory.mktemp("knobs"), (*KNOB, *MIXING))
+    generate(package)
+    return package
 
 
 def test_four_files_are_changed() -> None:

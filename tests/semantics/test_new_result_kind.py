@@ -11,6 +11,8 @@ import pytest
 
 from .changed_package import CHECK, GRAMMAR, KINDS, MEMBERS, changed_package, run
 
+pytestmark = pytest.mark.xdist_group("new result")  # One process copies the package, for all tests.
+
 DELIVERS = "compiler/semantics/shading/elaborate.py"
 
 CHANGES = (

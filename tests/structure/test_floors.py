@@ -13,6 +13,8 @@ from burnish.targets import registry
 
 from .modules import PACKAGE, between, circles, modules
 
+pytestmark = pytest.mark.xdist_group("imports")  # One process reads all modules.
+
 BACKENDS = registry.names()
 
 FLOORS: dict[str, str] = {
@@ -84,12 +86,12 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
-    "targets.web_host.serving": "stdlib precomputed reference",
+    "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb ir documents promises reference "
         "reflection budget closing toolchain serving"
     ),
-    "targets.web_host": "frozen constraints ir documents budget runner toolchain serving",
+    "targets.web_host": "frozen ir documents budget runner toolchain serving",
     "targets.conformance": (
         "frozen stdlib diagnostics ir documents reference budget runner web_host toolchain"
     ),

@@ -51,9 +51,8 @@ class Copy:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Copy:
-    made = Copy(tmp_path)
-    made.run("-m", "burnish.generate")
-    return made
+    """A copy in which everything is generated, as pytest does so before all tests."""
+    return Copy(tmp_path)
 
 
 def test_neither_jinja_nor_lark_is_needed(copy: Copy) -> None:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
+import pytest
+
 from .picture import STYLES, drawn, imports_of_floors, imports_within
 from .test_floors import FLOORS
+
+pytestmark = pytest.mark.xdist_group("imports")  # One process reads all modules.
 
 
 def _lines(picture: str, style: str) -> int:

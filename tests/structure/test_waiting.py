@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
@@ -86,19 +85,19 @@ def _owner(function: ast.expr) -> str:
     return _name(function.value) if isinstance(function, ast.Attribute) else ""
 
 
-def _modules() -> dict[str, Path]:
-    found = (path for path in files(TESTS) if path.suffix == ".py")
-    return {path.relative_to(TESTS).as_posix(): path for path in found}
+MODULES = {
+    path.relative_to(TESTS).as_posix(): path for path in files(TESTS) if path.suffix == ".py"
+}
 
 
-@pytest.mark.parametrize("name", sorted(_modules().keys() - OUTSIDE.keys()))
+@pytest.mark.parametrize("name", sorted(MODULES.keys() - OUTSIDE.keys()))
 def test_nothing_waits_without_a_limit(name: str) -> None:
-    assert not list(unlimited(_modules()[name].read_text("utf-8")))
+    assert not list(unlimited(MODULES[name].read_text("utf-8")))
 
 
 @pytest.mark.parametrize("name", OUTSIDE)
 def test_the_modules_outside_are_outside_for_a_reason(name: str) -> None:
-    assert list(unlimited(_modules()[name].read_text("utf-8")))
+    assert list(unlimited(MODULES[name].read_text("utf-8")))
 
 
 @pytest.mark.parametrize(

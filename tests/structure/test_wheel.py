@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+import burnish
+from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 
 from ..suite.package import FOLDERS
@@ -161,6 +163,8 @@ HOST = """
 import json
 from burnish.compiler.precomputed import precomputed
 from burnish.targets.web_host.serving.builtin_table import module_to_generate
+import burnish
+from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 (key,) = module_to_generate()
 print(json.dumps([host_modules(), precomputed("builtin_table", key) is not None]))
@@ -177,3 +181,37 @@ def test_the_host_for_web_pages_is_given_out_where_it_is_installed(installed: Pa
 @pytest.mark.parametrize("what", ["targets", "check plastic.burnish", "explain B0201", "--help"])
 def test_other_commands_where_it_is_installed(installed: Path, what: str) -> None:
     assert command(installed, *what.split())[0] == 0
+
+
+LATER = """
+import json, sys
+sys.path.insert(0, "/wheel")
+sys.dont_write_bytecode = True
+import burnish
+texts = [
+    {file.name: file.text for file in made.files}
+    for example in ("plastic", "frames/deferred")
+    for made in burnish.compile(f"/examples/{example}.burnish")
+]
+needed = sorted({"lark", "jinja2"} & sys.modules.keys())
+json.dumps([list(sys.version_info[:2]), texts, needed])
+"""
+"""A compile by a Python that has the wheel alone, without the packages that it depends on."""
+
+
+def test_another_version_of_python_computes_nothing_again(wheel: Path, tmp_path: Path) -> None:
+    """Where a wheel was built by one version, another finds all that is in it."""
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(tmp_path)
+    node, pyodide = program("node", "node"), program("pyodide", "pyodide.mjs")
+    script = [node, Path(__file__).with_name("later_python.mjs"), pyodide]
+    folders = ["/wheel", tmp_path, "/examples", ROOT / "examples"]
+    said = run([*map(str, script), LATER, *map(str, folders)], check=True).stdout
+    version, texts, needed = json.loads(said)
+    assert tuple(version) > sys.version_info[:2]
+    assert texts == [
+        {file.name: file.text for file in made.files}
+        for example in ("plastic", "frames/deferred")
+        for made in burnish.compile(ROOT / "examples" / f"{example}.burnish")
+    ]
+    assert needed == []

@@ -11,6 +11,7 @@ from burnish.compiler.ir.program import Program
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.toolchain import Job, Toolchain
 
+from ..suite.verdicts import refused
 from .kit import PROFILES, Selected, can_have, printed, program_of_rows
 from .programs import odd, plastic
 from .test_names import program_of_words
@@ -47,12 +48,11 @@ def jobs(selected: Selected, program: Program) -> Iterator[Job]:
 @pytest.mark.parametrize("selected", PROFILES, ids=str)
 def test_accepted(selected: Selected, toolchain: Toolchain) -> None:
     asked = [job for program in programs(selected) for job in jobs(selected, program)]
-    refused = [
+    found = [
         f"{verdict.job.checker}, {verdict.job.stage} of {verdict.job.name}: {verdict.messages[:3]}"
-        for verdict in toolchain.check(asked)
-        if verdict.status != "accepted"
+        for verdict in refused(asked, toolchain)
     ]
-    assert not refused, "\n".join(refused)
+    assert not found, "\n".join(found)
 
 
 NUMBERS = ("0.7", "-0.0", "1e-39", "-1e-45", "1.1754944e-38", "-1.1754942e-38", "3.4028235e38")
@@ -68,5 +68,5 @@ def test_numbers_at_the_ends_of_the_range(toolchain: Toolchain) -> None:
         if file.stage == "fragment"
         for checker in file.checkers
     ]
-    refused = [each.report() for each in toolchain.check(asked) if each.status != "accepted"]
-    assert asked and not refused, "\n".join(refused)
+    found = [each.report() for each in refused(asked, toolchain)]
+    assert asked and not found, "\n".join(found)

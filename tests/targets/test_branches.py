@@ -10,6 +10,8 @@ import pytest
 import burnish
 from burnish.targets.toolchain import Job, Toolchain
 
+from ..suite.verdicts import refused
+
 HEAD = """
 fn blurred(t: texture2d, p: vec2, r: float) -> float =
     sum i in 0..64 : t.level(p + r * float(i), 0).x
@@ -130,7 +132,7 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-def refused(material: burnish.CompiledMaterial, toolchain: Toolchain) -> str:
+def complaints(material: burnish.CompiledMaterial, toolchain: Toolchain) -> str:
     """The compilers' errors about the fragment stages that they refuse."""
     jobs = [
         Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
@@ -138,7 +140,7 @@ def refused(material: burnish.CompiledMaterial, toolchain: Toolchain) -> str:
         if "fragment" in file.entry_points
         for checker in file.checkers
     ]
-    return "\n".join(v.report() for v in toolchain.check(jobs) if v.status != "accepted")
+    return "\n".join(each.report() for each in refused(jobs, toolchain))
 
 
 @pytest.mark.parametrize("name", BODIES)
@@ -148,7 +150,7 @@ def test_bodies(name: str, toolchain: Toolchain) -> None:
     (text,) = (f.text for f in material.files if f.name == "M.frag.glsl")
     main = text.partition("void main() {\n")[2].removesuffix("}\n")
     assert dedent(main).strip() == dedent(body).strip()
-    assert not refused(material, toolchain)
+    assert not complaints(material, toolchain)
 
 
 DEEP = 100
@@ -174,7 +176,7 @@ def test_deep_chains_are_accepted(name: str, toolchain: Toolchain) -> None:
     last, lane = ("turned", "[0].x") if name == "matrices" else ("uv.y", "")
     text = f"{HEAD}param turned : mat3\n{links}\ns{DEEP} = {last}\nalpha = s0{lane}}}"
     (material,) = burnish.compile(text, "all").materials
-    assert not refused(material, toolchain)
+    assert not complaints(material, toolchain)
 
 
 def nested(levels: int) -> str:
@@ -188,7 +190,7 @@ def nested(levels: int) -> str:
 
 def test_what_nests_too_deeply_is_told_for_the_profile(toolchain: Toolchain) -> None:
     (material,) = burnish.compile(nested(31), "all").materials
-    assert not refused(material, toolchain)
+    assert not complaints(material, toolchain)
     with pytest.raises(burnish.CompileError) as caught:
         burnish.compile(nested(32), "all")
     assert str(caught.value) == "64 nested blocks of M, but wgsl:webgpu has only 62"

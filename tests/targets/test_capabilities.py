@@ -24,6 +24,7 @@ from burnish.targets.description.profile import LIMITED, Limits, Profile
 from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
+from ..suite import verdicts
 from .capability_probes import PROBES, Probe
 from .kit import BY_NAME
 
@@ -102,12 +103,13 @@ def refusals() -> dict[tuple[str, str], list[str]]:
         for job in jobs_of(compiled(row, name))
     ]
     with Toolchain() as toolchain:
-        verdicts = toolchain.check([job for *_, job in jobs])
+        wrong = verdicts.refused([job for *_, job in jobs], toolchain)
+    reports = {verdict.job: verdict.report() for verdict in wrong}
     found: dict[tuple[str, str], list[str]] = {}
-    for (row_name, name, _), verdict in zip(jobs, verdicts, strict=True):
-        found.setdefault((row_name, name), [])
-        if verdict.status != "accepted":
-            found[row_name, name].append(verdict.report())
+    for row_name, name, job in jobs:
+        of_cell = found.setdefault((row_name, name), [])
+        if job in reports:
+            of_cell.append(reports[job])
     return found
 
 

@@ -15,6 +15,7 @@ from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
 from ..golden import assert_golden
+from ..suite.verdicts import refused
 
 GOLDEN = Path(__file__).parent / "golden" / "captures"
 
@@ -129,11 +130,14 @@ def test_numbers_of_vertices_are_not_captured_in_es() -> None:
 def test_compilers_accept_them() -> None:
     """This holds also for a single capture, which is returned as it is in HLSL."""
     single = "material M { color = vec3(1) } pass Step { capture place : vec3 = position }"
+    jobs = [
+        job
+        for text in (SPARKS, PLAIN, single)
+        for profile in ("glsl:vulkan", "hlsl:sm6", "glsl:gl330")
+        for job in jobs_of(compiled(text, profile))
+    ]
     with Toolchain() as toolchain:
-        for text in (SPARKS, PLAIN, single):
-            for profile in ("glsl:vulkan", "hlsl:sm6", "glsl:gl330"):
-                verdicts = toolchain.check([*jobs_of(compiled(text, profile))])
-                assert [(v.job.checker, v.log) for v in verdicts if v.status != "accepted"] == []
+        assert [(each.job.checker, each.log) for each in refused(jobs, toolchain)] == []
 
 
 def test_the_reflection_says_where_values_lie() -> None:

@@ -18,6 +18,7 @@ from burnish.targets import registry
 from burnish.targets.emit.own_words import taken_words
 from burnish.targets.toolchain import Job, Toolchain, Verdict
 
+from ..suite.verdicts import refused
 from .name_roles import RESERVED, ROLES, Role
 
 STAGES = {"vertex": "vert", "fragment": "frag", "compute": "comp"}
@@ -81,22 +82,14 @@ def cut(words: Sequence[str], size: int) -> Iterator[Sequence[str]]:
 
 @pytest.mark.parametrize("name", ROLES)
 def test_every_word_is_accepted(name: str, toolchain: Toolchain) -> None:
+    """Failures show the lines of the texts, which have the words."""
     role = ROLES[name]
+    asked = [job for targets, words in batches(role) for job in jobs(role, words, targets)]
     found = [
-        complaint
-        for targets, words in batches(role)
-        for complaint in complaints(role, words, targets, toolchain)
+        f"{verdict.job.checker}, {verdict.job.stage}, {verdict.status}: {told(verdict)}"
+        for verdict in refused(asked, toolchain)
     ]
-    assert not found, "\n".join(found)
-
-
-def complaints(
-    role: Role, words: Sequence[str], targets: str, toolchain: Toolchain
-) -> Iterator[str]:
-    """The checkers' refusals, with the lines of the texts, which have the words."""
-    for verdict in toolchain.check(list(jobs(role, words, targets))):
-        if verdict.status != "accepted":
-            yield f"{verdict.job.checker}, {verdict.job.stage}, {verdict.status}: {told(verdict)}"
+    assert asked and not found, "\n".join(found)
 
 
 def told(verdict: Verdict) -> str:

@@ -53,6 +53,11 @@ PLANTED: Mapping[str, tuple[Language, str]] = {
         "glsl:vulkan names `lerp` in `Language.natives`, which is no builtin: write the name of "
         "a row of `stdlib/builtins`.",
     ),
+    "an empty form": (
+        with_form(let=""),
+        "glsl leaves `Forms.let` empty, and then nothing is written where it stands: write it, "
+        "such as `{typed} = {value};`.",
+    ),
     "lacked, and not defined": (
         with_profile(ES100, lacks=frozenset({"refract"})),
         "glsl:es100 lacks `refract`, which has no definition: give its row in `stdlib/builtins` "

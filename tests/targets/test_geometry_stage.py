@@ -17,6 +17,7 @@ from burnish.targets.toolchain import Toolchain
 
 from ..examples.kit import jobs_of
 from ..golden import assert_golden
+from ..suite.verdicts import remarks
 
 GOLDEN = Path(__file__).parent / "golden" / "geometry"
 PROFILES = ("glsl:vulkan", "glsl:gl330", "glsl:gl450", "hlsl:sm6")
@@ -111,21 +112,20 @@ def test_texts(profile: str, text: str) -> None:
 @pytest.mark.parametrize("profile", PROFILES)
 def test_compilers_accept_them(profile: str, text: str, flip_y: bool) -> None:
     (material,) = burnish.compile(text, profile, native_stages=True, flip_y=flip_y).materials
-    assert refused(material) == []
+    assert complaints(material) == []
 
 
 @pytest.mark.parametrize("profile", PROFILES)
 def test_groups_may_use_the_same_names(profile: str) -> None:
     """The groups follow one another in one function, and compilers remark nothing."""
     (material,) = burnish.compile(ALIKE, profile, native_stages=True).materials
-    assert refused(material) == []
+    assert complaints(material) == []
 
 
-def refused(material: CompiledMaterial) -> list[str]:
+def complaints(material: CompiledMaterial) -> list[str]:
     """The logs of compilers about the texts that they refuse or remark on."""
     with Toolchain() as toolchain:
-        verdicts = toolchain.check([*jobs_of(material)])
-    return [one.log for one in verdicts if one.status != "accepted" or one.messages]
+        return [each.log for each in remarks([*jobs_of(material)], toolchain)]
 
 
 @pytest.mark.parametrize("profile", PROFILES)
@@ -139,7 +139,7 @@ def test_strips_that_are_never_there_are_left_out(profile: str) -> None:
     }"""
     (material,) = burnish.compile(text, profile, native_stages=True).materials
     assert material.text(profile, "geometry").count("for (") == 1
-    assert refused(material) == []
+    assert complaints(material) == []
 
 
 def test_every_line_has_its_place_in_the_source() -> None:

@@ -18,6 +18,7 @@ from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.row import Builtin
 from burnish.targets.toolchain import Job, Toolchain
 
+from ..suite.verdicts import refused
 from .kit import instances
 
 CHOOSING = {
@@ -109,7 +110,5 @@ def test_operands_may_choose(row: Builtin, toolchain: Toolchain) -> None:
         if "fragment" in file.entry_points
         for checker in file.checkers
     ]
-    refused = [
-        verdict.report() for verdict in toolchain.check(jobs) if verdict.status != "accepted"
-    ]
-    assert jobs and not refused, "\n".join(refused)
+    found = [verdict.report() for verdict in refused(jobs, toolchain)]
+    assert jobs and not found, "\n".join(found)

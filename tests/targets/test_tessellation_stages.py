@@ -22,7 +22,7 @@ from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.kernels import UndrawableError, drawable
 
 from ..passes.test_tessellated_graphs import divided
-from .test_geometry_stage import refused
+from .test_geometry_stage import complaints
 
 GOLDEN = Path(__file__).parent / "golden" / "tessellation"
 PROFILES = ("glsl:vulkan", "glsl:gl450", "hlsl:sm6")
@@ -45,7 +45,7 @@ def test_texts(profile: str) -> None:
 @pytest.mark.parametrize("flip_y", [False, True])
 @pytest.mark.parametrize("profile", PROFILES)
 def test_compilers_accept_them(profile: str, flip_y: bool) -> None:
-    assert refused(material(profile, EmitOptions(flip_y=flip_y))) == []
+    assert complaints(material(profile, EmitOptions(flip_y=flip_y))) == []
 
 
 def test_compilers_accept_all_stages_in_one_text() -> None:
@@ -53,7 +53,7 @@ def test_compilers_accept_all_stages_in_one_text() -> None:
     assert [set(file.entry_points.values()) for file in made.files] == [
         {"vs_main", "hs_main", "ds_main", "fs_main"}
     ]
-    assert refused(made) == []
+    assert complaints(made) == []
 
 
 @pytest.mark.parametrize("profile", PROFILES)
@@ -64,7 +64,7 @@ def test_patches_may_take_nothing_of_the_mesh(profile: str) -> None:
         color = vec3(1)
     }"""
     (made,) = burnish.compile(text, profile, native_stages=True).materials
-    assert refused(made) == []
+    assert complaints(made) == []
 
 
 BLANKET = """
@@ -87,7 +87,7 @@ material Blanket {
 @pytest.mark.parametrize("profile", PROFILES)
 def test_texts_of_a_material(profile: str) -> None:
     (found,) = burnish.compile(BLANKET, profile, native_stages=True).materials
-    assert refused(found) == []
+    assert complaints(found) == []
     for file in found.files:
         if file.stage in ("control", "evaluation"):
             assert_golden(file.name, file.text)

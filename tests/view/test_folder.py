@@ -17,6 +17,8 @@ from ..suite.processes import LIMIT, until
 from .kit import Viewer, viewing
 from .pages import SIZE, opened, shows
 
+pytestmark = pytest.mark.xdist_group("view of a folder")  # One server and browser serve all.
+
 PLAIN = "material {} {{ color = {} }}\n"
 README = """
 # Colours

@@ -17,6 +17,8 @@ from burnish.commands.view.uploads import MOST_BYTES
 from ..suite.processes import LIMIT, at_once
 from .kit import FLAT, Viewer, viewing
 
+pytestmark = pytest.mark.xdist_group("hostile requests")  # One server is asked by all tests.
+
 SECRET = "material Secret { color = vec3(1) }\n"
 PICTURE = "/picture?name=a.png&dimension=2d&sample=float"
 

@@ -12,6 +12,8 @@ from ..suite.processes import until
 from .kit import Viewer
 from .pages import SIZE, Color, opened, pixel, shows, write
 
+pytestmark = pytest.mark.xdist_group("view of outputs")  # One server and browser serve all.
+
 OUTPUTS = """
 import std.frames.{FullScreen}
 

@@ -13,6 +13,8 @@ from ..suite.processes import until
 from .kit import FLAT, Viewer
 from .pages import BEHIND, NEAR, SIZE, Color, opened, pixel, shows, srgb, write
 
+pytestmark = pytest.mark.xdist_group("page of view")  # One server and browser serve all.
+
 FACING = """
 /// Shows where surfaces look to.
 material Facing {

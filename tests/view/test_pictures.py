@@ -17,6 +17,8 @@ from burnish.targets.runner.textures.kinds import PictureError
 from .kit import Viewer
 from .pages import Color, shows, srgb, write
 
+pytestmark = pytest.mark.xdist_group("pictures of view")  # One server and browser serve all.
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PAINTED = """
 material Painted {

@@ -17,6 +17,8 @@ from ..cli.kit import invoke, shell
 from ..suite.processes import until
 from .kit import FLAT, Viewer, viewing
 
+pytestmark = pytest.mark.xdist_group("server of view")  # One server is asked by all tests.
+
 
 @pytest.fixture(scope="module")
 def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Viewer]:

@@ -14,9 +14,11 @@ from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.drivers.browser.driver import Browser
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import FrameTexels
-from burnish.targets.web_host.documents import Package
+from burnish.targets.web_host.serving.packages import Package
 
 from .by_hand import FILLED, HEIGHT, WIDTH, package
+
+pytestmark = pytest.mark.xdist_group("frames of web pages")  # One browser draws for all tests.
 
 
 @pytest.fixture(scope="module")
@@ -59,8 +61,8 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
 
 def other_version(what: str, version: int) -> str:
     return (
-        f"this host knows {what} of version 2, and this one is of version {version}: compile the "
-        "source again"
+        f"this host knows {what} of version 2, and this one is of version {version}: make the "
+        "package again with `frame_package`"
     )
 
 

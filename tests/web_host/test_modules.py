@@ -10,7 +10,7 @@ import pytest
 from burnish.targets.toolchain.sources import OwnInstaller
 from burnish.targets.toolchain.tools import tool_named
 from burnish.targets.web_host.serving.builtin_table import builtins_module
-from burnish.targets.web_host.serving.modules import BUILTINS, host_modules, write_modules
+from burnish.targets.web_host.serving.modules import BUILTINS, SHAPES, host_modules, write_modules
 
 from ..structure.kit import ROOT, files
 from . import size
@@ -58,13 +58,13 @@ def test_nothing_in_the_tree_is_made_of_something_else_in_it() -> None:
 
 
 def test_all_modules_are_given_out(tmp_path: Path) -> None:
-    """The modules are those of the tree, and a generated one."""
+    """The modules are those of the tree, and two generated ones."""
     write_modules(tmp_path / "host")
     written = [path for path in (tmp_path / "host").rglob("*") if path.is_file()]
     given = {path.relative_to(tmp_path / "host").as_posix(): path.read_text() for path in written}
     assert given == host_modules()
     own = {path.relative_to(FOLDER).as_posix() for path in files(FOLDER) if path.suffix == ".js"}
-    assert given.keys() == own | {BUILTINS}
+    assert given.keys() == own | {BUILTINS, SHAPES}
     assert given[BUILTINS].startswith("// The builtins, generated from compiler/reference")
 
 

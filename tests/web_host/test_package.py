@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.schema import json_schema
 from burnish.compiler.documents.writing import to_json
-from burnish.targets.web_host.documents import Package
+from burnish.targets.web_host.serving.packages import Package
 
 from .test_geometry import hosted
 

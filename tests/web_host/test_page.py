@@ -23,6 +23,8 @@ from ..docs.kit import ROOT, blocks
 from ..suite import browsers
 from ..suite.processes import until
 
+pytestmark = pytest.mark.xdist_group("page of the manual")  # One process writes the site.
+
 DOCUMENT = ROOT / "docs" / "hosts.md"
 ADDRESS = "https://burnish.invalid/"
 
@@ -73,7 +75,7 @@ def test_an_error_is_told_on_the_page(page: Page, site: Path) -> None:
     alert = page.locator("[role=alert]:not(:empty)")
     assert alert.inner_text() == (
         "this host knows packages of version 2, and this one is of version 9: "
-        "compile the source again"
+        "make the package again with `frame_package`"
     )
 
 

@@ -21,6 +21,8 @@ from burnish.targets.web_host.drawing import draw_frames
 
 from ..frames.kit import FOLDER
 
+pytestmark = pytest.mark.xdist_group("two roads")  # One process starts the drivers, for all tests.
+
 NAMES = ("chromium:webgpu", "chromium:webgl2")
 SIZE = (24, 20)
 FRAMES = 2

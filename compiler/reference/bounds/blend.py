@@ -46,14 +46,16 @@ def blend(x: Bounded, y: Bounded, a: Bounded) -> Bounded:
 def _ends(x: Bounded, y: Bounded, a: Bounded) -> tuple[Array, Array]:
     """Between which numbers the unrounded blend lies.
 
-    It is linear in each of the three operands, so its extremes are at their ends.
+    It is linear in each of the three operands, so its extremes are at their ends; and those of a
+    sum are the sums of the extremes of its parts, which do not depend on each other.
     """
     with np.errstate(invalid="ignore"):
-        corners = [
-            one * (1.0 - weight) + other * weight
-            for weight in (a.low, a.high)
-            for one in (x.low, x.high)
-            for other in (y.low, y.high)
-        ]
-    stacked = np.stack(np.broadcast_arrays(*corners))
-    return stacked.min(axis=0), stacked.max(axis=0)
+        least, most = zip(*(_at_weight(x, y, weight) for weight in (a.low, a.high)), strict=True)
+    return np.minimum(*least), np.maximum(*most)
+
+
+def _at_weight(x: Bounded, y: Bounded, weight: Array) -> tuple[Array, Array]:
+    """The ends of the blend for a certain weight."""
+    rest = 1.0 - weight
+    ones, others = (x.low * rest, x.high * rest), (y.low * weight, y.high * weight)
+    return np.minimum(*ones) + np.minimum(*others), np.maximum(*ones) + np.maximum(*others)

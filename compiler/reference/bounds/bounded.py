@@ -24,6 +24,7 @@ from .rounding import (
     ROUNDED_UP,
     SUBNORMAL_STEP,
     Array,
+    all_fit,
     constant_ends,
     is_float32,
     lost,
@@ -134,6 +135,12 @@ class Bounded(Operators):
         self._sum, self._factors, self._of = other._sum, other._factors, other._of
         return self
 
+    def within(self, low: Array, high: Array) -> Bounded:
+        """The lane, if it is known that it lies between these ends, which are in its interval."""
+        made = Bounded(self.value, low, high)
+        made.form = self.form
+        return made
+
     def mapped(self, change: Callable[[Array], Array]) -> Bounded:
         """The lane with all arrays changed in their shape or order only."""
         value = change(np.asarray(self.value))
@@ -178,8 +185,9 @@ class Bounded(Operators):
     def __neg__(self) -> Bounded:
         made = exact(-self.value)
         if not self.is_exact:
-            form = None if self.form is None else self.form.scaled(-1.0)
-            made = Bounded(made.value, -self.high, -self.low, form)
+            made = Bounded(made.value, -self.high, -self.low)
+            made.form = None if self.form is None else self.form.negated()
+            made._radius, made._magnitude = self._radius, self._magnitude
         made._number = self._number
         return made.made_as(self)
 
@@ -190,7 +198,7 @@ class Bounded(Operators):
         low = np.minimum(np.abs(self.low), np.abs(self.high))
         form = None
         if self.form is not None:
-            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.scaled(-1.0),
+            form = chosen(self.low >= 0, self.high <= 0, self.form, self.form.negated(),
                           self.radius)  # fmt: skip
         return Bounded(np.abs(self.value), np.where(inside, 0, low), self.magnitude, form)
 
@@ -308,9 +316,14 @@ def correctly_rounded(
         return Bounded(value, *outward(low, high))
     magnitude = np.maximum(np.abs(low), np.abs(high))
     error = rounding_error(magnitude, times)
-    low, high = outward(low, high) if times == 1 else of_device(low - error, high + error)
+    farthest = magnitude + error
+    fits = all_fit(farthest)
+    if times == 1:
+        low, high = outward(low, high, fits=fits)
+    else:
+        low, high = of_device(low - error, high + error, fits=fits)
     if form is not None:
-        form = form.widened(error + lost(magnitude + error))
+        form = form.widened(error + lost(farthest, fits=fits))
     return Bounded(value, low, high, form)
 
 

@@ -37,6 +37,8 @@ def of_ends(
     if x.form is None and y.form is None:
         return Bounded(value, low, high)
     first = wins(x.low, y.high) & wins(x.high, y.low)
+    if first.all():
+        return Bounded(value, low, high, chosen(first, None, x.any_form, y.any_form))
     second = wins(y.low, x.high) & wins(y.high, x.low)
     farther = Bounded(value, low, high).radius
     form = chosen(first, second, x.any_form, y.any_form, farther)

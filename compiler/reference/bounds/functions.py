@@ -362,7 +362,7 @@ def _rounded(value: Array, low: Array, high: Array) -> Bounded:
 
 
 def _not_negative(x: Bounded) -> Bounded:
-    return Bounded(x.value, np.maximum(x.low, 0.0), x.high, x.form)
+    return x.within(np.maximum(x.low, 0.0), x.high)
 
 
 def _stepped(function: Callable[[Array], Array], lane: Any) -> Bounded:

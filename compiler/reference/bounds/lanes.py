@@ -63,5 +63,4 @@ def rounded(x: Bounded) -> Bounded:
 
 def limited(x: Bounded, low: Array, high: Array) -> Bounded:
     """The lane, of which is known that it is between these, too."""
-    made = Bounded(x.value, np.maximum(x.low, low), np.minimum(x.high, high), x.form)
-    return made.made_as(x)
+    return x.within(np.maximum(x.low, low), np.minimum(x.high, high)).made_as(x)

@@ -53,7 +53,7 @@ class Sum:
         if self._whole is None:
             left, right = self.operands
             self._whole = left.whole
-            if self._whole.any():
+            if np.count_nonzero(self._whole):
                 self._whole = self._whole & right.whole
         return self._whole
 
@@ -79,7 +79,7 @@ class Single:
     def whole(self) -> Array:
         """True where every device has exactly this number, and it is whole."""
         same = np.equal(self.low, self.high)
-        return same & (np.rint(self.low) == self.low) if same.any() else same
+        return same & (np.rint(self.low) == self.low) if np.count_nonzero(same) else same
 
 
 Term = Sum | Single
@@ -95,7 +95,7 @@ def in_any_order(sum_: Sum) -> Array:
     times = sum_.roundings
     flushed = times * np.minimum(sum_.magnitude, SMALLEST_NORMAL)
     error = relative_error(times) * sum_.magnitude + flushed
-    if (whole := sum_.whole).any():
+    if np.count_nonzero(whole := sum_.whole):
         error = np.where(whole & (sum_.magnitude <= _COUNTED), 0.0, error)
     sum_.error = error
     before = [term.error for term in sum_.operands if isinstance(term, Sum)]

@@ -18,23 +18,31 @@ SUBNORMAL_STEP = 2.0**-149
 """The distance of subnormal float32 numbers."""
 
 
-def outward(low: Array, high: Array) -> tuple[Array, Array]:
+def outward(low: Array, high: Array, *, fits: bool = False) -> tuple[Array, Array]:
     """An interval that contains the float32 numbers on both sides of ``low`` and of ``high``.
 
     A correctly rounded operation returns one of the two float32 numbers around its exact result, so
     this is where it may lie. A number that float32 has stays as it is. A device may flush a
     subnormal result to zero (Vulkan, "Precision and Operation of SPIR-V Instructions"; WGSL,
-    "Differences from IEEE-754").
+    "Differences from IEEE-754"). ``fits`` says that no number is beyond the largest float32.
     """
-    return _finite_or_infinite(_down(low), _up(high))
+    # Numbers that are not subnormal, which few are, need fewer operations.
+    nearest = np.fmin(np.abs(low), np.abs(high))
+    if np.count_nonzero(nearest < SMALLEST_NORMAL):
+        ends = _down(low), _up(high)
+    else:
+        ends = _normal_down(low), _normal_up(high)
+    return ends if fits else _finite_or_infinite(*ends)
 
 
-def of_device(low: Array, high: Array) -> tuple[Array, Array]:
+def of_device(low: Array, high: Array, *, fits: bool = False) -> tuple[Array, Array]:
     """Between which numbers a device's float32 is, if it is within an error from these.
 
     A result beyond the largest float32 is infinite, and a subnormal one may be flushed to zero.
+    ``fits`` says that none is beyond it.
     """
-    low, high = _finite_or_infinite(low, high)
+    if not fits:
+        low, high = _finite_or_infinite(low, high)
     return _flushed_up(low), _flushed_down(high)
 
 
@@ -53,15 +61,21 @@ def relative_error(times: int) -> float:
     return times * ULP * (1.0 + times * ULP)
 
 
-def lost(magnitude: Array) -> Array:
+def lost(magnitude: Array, *, fits: bool = False) -> Array:
     """The amount that a result of this magnitude may lose besides rounding.
 
-    All of it is lost if it is flushed to zero, and everything if it overflows.
+    All of it is lost if it is flushed to zero, and everything if it overflows. ``fits`` says that
+    none does.
     """
     found = np.minimum(magnitude, SMALLEST_NORMAL)
-    if np.fmax.reduce(magnitude, axis=None, initial=0.0) > LARGEST_FLOAT:
-        return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
-    return found
+    if fits or all_fit(magnitude):
+        return found
+    return np.where(magnitude > LARGEST_FLOAT, np.inf, found)
+
+
+def all_fit(magnitude: Array) -> bool:
+    """True if no number is beyond the largest float32; those that are NaN do not count."""
+    return bool(np.fmax.reduce(magnitude, axis=None, initial=0.0) <= LARGEST_FLOAT)
 
 
 def constant_ends(value: Array) -> tuple[Array, Array]:
@@ -83,12 +97,24 @@ _FRACTION = np.int64(2**29 - 1)
 """The bits of a float64 that float32 has no room for."""
 
 
-def _down(x: Array) -> Array:
-    """The least value of a rounded number: the next float32 below, or zero."""
+def _normal_down(x: Array) -> Array:
+    """The next float32 below, for normal numbers."""
     bits = np.asarray(x, np.float64).view(np.int64)
     # Without a part of its fraction, a number is closer to zero, so a negative one is made larger.
-    below = ((bits + ((bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
-    tiny = _subnormal(x)
+    below: Array = ((bits + ((bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
+    return below
+
+
+def _normal_up(x: Array) -> Array:
+    """The next float32 above, for normal numbers."""
+    bits = np.asarray(x, np.float64).view(np.int64)
+    above: Array = ((bits + (~(bits >> 63) & _FRACTION)) & ~_FRACTION).view(np.float64)
+    return above
+
+
+def _down(x: Array) -> Array:
+    """The least value of a rounded number: the next float32 below, or zero."""
+    below, tiny = _normal_down(x), _subnormal(x)
     if not np.count_nonzero(tiny):
         return below
     return np.where(tiny, np.where(x > 0, 0.0, x - SUBNORMAL_STEP), below)
@@ -121,5 +147,6 @@ def _flushed_up(low: Array) -> Array:
 
 
 def _flushed_down(high: Array) -> Array:
-    """The upper end of an interval, or zero if it is negative and subnormal."""
-    return 0.0 - _flushed_up(-high)
+    """The upper end of an interval, or zero if it is negative and subnormal; no negative zero."""
+    tiny = (high < 0) & (high > -SMALLEST_NORMAL)
+    return 0.0 + (np.where(tiny, 0.0, high) if np.count_nonzero(tiny) else high)

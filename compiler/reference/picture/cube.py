@@ -24,7 +24,7 @@ _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0,
 """The directions of the columns and the rows of each face, and the one in which it lies."""
 
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
-"""These directions as numbers of lanes, with signs."""
+"""The directions as numbers of lanes, with signs."""
 _FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
 """The lane that is the largest on each face, and its sign."""
 

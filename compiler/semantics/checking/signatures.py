@@ -1,12 +1,12 @@
-"""Functions are checked once for each signature, with variables for their arguments.
+"""Functions and terms are checked once for each signature, with variables for their arguments.
 
 ``applications`` asks this module for every call of a function. The first call with a signature has
 the body checked with variables in the place of its arguments; then each call with that signature is
 this body with its own arguments. A signature is what checks may ask of arguments: the type and the
-meaning of each, and which literal it is, if it is one. Some calls have no signature, and each of
-them is checked by itself: where a body depends on more (as where the range of an argument bounds a
-loop), where checks look into an argument (a constant expression, a splat), and where the function
-is a term, which reads slots of a surface.
+meaning of each, and which literal it is, if it is one. That of a term also has the surface whose
+slots the term reads. Some calls have no signature, and each of them is checked by itself: where a
+body depends on more (as where the range of an argument bounds a loop), and where checks look into
+an argument (a constant expression, a splat).
 
 A call in a body is the called body once more. If each function calls the one before it twice, the
 number of bodies doubles with every function. So a call that would come to more than ``MOST_BODIES``
@@ -21,7 +21,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from ....stdlib.builtins.facts import UNIT
-from ....support.frozen import frozen
+from ....support.frozen import EMPTY, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
@@ -60,9 +60,10 @@ def shared_call(
 ) -> SharedCall | None:
     """A call by its signature; ``None`` if there is none that says enough of the arguments."""
     repeated = bodies_of(ctx, symbol) <= MOST_BODIES
-    if repeated and surface is not None:
-        return None  # The slots that a term reads are unknown before its body is checked.
-    base, slots = (None, {}) if surface is None else slots_given(ctx, surface)
+    # A repeated body reads this very surface; one that is applied has replaced slots as variables.
+    base, slots = surface, EMPTY
+    if surface is not None and not repeated:
+        base, slots = slots_given(ctx, surface)
     values = tuple(value for value in slots.values() if isinstance(value, Node))
     kinds = kinds_of(ctx, (*arguments, *values))
     if kinds is None or len(values) < len(slots):
@@ -237,7 +238,7 @@ def _finish(
         ctx.deferred.explain(deferred, in_use)
     ctx.notes.roles.setdefault(value.id, symbol.name)
     if signature.repeated:
-        own = () if unproven else tuple(n for n in reachable((value,)) if n.id >= first)
+        own = _own(signature, value, stand_in.formals, first)
         body = None if unproven else SharedBody(value, stand_in.formals, stand_in.parts, own)
     elif value.variables.isdisjoint(stand_in.formals) and not value.free:
         body = SharedBody(value, ())
@@ -248,6 +249,20 @@ def _finish(
     else:
         body = None
     ctx.bodies[signature] = body
+
+
+def _own(
+    signature: Signature, value: Node, formals: tuple[Formal, ...], first: int
+) -> tuple[Node, ...]:
+    """The nodes of a body that each call repeats, operands before users; ``first`` is its first.
+
+    A term also reads slots, whose values it may have been the first to ask for. They are not its
+    own, so only what depends on its arguments is.
+    """
+    made = reachable((value,))
+    if signature.surface is None:
+        return tuple(node for node in made if node.id >= first)
+    return tuple(node for node in made if not node.variables.isdisjoint(formals))
 
 
 # --- a body once more ----------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.fixes import either
 from ...diagnostics.source import Span
-from ...ir.leaves import HostPlace
+from ...ir.leaves import LARGEST_PLACE, HostPlace
 from ...ir.node import Node
 from ...ir.shader import ExternInfo, ExternMemberInfo, ParameterInfo
 from ...ir.storage import alignment, byte_size, stored_type
@@ -20,12 +20,6 @@ from ..names.modules import Module, Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from .parameters import parameter_of
-
-LARGEST_PLACE = 65535
-"""The largest number of a group or a binding.
-
-The number of them that a language has is a limit of its profiles.
-"""
 
 LARGEST_OFFSET = 65532
 """The last scalar of 64 KiB, beyond which no profile has a block."""

@@ -52,7 +52,7 @@ class StandardLibrary:
         self._modules: dict[str, Module] = {}
         """The modules by their paths within the folder; all of them are linked."""
         self._begun: dict[str, Module] = {}
-        """These modules, and those that are being linked just now."""
+        """The linked modules, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}
         self._offers: dict[str, str] | None = None
         self._linking = RLock()

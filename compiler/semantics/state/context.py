@@ -215,9 +215,9 @@ class Signature:
     units: tuple[bool, ...]
     """For each of them, does it have length one? Empty, if the body is ``repeated``."""
     surface: Instance | None
-    """The surface that is shaded, without replaced slots."""
+    """The surface that is shaded; without replaced slots, unless the body is ``repeated``."""
     slots: tuple[str, ...]
-    """The names of the slots that are replaced."""
+    """The names of the slots that are replaced; none if the body is ``repeated``."""
     repeated: bool
     """True if each call repeats the body, with its own arguments in it; otherwise it applies it."""
 

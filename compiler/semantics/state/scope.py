@@ -89,7 +89,7 @@ class Instance:
         return found is not None and found[-1].level >= level
 
     def with_replaced(self, replaced: Mapping[str, Replacement]) -> Instance:
-        """This instance with slots given from outside, and nothing checked yet."""
+        """A copy of the instance with slots given from outside, and nothing checked yet."""
         return changed(self, replaced={**self.replaced, **replaced}, values={})
 
 

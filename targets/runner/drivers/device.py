@@ -28,3 +28,7 @@ class Device:
 
 class DriverError(Exception):
     """A driver could not draw; the text tells people why."""
+
+
+class EndedError(DriverError):
+    """A driver's process has crashed, or somebody has killed it, before it has answered."""

@@ -18,7 +18,7 @@ NEAREST = DepthState()
 """The depth test of a pass that says nothing of it: the nearest fragment is seen."""
 
 StepMode = Literal["vertex", "instance"]
-"""When an attribute advances to its next value."""
+"""The step at which an attribute advances to its next value."""
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
 """The primitive topology. Triangles and lines are drawn as they are; all others need a geometry

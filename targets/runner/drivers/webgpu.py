@@ -216,7 +216,7 @@ Names = Mapping[type, Sequence[str]]
 def for_pages(pipeline: Pipeline, visibility: int, names: Names) -> dict[str, Any]:
     """The descriptors and bindings of a pipeline, as a page hands them to the browser.
 
-    See ``WebGPUPipeline`` in ``web_host/documents.py``.
+    See ``WebGPUPipeline`` in ``web_host/serving/packages.py``.
     """
     found: dict[str, Any] = _camel({
         "groups": [list(_named_slots(group, visibility, names)) for group in bound(pipeline)],

@@ -42,6 +42,7 @@ from ..drivers.readback import layers_of
 from ..kernels import dispatch_of, full_screen_state, has_images, image_dispatch
 from ..routes import Route
 from ..runner import Runner
+from .checks.rows import END
 from .host import FrameHost
 from .job_resources import JobParts, JobResources
 from .step_draws import StepDraw as HostDraw
@@ -134,9 +135,10 @@ class HostSteps:
         )
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
-        self._steps.append(FrameStep(barriers, read=read, read_buffers=buffers))
+        name = f"the outputs of {self._plan.frame}"
+        self._steps.append(FrameStep(barriers, read=read, read_buffers=buffers, name=name))
         again = tuple(Barrier(number, "copied_from", "sampled") for number in there)
-        self._steps.append(FrameStep(again))
+        self._steps.append(FrameStep(again, name=name))
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -149,17 +151,23 @@ class HostSteps:
             case DrawStep():
                 return self._drawn(step, is_first)
 
+    def _called(self, place: PlanStep | WaitingRow) -> str:
+        """A step of the plan as errors of drivers call it."""
+        name = END if isinstance(place, WaitingRow) else place.name
+        return f"{self._plan.frame}, {name}"
+
     def _wait_at(self, place: PlanStep | WaitingRow, is_first: bool) -> None:
         """Wait at barriers without a step: at the end, or in place of a step of the first frame."""
         barriers = self._resources.barriers(place, is_first=is_first)
         buffers = self._resources.buffer_barriers(place, is_first=is_first)
         if barriers or buffers:
-            self._steps.append(FrameStep(barriers, buffer_barriers=buffers))
+            name = self._called(place)
+            self._steps.append(FrameStep(barriers, buffer_barriers=buffers, name=name))
 
     def _copied(self, step: CopyStep, is_first: bool) -> FrameStep:
         barriers = self._resources.barriers(step, is_first=is_first)
         source, target = (self._resources.texture(end.texture) for end in (step.copied, step.into))
-        return FrameStep(barriers, copied=(source, target))
+        return FrameStep(barriers, copied=(source, target), name=self._called(step))
 
     def _drawn(self, step: DrawStep, is_first: bool) -> list[FrameStep]:
         barriers = self._resources.barriers(step, is_first=is_first)
@@ -184,6 +192,7 @@ class HostSteps:
                     state.scissor,
                     state.blend_constant,
                     buffer_barriers=buffers if layer == 0 else (),
+                    name=self._called(step),
                 )
             )
         if step.continues:
@@ -259,6 +268,7 @@ class HostSteps:
                 return replace(
                     self._run_as_pass(replace(draw, state=given), barriers, images),
                     buffer_barriers=self._resources.buffer_barriers(step, is_first=is_first),
+                    name=self._called(step),
                 )
             dispatch = image_dispatch(given.draw())
         else:
@@ -270,6 +280,7 @@ class HostSteps:
             barriers, draws=(FrameDraw(draw.shader, textures, buffers, dispatch=carried),),
             images=images, groups=dispatch.groups(reflection.work_group),
             buffer_barriers=self._resources.buffer_barriers(step, is_first=is_first),
+            name=self._called(step),
         )  # fmt: skip
 
     def _run_as_pass(

@@ -98,14 +98,19 @@ class FrameHost:
 
     def _unknown(self, name: str) -> str:
         """The message about a name that neither the frame nor a shader has."""
-        declared = [each.declared for each in (*self.instances, self.values)]
         # The size of a single material's picture is called by its step: it is not the material's.
         steps = tuple(f"{step.name}." for step in self.plan.steps)
+        set_by_frame: list[set[str]] = [set() for _ in self.instances]
+        for step in self.plan.steps:
+            for use in step.uses:
+                set_by_frame[use.shader] |= {row.name for row in use.inputs}
         names = [
             row.name
-            for each in declared
-            for row in (*each.parameters, *each.textures, *each.buffers)
-            if not row.name.startswith(steps)
+            for each, taken in zip(
+                (*self.instances, self.values), (*set_by_frame, set()), strict=True
+            )
+            for row in (*each.declared.parameters, *each.declared.textures, *each.declared.buffers)
+            if row.name not in taken and not row.name.startswith(steps)
         ]
         return no_parameter(name, names)
 

@@ -22,12 +22,14 @@ from ....compiler.documents.reading import ShapeError, read, shown
 from ....compiler.documents.reflection import Reflection
 from ....compiler.ir.program import StageName
 from ....compiler.ir.shader import Shader
+from ....compiler.ir.stages import COMPUTE
 from ....support.garbage import seldom_collected
 from ...toolchain.directives import foreign_directive
 from ..documents import Quota, read_json
 from ..files import read_file
 from .checking import PlanError, check_plan
 from .checks.backends import check_backend
+from .checks.work_groups import check_work_group
 from .subjects import PlannedFrame
 
 D = TypeVar("D")
@@ -159,10 +161,15 @@ class _Reader:
         entries: dict[str, dict[StageName, str]] = {}
         for file in backend.files:
             entries.setdefault(file.file, {})[file.stage] = file.entry_point
-        return [
+        texts = [
             StoredText(name, target, own, points, self._text(name, row.name))
             for name, points in entries.items()
         ]
+        for text in texts:
+            if COMPUTE.name in text.entry_points:
+                group = reflection.work_group
+                check_work_group(row.name, group, target, text.text, file=text.name)
+        return texts
 
     # --- files -----------------------------------------------------------------------------------
 

@@ -14,7 +14,6 @@ import numpy as np
 from ....support.frozen import changed
 from ..drivers.frame_job import Found, FrameJob
 from ..drivers.pipeline import Pipeline
-from ..job_sizes import check_job
 from ..routes import Route
 from ..runner import Runner
 from ..scene_state import CLEAR, SceneState
@@ -54,7 +53,6 @@ def draw_states(
     for jobs that are too large.
     """
     job = states_job(subject, states, bound)
-    check_job(job)
     return list(outcomes(job, runner.draw_frame(route, job, keep=keep), states))
 
 

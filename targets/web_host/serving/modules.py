@@ -2,7 +2,8 @@
 
 ``burnish view`` and the driver for browsers serve what ``host_modules`` returns, and people who put
 a frame into a page of their own call ``write_modules`` (docs/hosts.md). The modules are the files
-``*.js`` of ``targets/web_host``, and the table of builtins, which no file has.
+``*.js`` of ``targets/web_host``, and two that no file has: the table of builtins, and the shape of
+packages.
 """
 
 from __future__ import annotations
@@ -10,9 +11,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from .builtin_table import builtins_module
+from .shapes import shapes_module
 
 BUILTINS = "generated/builtins.js"
 """The path at which the host imports the table of builtins."""
+SHAPES = "generated/shapes.js"
+"""The path at which the host imports the shape of packages."""
 
 _FOLDER = Path(__file__).parents[1]
 _PARTS = (".", "webgl2", "webgpu")
@@ -23,7 +27,7 @@ def host_modules() -> dict[str, str]:
     """The text of each module by its path in the host; pages import ``host.js``."""
     paths = [path for part in _PARTS for path in sorted((_FOLDER / part).glob("*.js"))]
     found = {path.relative_to(_FOLDER).as_posix(): path.read_text("utf-8") for path in paths}
-    return {**found, BUILTINS: builtins_module()}
+    return {**found, BUILTINS: builtins_module(), SHAPES: shapes_module()}
 
 
 def write_modules(folder: Path) -> None:

@@ -79,7 +79,7 @@ class Received:
 def received(name: str) -> Received:
     """The documents and texts that one of ``NAMES`` is compiled to, for one route."""
     (frame,) = burnish.compile(FOLDER / f"{name}.burnish", (ROUTE.profile,)).frames
-    texts = {file.name: "x" for shader in frame.shaders for file in shader.files}
+    texts = {file.name: file.text for shader in frame.shaders for file in shader.files}
     reflections = {f"{each.name}.json": each.reflection for each in frame.shaders}
     return Received(writing.to_json(frame.plan), writing.to_json(reflections), texts)
 

@@ -1,4 +1,7 @@
-"""The OpenGL driver, which uses moderngl. The first request starts it."""
+"""The OpenGL driver, which uses moderngl.
+
+The first request makes the context, and so does the first one after OpenGL has reported an error.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,14 @@ class OpenGL:
         check_names(job)
         renderer = self._start()
         check_groups(job, renderer.most_groups)
-        return renderer.draw_frame(job)
+        from .frame import ContextError
+
+        try:
+            return renderer.draw_frame(job)
+        except ContextError:
+            self._renderer = None
+            renderer.release()
+            raise
 
     def _start(self) -> Renderer:
         if self._renderer is None:

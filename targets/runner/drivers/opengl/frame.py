@@ -40,6 +40,12 @@ from .program import link, link_kernel
 from .state import set_blending, set_state, write_all_lanes
 from .vertices import MODES, vertices
 
+NO_ERROR = "GL_NO_ERROR"
+
+
+class ContextError(DriverError):
+    """OpenGL reports an error. The context may be lost, so that another one has to be made."""
+
 
 def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -> Found:
     """Do a frame job: returns what it reads back, step by step. Raises ``DriverError``."""
@@ -47,9 +53,11 @@ def draw_frame(context: moderngl.Context, functions: Functions, job: FrameJob) -
         try:
             found = _Frame(owned, context, functions, job).found()
         except moderngl.Error as error:
-            raise DriverError(f"OpenGL: {error}") from None
-    if (reported := context.error) != "GL_NO_ERROR":
-        raise DriverError(f"OpenGL reports {reported}")
+            # A text that does not link leaves the context as it was, and nothing is reported.
+            kind = DriverError if context.error == NO_ERROR else ContextError
+            raise kind(f"OpenGL: {error}") from None
+    if (reported := context.error) != NO_ERROR:
+        raise ContextError(f"OpenGL reports {reported}")
     return found
 
 

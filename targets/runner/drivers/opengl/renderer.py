@@ -45,3 +45,7 @@ class Renderer:
             return draw_frame(self._context, self._functions, job)
         finally:
             self._nowhere.use()
+
+    def release(self) -> None:
+        """Give the context up; nothing is done with it afterwards."""
+        self._context.release()

@@ -5,7 +5,7 @@ The first request opens the device, and so does the first one after the device w
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,9 @@ from ..frame_job import Found, FrameJob
 
 if TYPE_CHECKING:
     from .device import Gpu
+
+REFUSED = "Vulkan refuses a part of the job:"
+"""The line before what the validation layer says of a job."""
 
 
 class VulkanDriver(Closing):
@@ -62,10 +65,12 @@ class VulkanDriver(Closing):
 
         check_limits(gpu, job)
         try:
-            with errors.explained(gpu.messages):
+            with errors.explained(gpu.messages, REFUSED):
                 return draw_frame(gpu, job)
         except errors.DeviceLostError:
-            self.close()
+            # A layer may object to how a lost device is closed, which is not what has happened.
+            with suppress(DriverError):
+                self.close()
             raise
 
     def _opened(self) -> Gpu:

@@ -42,6 +42,8 @@ WORDS: dict[type[Exception], str] = {
     vk.VkErrorFormatNotSupported: "the driver lacks a format that is needed",
 }
 """Messages for result codes about which a user can do something."""
+NO_MEMORY = (vk.VkErrorOutOfHostMemory, vk.VkErrorOutOfDeviceMemory)
+"""The result codes of which drivers have nothing to say but the code's name."""
 
 
 class DeviceLostError(DriverError):
@@ -67,11 +69,18 @@ class Messages:
             messageSeverity=SEVERITIES, messageType=TYPES, pfnUserCallback=self._receive
         )
 
-    def check(self) -> None:
-        """Raise ``DriverError`` with all messages, if there are any, and forget them."""
+    def forget(self) -> None:
+        """Forget all messages."""
+        self._texts.clear()
+
+    def check(self, before: str = "") -> None:
+        """Raise ``DriverError`` with all messages, if there are any, and forget them.
+
+        ``before`` is a line that begins the error.
+        """
         if self._texts:
             texts, self._texts = self._texts, []
-            raise DriverError("\n".join(texts))
+            raise DriverError("\n".join((before, *texts) if before else texts))
 
     def _receive(self, _severity: int, _type: int, data: Any, _user: Any) -> int:
         """The result stops the call: the driver might crash if it got it."""
@@ -83,14 +92,19 @@ class Messages:
 
 
 @contextmanager
-def explained(messages: Messages) -> Iterator[None]:
-    """Raise ``DriverError`` for failed calls, and for messages even if no call failed."""
+def explained(messages: Messages, before: str = "") -> Iterator[None]:
+    """Raise ``DriverError`` for failed calls, and for messages even if no call failed.
+
+    ``before`` is that of ``Messages.check``.
+    """
     try:
         yield
     except vk.VkErrorDeviceLost as error:
         raise DeviceLostError("the device was lost") from error
     except vk.VkError as error:
-        messages.check()
+        if isinstance(error, NO_MEMORY):
+            messages.forget()
+        messages.check(before)
         name = type(error).__name__
         raise DriverError(WORDS.get(type(error), f"a call of the driver failed: {name}")) from error
-    messages.check()
+    messages.check(before)

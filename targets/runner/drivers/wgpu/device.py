@@ -23,6 +23,14 @@ SUBPIXEL_BITS = 8
 demands 8 bits, and so do Metal's GPUs and Mesa."""
 
 
+LOST = "device is lost"
+"""The words of all errors after a device was lost; the package has no class for them."""
+
+
+class DeviceLostError(DriverError):
+    """The device must be opened again."""
+
+
 @dataclass(frozen=True, slots=True)
 class Gpu:
     """An open device. Fields of type ``Any`` are objects of the package ``wgpu``."""
@@ -65,4 +73,5 @@ def explained() -> Iterator[None]:
     try:
         yield
     except (wgpu.GPUError, RuntimeError) as error:
-        raise DriverError(str(error)) from error
+        kind = DeviceLostError if LOST in str(error).lower() else DriverError
+        raise kind(str(error)) from error

@@ -1,4 +1,7 @@
-"""The driver that ``serve`` runs. The first request opens the device."""
+"""The driver that ``serve`` runs.
+
+The first request opens the device, and so does the first one after the device was lost.
+"""
 
 from __future__ import annotations
 
@@ -33,9 +36,14 @@ class Wgpu:
         check_names(job)
         gpu = self._opened()
         check_groups(job, lambda: [int(gpu.device.limits[MOST_GROUPS])] * 3)
+        from .device import DeviceLostError
         from .frame import draw_frame
 
-        return draw_frame(gpu, job)
+        try:
+            return draw_frame(gpu, job)
+        except DeviceLostError:
+            self._gpu = None
+            raise
 
     def _opened(self) -> Gpu:
         if self._gpu is None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NoReturn
 
+from .....compiler.documents.backends import BindingRow, BlockBindingRow
 from .....compiler.documents.reflection import Reflection
 from .....compiler.ir.formats import VERTEX_FORMATS
+from .....compiler.ir.leaves import LARGEST_PLACE
 from .....compiler.ir.stages import STAGES
 from .rows import Named, PlanError
 
@@ -45,6 +47,21 @@ class _Backend:
                 self._fail(f"{found} is no format of {read.representation}, as `{read.name}` is")
             if read.buffer is None and read.location is None:
                 self._fail(f"the vertex input `{read.name}` has no location")
+
+        self._check_places()
+
+    def _check_places(self) -> None:
+        """Check that groups and bindings are numbers that some API has."""
+        backend = self._backend
+        tables: list[tuple[str, Mapping[str, BindingRow | BlockBindingRow]]] = [
+            ("block", backend.blocks), ("image", backend.images), ("buffer", backend.buffers),
+            ("texture", backend.textures), ("sampler", backend.samplers),
+        ]  # fmt: skip
+        for kind, rows in tables:
+            for name, row in rows.items():
+                for what, number in (("group", row.group), ("binding", row.binding)):
+                    if number is not None and number > LARGEST_PLACE:
+                        self._fail(f"no {what} has the number {number}, as the {kind} `{name}`")
 
     def _bound(self) -> Iterator[tuple[str, Iterable[str]]]:
         """Everything that has a binding in the texts, by the backend's names for the bindings."""

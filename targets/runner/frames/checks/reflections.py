@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NoReturn
 
 from .....compiler.budget import check
-from .....compiler.documents.drawing import DrawRow
+from .....compiler.documents.drawing import CaptureRow, DrawRow
 from .....compiler.documents.reflection import Reflection
 from .....compiler.documents.steps import ParameterStep, StepRow, TextureStep
 from .....compiler.documents.values import (
@@ -23,8 +23,10 @@ from .....compiler.documents.values import (
     ResultRow,
 )
 from .....compiler.ir.default_textures import OF_SAMPLES
+from .....compiler.ir.kernel import MOST_INVOCATIONS, invocations
 from ...instances.declared import TextureDeclaration
-from ...instances.shapes import MOST_LANES
+from ...instances.shapes import MOST_LANES, lanes_of
+from .blocks import UNIT, check_blocks
 from .rows import PlanError
 from .steps import check_steps
 
@@ -34,6 +36,8 @@ KEPT = 16
 """The factor by which a host needs more memory for a value than a GPU."""
 MOST_CORNERS = 32
 """The most corners of a patch that all devices support."""
+MOST_INPUTS = 32
+"""The most vertex inputs of any API: those of Direct3D, and of most devices with Vulkan."""
 
 
 def check_reflection(where: str, reflection: Reflection) -> None:
@@ -73,9 +77,8 @@ class Values:
             self.check_element(row)
 
     def check_element(self, row: BufferRow | ResultRow) -> None:
-        """Raise ``PlanError`` unless an element lies within the bytes to the next one."""
-        if self._bytes_of(row.name, row) > row.stride:
-            self.fail(row.name, f"its elements have more than {row.stride} bytes")
+        """Raise ``PlanError`` unless the bytes to the next element are those of one."""
+        self._check_size(row.name, "its elements have", self._bytes_of(row.name, row), row.stride)
 
     def _check_light(self, row: LightRow) -> None:
         name, capacity = row.name, row.capacity
@@ -98,9 +101,15 @@ class Values:
                 self.fail(row.name, f"`{row.default}` has another texel")
 
     def check_row(self, name: str, row: ParameterRow | MemberRow | DerivedRow) -> None:
-        """Raise ``PlanError`` unless a value lies within its own bytes."""
-        if self._bytes_of(name, row) > row.size:
-            self.fail(name, f"its value has more than {row.size} bytes")
+        """Raise ``PlanError`` unless a value has its own bytes, and padding behind it."""
+        self._check_size(name, "its value has", self._bytes_of(name, row), row.size)
+
+    def _check_size(self, name: str, has: str, needed: int, said: int) -> None:
+        """Check a size that a row says by the bytes that are needed."""
+        if needed > said:
+            self.fail(name, f"{has} more than {said} bytes")
+        if said - needed >= UNIT:
+            self.fail(name, f"{has} {needed} bytes, and not {said}")
 
     def _bytes_of(
         self, name: str, row: ParameterRow | MemberRow | DerivedRow | BufferRow | ResultRow
@@ -150,31 +159,22 @@ class _Reflection:
         self._values.check_textures(reflection.textures)
         for result in reflection.results:
             self._values.check_element(result)
-        self._check_blocks()
+        check_blocks(self._where, reflection)
+        for derived in reflection.derived:
+            self._values.check_row(derived.name, derived)
         for name, steps in _computed(reflection):
             self._check_steps(name, steps)
         for row in reflection.samplers:
             if row.texture not in self._textures:
                 self._fail("samplers", f"there is no texture `{row.texture}`")
         self._check_draw(reflection.draw)
-
-    def _check_blocks(self) -> None:
-        """Check that all members of blocks lie within their blocks."""
-        sizes = {row.name: row.size for row in self._reflection.blocks}
-        check("memory", sum(sizes.values()), f"{self._where}: its blocks take")
-        rows: tuple[ParameterRow | DerivedRow, ...] = (
-            *self._reflection.parameters, *self._reflection.derived
-        )  # fmt: skip
-        for row in rows:
-            name, block = row.name, row.block
-            if block is None:
-                continue
-            if block not in sizes or row.offset is None:
-                self._fail(name, f"there is no place in the block `{block}`")
-            if row.offset + row.size > sizes[block]:
-                self._fail(name, f"it is not within the {sizes[block]} bytes of `{block}`")
-        for derived in self._reflection.derived:
-            self._values.check_row(derived.name, derived)
+        self._check_locations()
+        group = reflection.work_group
+        if group is not None and invocations(group) > MOST_INVOCATIONS:
+            sides = " x ".join(map(str, group))
+            self._fail("work_group", f"no device runs {sides} invocations together")
+        if reflection.capture is not None:
+            self._check_capture(reflection.capture)
 
     def _check_steps(self, name: str, steps: Sequence[StepRow]) -> None:
         if not steps:
@@ -192,6 +192,36 @@ class _Reflection:
         division = row.tessellation
         if division is not None and not all(end < row.corners for end in division.ends):
             self._fail("draw", "the ends of patches are not among their corners")
+
+        if row.vertices is not None:
+            check("vertices", row.vertices, f"{self._where}: what one primitive turns into has")
+
+    def _check_locations(self) -> None:
+        """Check that targets are numbered in their order, and that vertex inputs have places."""
+        for number, target in enumerate(self._reflection.targets):
+            if target.location != number:
+                self._fail(target.name, f"it is target {number}, and not {target.location}")
+        taken: set[int] = set()
+        for row in self._reflection.vertex_inputs:
+            if row.location is None:
+                continue
+            if row.location >= MOST_INPUTS:
+                last = MOST_INPUTS - 1
+                self._fail(row.name, f"it has the location {row.location}, and the last is {last}")
+            if row.location in taken:
+                self._fail(row.name, f"another vertex input has the location {row.location}")
+            taken.add(row.location)
+
+    def _check_capture(self, row: CaptureRow) -> None:
+        """Check that the captured values of a vertex lie one behind the other."""
+        end = 0
+        for each in row.members:
+            if each.offset != end:
+                self._fail(each.name, f"it is at byte {each.offset}, and not at {end}")
+            end += LANE * lanes_of(each.representation)
+        if row.stride != end or row.there not in (None, end):
+            self._fail("capture", f"its values have {end} bytes, and not {row.stride}")
+        check("vertices", row.vertices, f"{self._where}: what is captured of one primitive has")
 
     def _no_two(self, table: str, names: Sequence[str]) -> None:
         if len(set(names)) < len(names):

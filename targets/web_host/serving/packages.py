@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
-from ...compiler.constraints import Count, Nested, Positive, TypeScript
-from ...compiler.documents.plan import FramePlan
-from ...compiler.documents.reflection import Reflection
-from ...compiler.ir.types import DIMENSION_WORDS, Dimension
-from ...support.frozen import frozen
+from ....compiler.constraints import Count, Nested, Positive, TypeScript
+from ....compiler.documents.plan import FramePlan
+from ....compiler.documents.reflection import Reflection
+from ....compiler.ir.types import DIMENSION_WORDS, Dimension
+from ....support.frozen import frozen
 
 Value = Annotated[
     Any,
