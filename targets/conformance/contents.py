@@ -1,8 +1,8 @@
 """The contents that single shaders leave, and that are compared: pixels, elements or vertices.
 
-``plan.py`` runs the cases of a shader by a route, and compares the answers with what the reference
-says. For that it has a row for each content: how a route makes it, how the reference computes it,
-and how both become pictures.
+``trials.py`` runs the cases of a shader by a route, and compares the answers with what the
+reference says. For that it has a row for each content: how a route makes it, how the reference
+computes it, and how both become pictures.
 """
 
 from __future__ import annotations

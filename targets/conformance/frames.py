@@ -36,7 +36,7 @@ from .compare import Level
 from .contents import as_drawn
 from .judging import Answer, Compared, Floats, all_covered
 from .known_values import Known
-from .plan import Plan
+from .trials import Trial
 
 MESH = "torus"
 """The mesh of all models of a frame."""
@@ -81,7 +81,7 @@ class _Pictures:
     """The rare rules on which the pictures depend."""
 
 
-class FramePlan(Plan):
+class FrameTrial(Trial):
     """The outputs of one frame, drawn several times if one frame reads what the last one left."""
 
     def __init__(self, label: str, subject: FrameSubject, size: Size) -> None:

@@ -7,17 +7,18 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from itertools import chain
 from pathlib import Path
 from threading import Lock
-from typing import Any
 
+from ...compiler.documents.writing import to_json as document_json
 from ..closing import Closing
 from ..toolchain.pipe import Packet
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
+from ..web_host.serving.packages import Package
 from .drivers.device import Device, DriverError, EndedError
 from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.wire import from_json, joined, packed, split, unpacked
@@ -127,13 +128,13 @@ class Runner(Closing):
         return found
 
     def draw_package(
-        self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
+        self, route: Route, package: Package, outputs: Sequence[str], count: int
     ) -> tuple[FrameTexels, ...]:
         """Draw a frame ``count`` times in a web page: returns the texels of some of its outputs.
 
         Raises ``DriverError``.
         """
-        request = {"whole": package, "outputs": list(outputs), "count": count}
+        request = {"whole": document_json(package), "outputs": list(outputs), "count": count}
         answer = self._ask(route.driver, Packet({"package": request}))
         return joined(Found, answer.content["texels"], answer.data).texels
 

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-from ...compiler.documents.writing import to_json
 from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
@@ -36,5 +35,5 @@ def _by_package(
 ) -> list[dict[str, Floats]]:
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
-    found = iter(runner.draw_package(route, to_json(package), names, count))
+    found = iter(runner.draw_package(route, package, names, count))
     return [{name: layers_of(next(found)) for name in names} for _ in range(count)]

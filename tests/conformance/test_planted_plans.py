@@ -16,7 +16,7 @@ from burnish.compiler.documents import plan as documents
 from burnish.compiler.documents.plan import AttachmentRow, PlanStep
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.writing import to_json
-from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
 from burnish.targets.runner.frames import by_route, job_resources
@@ -134,7 +134,7 @@ def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
         plan=read(documents.FramePlan, document),
         plan_of_reference=frame.plan_of_reference,
     )
-    drawn = FramePlan("F", cast(FrameSubject, planted), SIZE)
+    drawn = FrameTrial("F", cast(FrameSubject, planted), SIZE)
     device = studio.runner.device(ROUTE)
     results = list(drawn.results(ROUTE, device, studio.runner, studio.toolchain))
     return [not result.comparison.wrong for result in results]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from burnish.compiler.documents.plan import TextureState
 from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.frame_job import (
     BLACK,
@@ -15,7 +16,6 @@ from burnish.targets.runner.drivers.frame_job import (
     FrameJob,
     FrameStep,
     FrameTexture,
-    TextureUse,
 )
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.frames.by_route import Floats, upright
@@ -44,7 +44,7 @@ def draw_job(
     colours = [BLACK] * len(pipeline.targets) if clear is None else clear
     for number, draw in enumerate(draws):
         size = draw.width, draw.height
-        before: TextureUse = "copied_from" if size in drawn_to else "undefined"
+        before: TextureState = "copied_from" if size in drawn_to else "undefined"
         if size not in drawn_to:
             first = len(textures)
             textures += [FrameTexture(target.format, *size) for target in pipeline.targets]

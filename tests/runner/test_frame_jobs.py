@@ -8,13 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.frame_job import (
-    Attachment,
-    Barrier,
-    FrameDraw,
-    FrameStep,
-    TextureUse,
-)
+from burnish.compiler.documents.plan import TextureState
+from burnish.targets.runner.drivers.frame_job import Attachment, Barrier, FrameDraw, FrameStep
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 
 from .blends import named
@@ -224,7 +219,7 @@ def test_two_textures_take_turns(driver: Driver) -> None:
     steps = [step(0, painted((0.125, 0.25, 0.5, 1.0)), barriers=drawn_first(0))]
     for number in range(rounds):
         source, target = number % 2, 1 - number % 2
-        use: TextureUse = "undefined" if number == 0 else "sampled"
+        use: TextureState = "undefined" if number == 0 else "sampled"
         barriers = (Barrier(source, "target", "sampled"), Barrier(target, use, "target"))
         steps.append(step(target, reading(1, source), barriers=barriers))
     twice = driver.pipeline(TWICE, textures=(slot(),))

@@ -10,15 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from ....compiler.documents.plan import BufferState, ResolveRow, TextureState
 from .draws import Dispatch, Draw, Sides
 from .pipeline import Pipeline
 from .render_state import DepthFormat, TargetFormat
-
-TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""The use of a texture between two barriers; before the first one it has no contents."""
-
-BufferUse = Literal["undefined", "written", "read"]
-"""The use of a storage buffer between two barriers. Its first contents are in ``FrameBuffer``."""
 
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
@@ -66,8 +61,8 @@ class Barrier:
     """A barrier for a texture: from here on, it is used in another way."""
 
     texture: int
-    before: TextureUse
-    after: TextureUse
+    before: TextureState
+    after: TextureState
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,17 +70,8 @@ class BufferBarrier:
     """A barrier for a storage buffer: from here on, it is used in another way."""
 
     buffer: int
-    before: BufferUse
-    after: BufferUse
-
-
-@dataclass(frozen=True, slots=True)
-class Resolve:
-    """A resolve target: gets the mean of each texel's samples at the end of a step."""
-
-    texture: int
-    layer: int = 0
-    level: int = 0
+    before: BufferState
+    after: BufferState
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +91,7 @@ class Attachment:
     if the depths are, and otherwise cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
     """The clear colour; for depths, the first number."""
-    resolve: Resolve | None = None
+    resolve: ResolveRow | None = None
     """The place of the samples' means. ``None``: no step reads them, or there is one sample."""
 
 

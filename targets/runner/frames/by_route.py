@@ -20,23 +20,15 @@ from ....compiler.documents.plan import (
     PlanStep,
     ResolveRow,
     RunStep,
+    TextureState,
     WaitingRow,
 )
+from ....support.frozen import changed
 from ...toolchain import Toolchain
 from ..binding import pipeline
 from ..codes import Codes, compile_one
 from ..drivers.draws import Dispatch, Draw
-from ..drivers.frame_job import (
-    OWN,
-    Attachment,
-    Barrier,
-    Found,
-    FrameDraw,
-    FrameJob,
-    FrameStep,
-    Resolve,
-    TextureUse,
-)
+from ..drivers.frame_job import OWN, Attachment, Barrier, Found, FrameDraw, FrameJob, FrameStep
 from ..drivers.pipeline import Pipeline
 from ..drivers.readback import layers_of
 from ..kernels import dispatch_of, full_screen_state, has_images, image_dispatch
@@ -209,10 +201,10 @@ class HostSteps:
             self._host.clear_of(target), self._resolve(target.resolve),
         )  # fmt: skip
 
-    def _resolve(self, row: ResolveRow | None) -> Resolve | None:
+    def _resolve(self, row: ResolveRow | None) -> ResolveRow | None:
         if row is None:
             return None
-        return Resolve(self._resources.texture(row.texture), row.layer, row.level)
+        return changed(row, texture=self._resources.texture(row.texture))
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
         state = draw.state.layers[layer] if draw.state.layers else draw.state
@@ -326,7 +318,7 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     return [replace(before, barriers=barriers, targets=targets, depth=depth, draws=draws)]
 
 
-def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:
+def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureState:
     """The use of the plan's images that kernels write: some routes draw them in a pass."""
     drawn = any(
         has_images(shader.reflection) and not made.images

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ....compiler.budget import Tally, check
-from ....compiler.documents.plan import KeptRow, PlanStep, WaitingRow
+from ....compiler.documents.plan import KeptRow, PlanStep, TextureState, WaitingRow
 from ....compiler.ir.formats import DEPTH_WORDS
 from ..binding import FORMATS
 from ..drivers.frame_job import (
@@ -20,7 +20,6 @@ from ..drivers.frame_job import (
     FrameJob,
     FrameStep,
     FrameTexture,
-    TextureUse,
 )
 from ..drivers.pipeline import Pipeline
 from .host import FrameHost
@@ -54,13 +53,13 @@ class JobParts:
 class JobResources:
     """The resources of one host: made where a step needs them first, and kept for later frames."""
 
-    def __init__(self, host: FrameHost, parts: JobParts, written_as: TextureUse) -> None:
+    def __init__(self, host: FrameHost, parts: JobParts, written_as: TextureState) -> None:
         """``written_as`` is the use of the images that kernels write, which some routes draw."""
         self._parts = parts
         self._host = host
         self._plan = host.plan
         self._written_as = written_as
-        self._uses: dict[int, TextureUse] = {}
+        self._uses: dict[int, TextureState] = {}
         """The present use of each texture of the job."""
         self._at: dict[int, int] = {}
         """The present texture of the job for each of the plan."""
@@ -174,7 +173,7 @@ class JobResources:
             if is_first or not row.only_first
         )
 
-    def _use(self, planned: TextureUse) -> TextureUse:
+    def _use(self, planned: TextureState) -> TextureState:
         return self._written_as if planned == "image" else planned
 
 

@@ -1,6 +1,6 @@
-"""Plans what is compared of a material, a kernel or a frame: cases, which all routes share.
+"""Tries a material or a kernel on routes: its cases, which all routes share.
 
-``conform.py`` makes a plan of each subject, and asks it for the results of each route. All plans
+``conform.py`` makes a trial of each subject, and asks it for the results of each route. All trials
 answer alike; ``frames.py`` has that of a frame, and this module that of a single shader.
 """
 
@@ -40,7 +40,7 @@ LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
 """The stages whose captured vertices, or elements, the reference can compute."""
 
 
-class Plan(ABC):
+class Trial(ABC):
     """The cases of one subject. Several threads use it."""
 
     def __init__(self, label: str, shaders: Sequence[Subject]) -> None:
@@ -79,7 +79,7 @@ class Plan(ABC):
         return (each.judged() for each in self.answers(route, device, runner, toolchain))
 
 
-class ShaderPlan(Plan):
+class ShaderTrial(Trial):
     """The cases of a single shader: of a material with a pass, or of a kernel."""
 
     def __init__(
