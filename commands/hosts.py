@@ -14,14 +14,13 @@ from .console import remark
 if TYPE_CHECKING:
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.scenery import Scenery
-    from ..targets.runner.frames.single import SingleFrame
-    from ..targets.runner.frames.subjects import PlannedFrame
+    from ..targets.runner.frames.subjects import PlannedFrame, SingleFrame
     from ..targets.runner.instances.instance import Instance
 
 
 def is_single(frame: PlannedFrame) -> bool:
     """True for a single material or kernel, of which no file declares a frame."""
-    from ..targets.runner.frames.single import SingleFrame
+    from ..targets.runner.frames.subjects import SingleFrame
 
     return isinstance(frame, SingleFrame)
 
@@ -30,7 +29,7 @@ def scenery_of(frame: PlannedFrame, mesh: str, instances: int, scene: Path | Non
     """The scene to draw: a mesh for a material, a model of each of a frame's materials, or the
     objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
-    from ..targets.runner.frames.single import SingleFrame
+    from ..targets.runner.frames.subjects import SingleFrame
 
     if scene is None and isinstance(frame, SingleFrame):
         return _single_scenery(frame, mesh, instances)

@@ -1,6 +1,6 @@
 """The bounds of a device's values: its rasterisation rules, and the errors of its functions.
 
-``plan.py`` and ``frames.py`` ask for them, for each route and the device with which it draws.
+``trials.py`` and ``frames.py`` ask for them, for each route and the device with which it draws.
 """
 
 from __future__ import annotations

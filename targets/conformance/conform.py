@@ -17,6 +17,7 @@ from ..runner.codes import CodeError
 from ..runner.drivers.device import DriverError
 from ..runner.frames.checking import PlanError
 from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
+from ..runner.instances.host_values import MissingValuesError
 from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError
 from ..runner.reference import STORE, Draw, expected
@@ -28,16 +29,16 @@ from ..toolchain import Toolchain
 from .cases import SIZE, Size
 from .compare import Comparison, proves_little
 from .contents import content_of
-from .frames import FramePlan
-from .plan import Plan, ShaderPlan
+from .frames import FrameTrial
 from .rows import CaseResult, Row, Status
+from .trials import ShaderTrial, Trial
 
 Done = Callable[[int, int], None]
 """Called with the number of finished rows and the number of all rows."""
 
 
-Planned = Plan | tuple[str, str]
-"""The plan of a subject; or its label, and the reason why nothing can draw it."""
+Tried = Trial | tuple[str, str]
+"""The trial of a subject; or its label, and the reason why nothing can draw it."""
 
 
 def conform(
@@ -56,13 +57,13 @@ def conform(
 ) -> list[Row]:
     """A row for each labelled material, kernel or frame and each route, in this order.
 
-    Arguments are those of ``planned`` and of ``rows_of``.
+    Arguments are those of ``trials_of`` and of ``rows_of``.
     """
-    plans = planned(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
-    return rows_of(plans, routes, runner, toolchain, done=done, brief=brief)
+    trials = trials_of(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
+    return rows_of(trials, routes, runner, toolchain, done=done, brief=brief)
 
 
-def planned(
+def trials_of(
     subjects: Sequence[tuple[str, Subject | FrameSubject]],
     *,
     seed: int = 0,
@@ -70,8 +71,8 @@ def planned(
     keep: bool = True,
     draw: Draw = expected,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
-) -> list[Planned]:
-    """The draws that are planned for each labelled material, kernel or frame.
+) -> list[Tried]:
+    """The trial of each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
@@ -80,13 +81,13 @@ def planned(
     """
     store = Store(STORE) if keep else Store(STORE, limit=0)
     return [
-        _plan(label, subject, seed, store, size, draw, meant.get(label))
+        _trial(label, subject, seed, store, size, draw, meant.get(label))
         for label, subject in subjects
     ]
 
 
 def rows_of(
-    plans: Sequence[Planned],
+    trials: Sequence[Tried],
     routes: Sequence[Route],
     runner: Runner,
     toolchain: Toolchain,
@@ -94,7 +95,7 @@ def rows_of(
     done: Done | None = None,
     brief: bool = False,
 ) -> list[Row]:
-    """A row for each plan and each route, in this order.
+    """A row for each trial and each route, in this order.
 
     Plans keep the reference's pictures for further routes. Rows that are ``brief`` end with the
     first picture that differs.
@@ -106,9 +107,9 @@ def rows_of(
     pool = ThreadPoolExecutor(2 * (os.cpu_count() or 1))
     try:
         pending = {
-            pool.submit(_row, plan, route, runner, toolchain, interrupted, brief=brief): (i, j)
+            pool.submit(_row, trial, route, runner, toolchain, interrupted, brief=brief): (i, j)
             for j, route in enumerate(routes)
-            for i, plan in enumerate(plans)
+            for i, trial in enumerate(trials)
         }
         for number, future in enumerate(as_completed(pending), 1):
             rows[pending[future]] = future.result()
@@ -122,7 +123,7 @@ def rows_of(
     return [rows[place] for place in sorted(rows)]
 
 
-def _plan(
+def _trial(
     label: str,
     subject: Subject | FrameSubject,
     seed: int,
@@ -130,20 +131,20 @@ def _plan(
     size: Size,
     draw: Draw,
     meant: Subject | FrameSubject | None,
-) -> Planned:
+) -> Tried:
     if is_frame(subject):
-        return FramePlan(label, subject, size)
+        return FrameTrial(label, subject, size)
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
     content = content_of(subject.reflection, store, draw)
     try:
-        return ShaderPlan(label, subject, content, seed, size, meant)
+        return ShaderTrial(label, subject, content, seed, size, meant)
     except ValueError as error:
         return label, str(error)
 
 
 def _row(
-    plan: Planned,
+    trial: Tried,
     route: Route,
     runner: Runner,
     toolchain: Toolchain,
@@ -152,23 +153,25 @@ def _row(
     brief: bool,
 ) -> Row:
     """The row of a material and a route; it ends early, and is of no use, once ``interrupted``."""
-    if isinstance(plan, tuple):
-        label, reason = plan
+    if isinstance(trial, tuple):
+        label, reason = trial
         return Row(label, route, "failed", reason)
-    problem = runner.problem(route) or plan.lacking(route)
+    problem = runner.problem(route) or trial.lacking(route)
     if problem is not None:
-        return Row(plan.label, route, "not run", problem)
-    made = partial(Row, plan.label, route, versions=runner.versions(route))
+        return Row(trial.label, route, "not run", problem)
+    made = partial(Row, trial.label, route, versions=runner.versions(route))
     try:
         device = runner.device(route)
-        for shader in plan.shaders:
+        for shader in trial.shaders:
             check_work(shader.shader)
         results: list[CaseResult] = []
-        for result in plan.results(route, device, runner, toolchain):
+        for result in trial.results(route, device, runner, toolchain):
             results.append(result)
             if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
-    except (BudgetError, CodeError, DriverError, PlanError, UndrawableError) as error:
+    except (
+        BudgetError, CodeError, DriverError, MissingValuesError, PlanError, UndrawableError,
+    ) as error:  # fmt: skip
         return made(status="failed", problem=str(error))
     return made(status=_status(results), device=device, results=tuple(results))
 

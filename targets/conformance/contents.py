@@ -1,7 +1,7 @@
 """The contents that single shaders leave, and that are compared: pixels, elements or vertices.
 
-``plan.py`` runs the cases of a shader by a route, and compares the answers with what the reference
-says. For that it has a row for each content: how a case is given to a driver, how the reference
+``trials.py`` runs the cases of a shader by a route, and compares the answers with what the
+reference says. For that it has a row for each content: how a route makes it, how the reference
 computes it, and how both become pictures.
 """
 
@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiler.documents.reflection import Reflection
-from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.shader import Result, Shader, Store
 from ...compiler.ir.stages import COMPUTED
 from ...compiler.ir.storage import LANE, byte_size, stored_element
@@ -26,25 +25,16 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ...support.frozen import changed
 from ..runner.binding import FORMATS
 from ..runner.capturing import Vertices, captured_by, give_elements
-from ..runner.drivers.draws import Draw as Drawn
 from ..runner.drivers.pipeline import Pipeline
-from ..runner.drivers.readback import arrays
-from ..runner.kernels import (
-    dispatch_of,
-    drawable,
-    elements_of,
-    is_drawn,
-    is_over_buffers,
-    job_of,
-    pictures_of,
-)
-from ..runner.pipeline_jobs import Written
+from ..runner.frames.states import Outcome, draw_states
+from ..runner.kernels import drawable, is_drawn, is_over_buffers
 from ..runner.reference import Draw, Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
 from ..runner.store import Store as Pictures
+from ..runner.subject import Subject
 from .judging import FLOATS, Bools, Compared, Floats, all_covered, row_of
 
 
@@ -70,12 +60,10 @@ Finds = Callable[[Program, SceneState, RasterRules, Errors | None], Any]
 class Content:
     """The results of shaders, as far as they are compared."""
 
-    given: Callable[[SceneState], Any]
-    """Makes the part of a driver's job that is about one case; raises ``ValueError``."""
-    answers: Callable[[Route, Runner, Reflection, Pipeline, Sequence[Any]], Sequence[Any]]
+    answers: Callable[[Subject, Sequence[SceneState], Route, Pipeline, Runner], Sequence[Any]]
     """Has a route do all cases of a series: an answer for each. Raises ``DriverError``."""
-    evaluated: Callable[[Shader, bool], Shader]
-    """Makes the shader that the reference evaluates; for exact targets, if the flag is set."""
+    evaluated: Callable[[Shader], Shader]
+    """Makes the shader that the reference evaluates."""
     found: Finds
     """Computes a case by the reference; without errors, as it is meant."""
     compared: Callable[[Any, Said], Compared]
@@ -93,57 +81,37 @@ def content_of(reflection: Reflection, store: Pictures, draw: Draw) -> Content:
     ) -> Expected:
         return remembered(program, state, rules, store, errors, draw)
 
-    return Content(SceneState.draw, _pixels, _drawing, found, _compared_pixels)
+    return Content(draw_states, as_drawn, found, _compared_pixels)
 
 
-def _as_it_is(shader: Shader, _exact: bool) -> Shader:
+def _as_it_is(shader: Shader) -> Shader:
     return shader
 
 
 # --- pixels of render targets, and of the images that kernels write ------------------------------
 
 
-def _pixels(
-    route: Route, runner: Runner, reflection: Reflection, bound: Pipeline, draws: Sequence[Drawn]
-) -> Sequence[Sequence[Floats]]:
-    return [arrays(each) for each in pictures_of(route, runner, reflection, bound, draws)]
-
-
-def _drawing(shader: Shader, exact: bool) -> Shader:
-    return to_targets(drawable(shader), exact=exact)
-
-
-def _compared_pixels(got: Sequence[Floats], said: Said) -> Compared:
+def _compared_pixels(got: Outcome, said: Said) -> Compared:
     formats = [result.state.format for result in said.source.shader.results if result.state]
-    return Compared.of(got, said.allowed(), said.meant(), formats, said.possible)
+    return Compared.of(got.pictures, said.allowed(), said.meant(), formats, said.possible)
 
 
-def to_targets(shader: Shader, *, exact: bool) -> Shader:
-    """The shader with the targets that a series draws to; ``exact`` ones hold every float, and have
-    one sample for each pixel."""
-    state = changed(shader.render_state, samples=1) if exact else shader.render_state
-    results = tuple(_to_target(one, exact=exact) for one in shader.results)
-    return changed(shader, results=results, render_state=state)
+def as_drawn(shader: Shader) -> Shader:
+    """The shader as the reference draws what is compared: with the formats that drivers draw to."""
+    drawn = drawable(shader)
+    return changed(drawn, results=tuple(map(_as_drawn, drawn.results)))
 
 
-def _to_target(result: Result, *, exact: bool) -> Result:
+def _as_drawn(result: Result) -> Result:
     state = result.state
     if state is None:
         return result
-    if exact:
-        return changed(result, state=changed(state, format=FLOATS, blend=REPLACES, mask="rgba"))
     drawn = FORMATS[state.format]
     name = next(name for name, other in FORMATS.items() if other == drawn)
     return changed(result, state=changed(state, format=name))
 
 
 # --- elements of buffers: pixels of one row, each written part of which is a target ---------------
-
-
-def _elements(
-    route: Route, runner: Runner, reflection: Reflection, bound: Pipeline, given: Sequence[Any]
-) -> Sequence[Written]:
-    return runner.compute(route, job_of(reflection, bound, given))
 
 
 def _lanes(
@@ -155,11 +123,11 @@ def _lanes(
     return computed(shader, values, texels, instance.extent(), counts, errors, rules)
 
 
-def _compared_elements(got: Written, said: Said) -> Compared:
+def _compared_elements(got: Outcome, said: Said) -> Compared:
     lanes, width = said.allowed(), said.state.width
     meant = _pictures(said.meant(), width)
     return Compared.of(
-        _written(lanes, elements_of(said.state.instance, got), width),
+        _written(lanes, got.elements, width),
         _pictures(lanes, width),
         meant,
         [FLOATS] * len(meant.targets),
@@ -201,18 +169,10 @@ def _written(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> li
     return found
 
 
-ELEMENTS = Content(
-    lambda state: dispatch_of(state.instance), _elements, _as_it_is, _lanes, _compared_elements
-)
+ELEMENTS = Content(draw_states, _as_it_is, _lanes, _compared_elements)
 
 
 # --- captured vertices: pixels of one row, whose targets are the values ---------------------------
-
-
-def _vertices(
-    route: Route, runner: Runner, _: Reflection, bound: Pipeline, states: Sequence[SceneState]
-) -> Sequence[Vertices]:
-    return captured_by(route, bound, states, runner)
 
 
 def _listed(
@@ -285,4 +245,4 @@ def _row(lanes: Sequence[NDArray[Any]], count: int) -> Floats:
     return row_of(lanes, max(count, 1))
 
 
-VERTICES = Content(lambda state: state, _vertices, _as_it_is, _listed, _compared_vertices)
+VERTICES = Content(captured_by, _as_it_is, _listed, _compared_vertices)

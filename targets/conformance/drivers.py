@@ -1,6 +1,6 @@
 """Properties of each driver that its API does not report, and its measured accuracy.
 
-``plan.py`` makes the rules of the reference's pictures from these rows, and docs/conformance.md
+``trials.py`` makes the rules of the reference's pictures from these rows, and docs/conformance.md
 shows them. A picture is first compared with the bounds that were *measured* of the driver. Only if
 it leaves them, it is compared with those that specifications guarantee.
 """

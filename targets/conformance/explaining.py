@@ -20,9 +20,8 @@ from ..runner.kernels import is_drawn
 from ..runner.routes import Route
 from ..runner.subject import Subject
 from .cases import SIZE
-from .conform import planned
+from .conform import trials_of
 from .error_words import blamed, causes, lines, short, small, table
-from .plan import Plan, ShaderPlan
 from .rows import Row
 from .seen import (
     Pixel,
@@ -37,6 +36,7 @@ from .seen import (
     values_lines,
     width_of,
 )
+from .trials import ShaderTrial, Trial
 
 _BLAMED = 100.0
 """The multiple of its bound up to which a difference can come from an operation's error."""
@@ -69,10 +69,10 @@ def explanation_lines(
 
     Without a case, the one in which the pixel is the least certain is taken. Raises ``PixelError``.
     """
-    plan, (x, y) = _plan(subject, seed), pixel
+    trial, (x, y) = _trial(subject, seed), pixel
     kind = "image of this kernel" if is_shader(subject) else "output"
-    seen = chosen(_seen(plan, rows), pixel, case, kind)
-    found = _origin(plan, seen, pixel)
+    seen = chosen(_seen(trial, rows), pixel, case, kind)
+    found = _origin(trial, seen, pixel)
     if found is None:
         raise PixelError(_undrawn(seen, pixel))
     yield f"pixel {x},{y} of `{seen.name}`, by the rules of {seen.leading.route.name}"
@@ -92,13 +92,13 @@ def with_reasons(subject: Subject | FrameSubject, rows: Sequence[Row], seed: int
     explains = ("proves little", "differs") if is_shader(subject) else ("proves little",)
     if not _has_pictures(subject) or not any(row.status in explains for row in rows):
         return list(rows)
-    plan = _plan(subject, seed)
+    trial = _trial(subject, seed)
     weakest = min(filter(_is_weak, rows), key=lambda row: row.proven, default=None)
-    shared = tuple(_of_little(plan, weakest)) if weakest else ()
+    shared = tuple(_of_little(trial, weakest)) if weakest else ()
     return [
         replace(row, reasons=shared)
         if _is_weak(row)
-        else replace(row, reasons=tuple(_of_difference(plan, row)))
+        else replace(row, reasons=tuple(_of_difference(trial, row)))
         if row.status in explains
         else row
         for row in rows
@@ -109,14 +109,14 @@ def _has_pictures(subject: Subject | FrameSubject) -> bool:
     return not is_shader(subject) or is_drawn(subject.reflection)
 
 
-def _plan(subject: Subject | FrameSubject, seed: int) -> Plan:
-    """The plan of a subject. Raises ``PixelError`` for one that draws no picture."""
+def _trial(subject: Subject | FrameSubject, seed: int) -> Trial:
+    """The trial of a subject. Raises ``PixelError`` for one that draws no picture."""
     if not _has_pictures(subject):
         raise PixelError(f"{subject.name} draws no picture, so that it has no pixel to explain")
-    (plan,) = planned([(subject.name, subject)], seed=seed)
-    if isinstance(plan, tuple):
-        raise PixelError(plan[1])
-    return plan
+    (trial,) = trials_of([(subject.name, subject)], seed=seed)
+    if isinstance(trial, tuple):
+        raise PixelError(trial[1])
+    return trial
 
 
 def _is_weak(row: Row) -> bool:
@@ -128,28 +128,28 @@ def explained_alone(subject: Subject, route: Route, pixel: Pixel, name: str) -> 
 
     Raises ``PixelError`` if there is no such case, or nothing at the pixel.
     """
-    plan, (x, y) = _plan(subject, 0), pixel
-    assert isinstance(plan, ShaderPlan)
-    state = named(plan.cases(), name)
+    trial, (x, y) = _trial(subject, 0), pixel
+    assert isinstance(trial, ShaderTrial)
+    state = named(trial.cases(), name)
     if not (x < state.width and y < state.height):
         raise PixelError(f"`{name}` has {state.width} x {state.height} pixels")
-    found = plan.made(name, route, _ANY_DEVICE, "guaranteed", pixel)
+    found = trial.made(name, route, _ANY_DEVICE, "guaranteed", pixel)
     if found is None:
         raise PixelError(f"nothing is drawn at {x},{y} of `{name}`")
     return found
 
 
-def _of_little(plan: Plan, row: Row) -> list[str]:
+def _of_little(trial: Trial, row: Row) -> list[str]:
     """The places where precision is lost, in the case that proves the least.
 
     A usual pixel of the case is explained, or others if nothing is lost there.
     """
-    least = max(_seen(plan, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
+    least = max(_seen(trial, [row]), key=lambda seen: unproven(seen.result).sum(), default=None)
     if least is None:
         return []
     otherwise = []
     for pixel in usual_pixels(least.result):
-        found = _origin(plan, least, pixel)
+        found = _origin(trial, least, pixel)
         if isinstance(found, Origin):
             return list(_carriers(found))
         if found is not None:
@@ -170,13 +170,13 @@ def _carriers(made: Origin) -> Iterator[str]:
         yield from (f"`{made.step}`: {cause}" for cause in causes(made.explanation))
 
 
-def _of_difference(plan: Plan, row: Row) -> Iterator[str]:
+def _of_difference(trial: Trial, row: Row) -> Iterator[str]:
     """The operation that explains most of the error of a case's worst pixel."""
-    for seen in _seen(plan, [row]):
+    for seen in _seen(trial, [row]):
         comparison = seen.result.comparison
         # Rounding is to blame for a difference of its own order only.
         if comparison.wrong and comparison.worst is not None and comparison.excess < _BLAMED:
-            found = _origin(plan, seen, (comparison.worst.x, comparison.worst.y))
+            found = _origin(trial, seen, (comparison.worst.x, comparison.worst.y))
             if isinstance(found, Explanation):
                 yield from (f"{seen.name}: {text}" for text in blamed(found))
 
@@ -202,17 +202,17 @@ def _words(carried: Carried) -> str:
     return f"`{carried.name}`, which is `{carried.result}`"
 
 
-def _seen(plan: Plan, rows: Sequence[Row]) -> list[Seen]:
+def _seen(trial: Trial, rows: Sequence[Row]) -> list[Seen]:
     """The cases that any of these rows has drawn."""
-    found = ((case, results_of(case, rows)) for case in plan.cases())
+    found = ((case, results_of(case, rows)) for case in trial.cases())
     return [Seen(case, results, leading_of(results, rows)) for case, results in found if results]
 
 
-def _origin(plan: Plan, seen: Seen, pixel: Pixel) -> Explanation | Origin | None:
+def _origin(trial: Trial, seen: Seen, pixel: Pixel) -> Explanation | Origin | None:
     """Explain a pixel by the bounds that decided on the verdict of the leading row."""
     row, level = seen.leading, seen.result.comparison.level
     assert row.device is not None
-    return plan.made(seen.name, row.route, row.device, level, pixel)
+    return trial.made(seen.name, row.route, row.device, level, pixel)
 
 
 def _undrawn(seen: Seen, pixel: Pixel) -> str:

@@ -24,7 +24,7 @@ from ..runner.frames.pixel_origins import FollowedFrames, Origin
 from ..runner.frames.reference_textures import DEPTHS, DrawnTexture
 from ..runner.frames.scenery import in_a_row
 from ..runner.frames.subjects import FrameSubject, PlannedFrame
-from ..runner.kernels import drawable, is_drawn
+from ..runner.kernels import is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -33,10 +33,10 @@ from ..web_host.drawing import draw_frames
 from .bounds import Bounds, bounds_of, precise
 from .cases import Size
 from .compare import Level
-from .contents import to_targets
+from .contents import as_drawn
 from .judging import Answer, Compared, Floats, all_covered
 from .known_values import Known
-from .plan import Plan
+from .trials import Trial
 
 MESH = "torus"
 """The mesh of all models of a frame."""
@@ -81,7 +81,7 @@ class _Pictures:
     """The rare rules on which the pictures depend."""
 
 
-class FramePlan(Plan):
+class FrameTrial(Trial):
     """The outputs of one frame, drawn several times if one frame reads what the last one left."""
 
     def __init__(self, label: str, subject: FrameSubject, size: Size) -> None:
@@ -197,7 +197,7 @@ class FramePlan(Plan):
         for subject in self.shaders:
             made = subject.shader if profile is None else subject.emitted(profile)
             if is_drawn(subject.reflection):
-                made = to_targets(drawable(made), exact=False)
+                made = as_drawn(made)
             found.append(Program.of(made))
         return found
 

@@ -11,7 +11,7 @@ Fits = Callable[[T], bool]
 
 
 class Known(Generic[T]):
-    """Values by key; plans keep here what the reference computes for all routes."""
+    """Values by key; trials keep here what the reference computes for all routes."""
 
     def __init__(self) -> None:
         self._lock = Lock()

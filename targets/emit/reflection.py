@@ -44,70 +44,28 @@ def backend_row(
     faces, and ``source_maps`` has, by the name of a file, the place in Burnish's text for each
     line.
     """
-    names, bindings = emission.names, emission.bindings
-    sampled = program.sampled
+    names, bound = emission.names, _Bindings(language, profile, emission)
     turned = flip_y and not profile.framebuffer.clip_y_down
     return BackendRow(
         language=language.name,
-        files=tuple(
-            FileRow(stage=stage, file=files[file.stage], entry_point=entry)
-            for file in emission.files
-            for stage, entry in file.entries.items()
-        ),
-        blocks={
-            block.name: BlockBindingRow(
-                **_point(
-                    language, profile, "" if profile.loose_uniforms else names.blocks[block.name],
-                    bindings.blocks[block.name], "block",
-                ),
-                members=_members(block, names, profile),
-            )
-            for block in program.blocks
-        },
+        files=_file_rows(emission, files),
+        blocks={each.name: bound.block(each) for each in program.blocks},
         buffers={
-            buffer.name: BindingRow(**_point(
-                language, profile,
-                names.buffers[buffer.name], bindings.buffers[buffer.name],
-                "written" if buffer in program.written else "buffer",
-            ))
-            for buffer in program.buffers
+            each.name: bound.buffer(each.name, is_written=each in program.written)
+            for each in program.buffers
         },
-        images={
-            image.name: BindingRow(**_point(
-                language, profile,
-                names.images[image.name], bindings.images[image.name], "image",
-            ))
-            for image in program.images
-        },
-        textures={
-            item.name: BindingRow(**_point(
-                language, profile,
-                names.textures[item.name], bindings.textures[item.name], "texture",
-            ))
-            for item in program.textures
-        },
-        samplers={}
-        if profile.samplers.combined
-        else {
-            item.name: BindingRow(**_point(
-                language, profile,
-                names.samplers[item.name], bindings.samplers[item.name], "sampler",
-            ))
-            for item in program.textures
-            if item in sampled
+        images={each.name: bound.image(each.name) for each in program.images},
+        textures={each.name: bound.texture(each.name) for each in program.textures},
+        samplers={
+            each.name: bound.sampler(each.name)
+            for each in program.textures
+            if each in program.sampled and not profile.samplers.combined
         },
         vertex_inputs={
             field.name: _name(names.attributes[field.name], names.semantics[field.name])
             for field in program.vertex_inputs
         },
-        captures={
-            field.name: _name(
-                names.varyings[field.name],
-                language.semantic("varying", field.name, field.location),
-            )
-            for output in program.results_of(CAPTURE)
-            if (field := output.field) is not None and profile.stream_output
-        },
+        captures=_captures(program, language, names) if profile.stream_output else {},
         stream_output=profile.stream_output.told if profile.stream_output else None,
         host_uniforms=emission.host_uniforms,
         clip_depth=profile.framebuffer.clip_depth,
@@ -116,7 +74,85 @@ def backend_row(
         front_face="cw" if (front == "clockwise") != turned else "ccw",
         first_row="bottom" if profile.framebuffer.rows_up != turned else "top",
         source_maps={name: _source_map(spans) for name, spans in sorted(source_maps.items())},
-    )  # fmt: skip
+    )
+
+
+def _file_rows(emission: Emission, files: Mapping[str, str]) -> tuple[FileRow, ...]:
+    return tuple(
+        FileRow(stage=stage, file=files[file.stage], entry_point=entry)
+        for file in emission.files
+        for stage, entry in file.entries.items()
+    )
+
+
+def _captures(program: Program, language: Language, names: Names) -> dict[str, VertexInputNameRow]:
+    """The names of captured varyings, for a host."""
+    fields = (result.field for result in program.results_of(CAPTURE))
+    return {
+        field.name: _name(
+            names.varyings[field.name], language.semantic("varying", field.name, field.location)
+        )
+        for field in fields
+        if field is not None
+    }
+
+
+class _Place(TypedDict):
+    """The fields of a row that say where something is bound."""
+
+    identifier: str
+    group: int | None
+    binding: int | None
+    register: str | None
+
+
+class _Bindings:
+    """Makes the rows of everything that a host binds."""
+
+    def __init__(self, language: Language, profile: Profile, emission: Emission) -> None:
+        self._language = language
+        self._profile = profile
+        self._names = emission.names
+        self._slots = emission.bindings
+
+    def block(self, block: Block) -> BlockBindingRow:
+        """The row of a uniform block; a block of loose uniforms has no name in the text."""
+        name = "" if self._profile.loose_uniforms else self._names.blocks[block.name]
+        place = self._place(name, self._slots.blocks[block.name], "block")
+        return BlockBindingRow(**place, members=_members(block, self._names, self._profile))
+
+    def buffer(self, name: str, *, is_written: bool) -> BindingRow:
+        """The row of a storage buffer."""
+        kind: BindingKind = "written" if is_written else "buffer"
+        return BindingRow(**self._place(self._names.buffers[name], self._slots.buffers[name], kind))
+
+    def image(self, name: str) -> BindingRow:
+        """The row of an image that a kernel writes."""
+        return BindingRow(
+            **self._place(self._names.images[name], self._slots.images[name], "image")
+        )
+
+    def texture(self, name: str) -> BindingRow:
+        """The row of a texture, or of a texture with its sampler where a language has them."""
+        return BindingRow(
+            **self._place(self._names.textures[name], self._slots.textures[name], "texture")
+        )
+
+    def sampler(self, name: str) -> BindingRow:
+        """The row of a texture's sampler."""
+        return BindingRow(
+            **self._place(self._names.samplers[name], self._slots.samplers[name], "sampler")
+        )
+
+    def _place(self, identifier: str, slot: BindingSlot, kind: BindingKind) -> _Place:
+        if not self._profile.explicit_bindings:
+            return {"identifier": identifier, "group": None, "binding": None, "register": None}
+        return {
+            "identifier": identifier,
+            "group": slot.set,
+            "binding": slot.binding,
+            "register": self._language.register(kind, slot.binding) or None,
+        }
 
 
 def _members(block: Block, names: Names, profile: Profile) -> dict[str, str]:
@@ -136,28 +172,6 @@ def _members(block: Block, names: Names, profile: Profile) -> dict[str, str]:
 
 def _real(block: Block) -> list[StoredMember]:
     return [member for member in block.members if member.parameter is not None]
-
-
-class _Place(TypedDict):
-    """The fields of a row that say where something is bound."""
-
-    identifier: str
-    group: int | None
-    binding: int | None
-    register: str | None
-
-
-def _point(
-    language: Language, profile: Profile, identifier: str, slot: BindingSlot, kind: BindingKind
-) -> _Place:
-    if not profile.explicit_bindings:
-        return {"identifier": identifier, "group": None, "binding": None, "register": None}
-    return {
-        "identifier": identifier,
-        "group": slot.set,
-        "binding": slot.binding,
-        "register": language.register(kind, slot.binding) or None,
-    }
 
 
 def _name(identifier: str, semantic: str) -> VertexInputNameRow:

@@ -45,27 +45,12 @@ FORMATS: Mapping[str, TargetFormat] = {
 }
 """The format to draw to for each target format of the language."""
 
-EXACT: Mapping[str, TargetFormat] = {
-    "float": "r32float",
-    "vec2": "rg32float",
-    "vec4": "rgba32float",
-}
-"""For each type that is written to a target, a format that can hold every value of it."""
 
-
-def pipeline(
-    reflection: Reflection,
-    route: Route,
-    codes: Codes,
-    *,
-    exact: bool = False,
-) -> Pipeline:
+def pipeline(reflection: Reflection, route: Route, codes: Codes) -> Pipeline:
     """The pipeline of one material on one route.
 
     Inputs, blocks, textures and targets are in the order of the reflection; a texture that no stage
-    reads has no slot. With ``exact`` the targets keep what the shader writes: they are neither
-    rounded to the declared format nor blended, and each pixel has one sample. Raises ``KeyError``
-    if the reflection lacks the route's profile.
+    reads has no slot. Raises ``KeyError`` if the reflection lacks the route's profile.
     """
     backend = reflection.backends[route.profile]
     images, state = backend.images, reflection.render_state
@@ -82,13 +67,17 @@ def pipeline(
             for row in reflection.targets
             if images
         ),
-        targets=tuple(render_target(row, exact=exact) for row in reflection.targets if not images),
+        targets=tuple(
+            RenderTarget(FORMATS[row.format], row.blend, row.mask)
+            for row in reflection.targets
+            if not images
+        ),
         layers=_layers(reflection.draw.layers),
         primitive=reflection.draw.topology,
         patch_points=reflection.draw.corners if _divided_natively(reflection.draw) else 0,
         cull=state.cull,
         fill=state.fill,
-        samples=1 if exact else state.samples,
+        samples=state.samples,
         depth=state.depth,
         stencil=state.stencil,
         flip_y=backend.flip_y,
@@ -104,16 +93,6 @@ def pipeline(
 def _is_upright(route: Route) -> bool:
     """True for routes that draw every picture upright, whatever API its text is for."""
     return EVERY_DRIVER[route.driver].module == "vulkan"
-
-
-def draws_bottom_up(reflection: Reflection, route: Route) -> bool:
-    """True if a shader's picture has its bottom row first in the memory of a texture.
-
-    No text of a frame does so, but those of single materials do for OpenGL and its relatives.
-    """
-    backend = reflection.backends[route.profile]
-    # A kernel that writes images itself has their top row first.
-    return backend.first_row == "bottom" and not backend.images and not _is_upright(route)
 
 
 def _buffers(reflection: Reflection, backend: BackendRow) -> Iterator[BufferSlot]:
@@ -150,14 +129,6 @@ def _layers(row: LayersRow | None) -> int:
     return 0 if row is None or row.parameter is not None else row.count
 
 
-def render_target(row: TargetRow, *, exact: bool = False) -> RenderTarget:
-    """One of the reflection's targets; an ``exact`` one keeps what the shader writes."""
-    format_ = target_format(row, exact=exact)
-    if exact:
-        return RenderTarget(format_)
-    return RenderTarget(format_, row.blend, row.mask)
-
-
 def shows_less(reflection: Reflection) -> bool:
     """True if targets show something else than the numbers that shaders write.
 
@@ -171,11 +142,6 @@ def shows_less(reflection: Reflection) -> bool:
 def keeps_something(row: TargetRow) -> bool:
     """True if drawing to a target keeps some of its old contents: by blending, or by a mask."""
     return row.blend is not None or row.mask != ALL_LANES
-
-
-def target_format(row: TargetRow, *, exact: bool) -> TargetFormat:
-    """The format to draw to for one of the reflection's targets; see ``FORMATS`` and ``EXACT``."""
-    return EXACT[row.representation] if exact else FORMATS[row.format]
 
 
 def _input(row: VertexInputRow, backend: BackendRow) -> Input:

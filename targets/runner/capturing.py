@@ -20,13 +20,12 @@ from ..toolchain import Toolchain
 from .binding import pipeline
 from .codes import compile_one
 from .drivers.device import DriverError
-from .drivers.frame_job import Captured
+from .drivers.frame_job import OWN, Captured, FrameDraw, FrameJob, FrameStep
 from .drivers.pipeline import Pipeline
+from .frames.states import Outcome, draw_states
 from .instances.shapes import lanes_of, stored_as
-from .kernels import dispatch_of, elements_of, job_of
 from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
-from .pipeline_jobs import Written, capture_job
 from .routes import Route
 from .runner import Runner
 from .scene_state import SceneState
@@ -73,29 +72,46 @@ def capture(
     if reflection.capture is None:
         raise DriverError(f"{subject.name} is drawn by a pass that captures nothing")
     codes = compile_one(route, subject.files, toolchain)
-    (found,) = captured_by(route, pipeline(reflection, route, codes), [state], runner)
+    (found,) = captured_by(subject, [state], route, pipeline(reflection, route, codes), runner)
     return found
 
 
 def captured_by(
-    route: Route, bound: Pipeline, states: Sequence[SceneState], runner: Runner
+    subject: Subject,
+    states: Sequence[SceneState],
+    route: Route,
+    bound: Pipeline,
+    runner: Runner,
 ) -> list[Vertices]:
     """The vertices that a route captures for each state, by a stream output or by a kernel.
 
-    All states are of one material. Raises ``DriverError``.
+    Raises ``DriverError``, and ``BudgetError`` for jobs that are too large.
     """
-    reflection = states[0].instance.reflection
-    if _capture(reflection).buffer is None:
-        draws = [state.draw() for state in states]
-        job = capture_job(bound, draws, list(map(most, states)))
-        answers = runner.capture(route, job)
-        return [vertices(reflection, answer) for answer in answers]
-    for state in states:
-        give_elements(state)
-    dispatches = [dispatch_of(state.instance) for state in states]
-    written = runner.compute(route, job_of(reflection, bound, dispatches))
-    found = map(_compacted, states, written)
-    return [vertices(reflection, captured) for captured in found]
+    if _capture(subject.reflection).buffer is None:
+        job = capture_job(bound, states)
+        found: Sequence[Captured] = runner.draw_frame(route, job).captured
+    else:
+        for state in states:
+            give_elements(state)
+        found = list(map(_compacted, states, draw_states(subject, states, route, bound, runner)))
+    return [vertices(subject.reflection, captured) for captured in found]
+
+
+def capture_job(bound: Pipeline, states: Sequence[SceneState]) -> FrameJob:
+    """The job that captures the vertices of each state by a stream output, in a step of its own.
+
+    The sizes of the states' pictures do not matter.
+    """
+    own = (OWN,) * len(bound.textures), (OWN,) * len(bound.buffers)
+    steps = (
+        FrameStep(
+            draws=(FrameDraw(0, *own, draw=state.draw()),),
+            captures=most(state),
+            name=f"draw {number}",
+        )
+        for number, state in enumerate(states)
+    )
+    return FrameJob((), (), (bound,), tuple(steps))
 
 
 def give_elements(state: SceneState) -> None:
@@ -121,12 +137,13 @@ def _of_elements(row: VertexInputRow, state: SceneState) -> NDArray[Any]:
     return np.repeat(values, len(drawn), axis=0)
 
 
-def _compacted(state: SceneState, written: Written) -> Captured:
+def _compacted(state: SceneState, outcome: Outcome) -> Captured:
     """The vertices that a kernel has written, without those that it marks as absent."""
     row = _capture(state.instance.reflection)
     assert row.buffer is not None, "a kernel captures"
-    data = elements_of(state.instance, written)[row.buffer]
-    words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
+    words = np.frombuffer(outcome.elements[row.buffer], np.uint8).reshape(
+        state.instance.extent(), -1
+    )
     if row.there is not None:
         words = words[words[:, row.there] != 0, : row.stride]
     return Captured(len(words), words.tobytes())

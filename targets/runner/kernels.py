@@ -1,13 +1,13 @@
-"""Runs kernels: the values of an instance as a dispatch, and its answer as elements.
+"""Kernels as drivers and the reference take them: the values of an instance as a dispatch.
 
-``conform`` and tests call it; ``compiler/reference/kernel.py`` computes the same by the reference.
-A kernel over images is drawn by ``render`` as well: as the scene that ``full_screen_state`` makes.
+``frames/by_route.py`` makes steps of them; ``compiler/reference/kernel.py`` computes the same by
+the reference. A kernel over images may also be drawn, as the scene that ``full_screen_state``
+makes.
 """
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -20,12 +20,7 @@ from ...compiler.ir.shader import Shader
 from ...compiler.ir.stages import RASTERISED
 from ...support.frozen import changed
 from .drivers.draws import Dispatch, Draw
-from .drivers.frame_job import FrameJob, Picture
-from .drivers.pipeline import Pipeline
 from .instances.instance import Instance
-from .pipeline_jobs import Written, kernel_job
-from .routes import Route
-from .runner import Runner
 from .scene_state import CLEAR, Color, SceneState
 
 _WORD = struct.Struct("<I")
@@ -66,12 +61,6 @@ def is_drawn(reflection: Reflection) -> bool:
     return reflection.capture is None and not is_over_buffers(reflection)
 
 
-def job_of(reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]) -> FrameJob:
-    """The job that runs a kernel's pipeline for some dispatches."""
-    assert reflection.work_group is not None, "it is a kernel"
-    return kernel_job(pipeline, reflection.work_group, dispatches)
-
-
 def dispatch_of(instance: Instance) -> Dispatch:
     """The bytes that a driver computes with, in the order of the reflection. Raises
     ``BudgetError`` for too many that a kernel would write."""
@@ -104,15 +93,6 @@ def _before(row: ResultRow, count: int) -> bytes:
     return _WORD.pack(int(row.initial) & 0xFFFFFFFF) * int(size // 4)
 
 
-def elements_of(instance: Instance, written: Written) -> dict[str, bytes]:
-    """The bytes of the elements of each result, by name."""
-    counts = instance.result_counts()
-    return {
-        row.name: data[: counts[row.name] * row.stride]
-        for row, data in zip(instance.reflection.results, written.buffers, strict=True)
-    }
-
-
 def full_screen_state(instance: Instance, clear: Color = CLEAR) -> SceneState:
     """The draw that makes the images of a kernel: one triangle over the whole picture.
 
@@ -131,21 +111,6 @@ def elements_state(instance: Instance) -> SceneState:
     of a single row. Raises ``MissingValuesError``."""
     width = max(1, *instance.result_counts().values())
     return SceneState(width, 1, {}, np.arange(CORNERS)[None], instance, ())
-
-
-def pictures_of(
-    route: Route, runner: Runner, reflection: Reflection, pipeline: Pipeline,
-    draws: Sequence[Draw],
-) -> Sequence[Picture]:  # fmt: skip
-    """The images of a kernel as pictures: drawn, or computed where the pipeline writes images.
-
-    Raises ``DriverError``.
-    """
-    if not pipeline.images:
-        return runner.draw(route, pipeline, draws)
-    job = job_of(reflection, pipeline, list(map(image_dispatch, draws)))
-    written = runner.compute(route, job)
-    return [each.images for each in written]
 
 
 def drawable(shader: Shader) -> Shader:

@@ -35,13 +35,10 @@ class DriverRow:
     """True if one process is enough, because it starts slowly and uses all cores anyway."""
     any_device: bool = False
     """True if the driver draws with any device of the machine, which ``--device`` names."""
+    draws_packages: bool = False
+    """True if the driver draws frames in a web page, from their packages."""
     limits: Limits = WORKERS
     """Limits of the worker's memory and time."""
-
-    @property
-    def draws_packages(self) -> bool:
-        """True if the driver draws frames in a web page, from their packages."""
-        return self.name in _PACKAGE_DRIVERS
 
     def command(self, states: Mapping[str, ToolState], device: str = "") -> list[str]:
         """The command that starts a worker; ``states`` has all the tools that it needs."""
@@ -50,10 +47,6 @@ class DriverRow:
         if self.any_device:
             arguments.append(device)
         return python_worker(f"{_PACKAGE}.drivers.{self.module}", *arguments)
-
-
-_PACKAGE_DRIVERS = ("webgpu", "webgl2")
-"""The drivers that take packages of frames."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,11 +132,13 @@ DRIVERS: Mapping[str, DriverRow] = {
         DriverRow("llvmpipe", "OpenGL on Mesa's llvmpipe", "opengl", ("llvmpipe", "moderngl")),
         DriverRow(
             "webgpu", "WebGPU in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgpu",), one_worker=True, limits=BROWSERS,
+            ("chromium", "playwright"), ("webgpu",), one_worker=True, draws_packages=True,
+            limits=BROWSERS,
         ),
         DriverRow(
             "webgl2", "WebGL 2 in Chromium, on SwiftShader", "browser",
-            ("chromium", "playwright"), ("webgl2",), one_worker=True, limits=BROWSERS,
+            ("chromium", "playwright"), ("webgl2",), one_worker=True, draws_packages=True,
+            limits=BROWSERS,
         ),
     )
 }  # fmt: skip

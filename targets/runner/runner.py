@@ -7,24 +7,22 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from itertools import chain
 from pathlib import Path
 from threading import Lock
-from typing import Any
 
+from ...compiler.documents.writing import to_json as document_json
 from ..closing import Closing
 from ..toolchain.pipe import Packet
 from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
+from ..web_host.serving.packages import Package
 from .drivers.device import Device, DriverError, EndedError
-from .drivers.draws import Draw
-from .drivers.frame_job import Captured, Found, FrameJob, FrameTexels, Picture
-from .drivers.pipeline import Pipeline
+from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.wire import from_json, joined, packed, split, unpacked
 from .job_sizes import check_job
-from .pipeline_jobs import Written, draw_job, pictures, written
 from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
@@ -129,36 +127,14 @@ class Runner(Closing):
         self._store.write(name, packed(found))
         return found
 
-    def draw(
-        self, route: Route, pipeline: Pipeline, draws: Sequence[Draw], *, keep: bool = True
-    ) -> list[Picture]:
-        """A picture for each draw with a pipeline; ``keep`` is that of ``draw_frame``.
-
-        Raises ``DriverError``, and ``BudgetError`` for pictures that are too large.
-        """
-        job = draw_job(pipeline, draws)
-        return pictures(job, self.draw_frame(route, job, keep=keep))
-
-    def compute(self, route: Route, job: FrameJob) -> list[Written]:
-        """Run a job of dispatches: returns what each of them writes.
-
-        Raises ``DriverError`` and ``BudgetError``.
-        """
-        return written(job, self.draw_frame(route, job))
-
-    def capture(self, route: Route, job: FrameJob) -> tuple[Captured, ...]:
-        """The vertices that each draw of a job captures. Raises ``DriverError`` and
-        ``BudgetError``."""
-        return self.draw_frame(route, job).captured
-
     def draw_package(
-        self, route: Route, package: Mapping[str, Any], outputs: Sequence[str], count: int
+        self, route: Route, package: Package, outputs: Sequence[str], count: int
     ) -> tuple[FrameTexels, ...]:
         """Draw a frame ``count`` times in a web page: returns the texels of some of its outputs.
 
         Raises ``DriverError``.
         """
-        request = {"whole": package, "outputs": list(outputs), "count": count}
+        request = {"whole": document_json(package), "outputs": list(outputs), "count": count}
         answer = self._ask(route.driver, Packet({"package": request}))
         return joined(Found, answer.content["texels"], answer.data).texels
 

@@ -59,6 +59,7 @@ class SceneState:
         These are vertex inputs, blocks, textures and buffers.
         """
         reflection = self.instance.reflection
+        blocks = self.instance.blocks()
         textures, buffers = self.instance.textures(), self.instance.buffers()
         return Draw(
             width=self.width,
@@ -70,14 +71,10 @@ class SceneState:
                 if row.buffer is None
             ),
             indices=self.triangles.astype("<u4").tobytes(),
-            blocks=self._blocks(),
+            blocks=tuple(blocks[row.name] for row in reflection.blocks),
             textures=tuple(textures[row.name].image() for row in reflection.textures if row.stages),
-            clear=self.clear,
-            clear_depth=reflection.render_state.depth.clear,
-            blend_constant=self.blend_constant,
             buffers=tuple(buffers[row.name].bound for row in reflection.buffers if row.stages),
             instance_count=self.instance_count,
-            layers=tuple(state._blocks() for state in self.layers),
         )
 
     @property
@@ -90,10 +87,6 @@ class SceneState:
             replace(self, instance=self.instance.having(row.parameter, layer))
             for layer in range(row.count)
         )
-
-    def _blocks(self) -> tuple[bytes, ...]:
-        blocks = self.instance.blocks()
-        return tuple(blocks[row.name] for row in self.instance.reflection.blocks)
 
 
 def set_up(

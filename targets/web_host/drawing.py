@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-from ...compiler.documents.writing import to_json
-from ..runner.binding import draws_bottom_up
 from ..runner.drivers.readback import layers_of
 from ..runner.frames import by_route
 from ..runner.frames.by_route import Floats
@@ -29,10 +27,7 @@ def draw_frames(
     check_memory(host, count)
     if EVERY_DRIVER[route.driver].draws_packages:
         return _by_package(host, route, runner, count)
-    drawn = by_route.draw_frames(host, route, runner, toolchain, count)
-    if not any(draws_bottom_up(shader.reflection, route) for shader in host.shaders):
-        return drawn
-    return [{name: layers[:, ::-1] for name, layers in outputs.items()} for outputs in drawn]
+    return by_route.draw_frames(host, route, runner, toolchain, count)
 
 
 def _by_package(
@@ -40,5 +35,5 @@ def _by_package(
 ) -> list[dict[str, Floats]]:
     names = [row.name for row in host.plan.outputs if row.texture is not None]
     package = frame_package(host, [route.profile])
-    found = iter(runner.draw_package(route, to_json(package), names, count))
+    found = iter(runner.draw_package(route, package, names, count))
     return [{name: layers_of(next(found)) for name in names} for _ in range(count)]

@@ -17,7 +17,8 @@ from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
 from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
-from burnish.targets.runner.kernels import dispatch_of, job_of
+from burnish.targets.runner.frames.states import states_job
+from burnish.targets.runner.kernels import elements_state
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Toolchain
 from burnish.targets.toolchain.tools import inspect_all
@@ -83,4 +84,4 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> FrameJob:
             instance.set(row.name, random.integers(0, 9, SIZE).astype(np.uint32))
     codes = compile_one(route, kernel.files, toolchain)
     bound = pipeline(kernel.reflection, route, codes)
-    return job_of(kernel.reflection, bound, [dispatch_of(instance)])
+    return states_job(kernel, [elements_state(instance)], bound)

@@ -8,7 +8,7 @@ draws by one job, without that of a single one.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -19,11 +19,10 @@ import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers import mesa
-from burnish.targets.runner.drivers.draws import Draw
-from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
+from burnish.targets.runner.frames.states import states_job
 from burnish.targets.runner.meshes import Mesh
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES, inspect_tools
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import set_up
@@ -43,6 +42,8 @@ ROUNDS = 5
 DRAWS = 4
 """The number of draws that are timed together."""
 
+Draws = Callable[[int], FrameJob]
+"""Makes a job of so many draws."""
 FORMS: Mapping[str, Mapping[str, Any]] = {"native": {"native_stages": True}, "lowered": {}}
 """The options of ``compile`` for each form."""
 
@@ -57,27 +58,28 @@ def measure() -> Iterator[Section]:
         )  # fmt: skip
 
 
-def _row(what: str, driver: VulkanDriver, drawn: Mapping[str, tuple[Pipeline, Draw]]) -> Row:
+def _row(what: str, driver: VulkanDriver, drawn: Mapping[str, Draws]) -> Row:
     """The forms in turn, so that what else the machine does spoils both alike."""
     best = dict.fromkeys(drawn, float("inf"))
     for _ in range(ROUNDS):
         for form, each in drawn.items():
-            best[form] = min(best[form], _milliseconds(driver, *each))
+            best[form] = min(best[form], _milliseconds(driver, each))
     ratio = best["lowered"] / best["native"]
     return {"what": what, **best, "ratio": ratio, f"at most {LIMIT}": ratio <= LIMIT}
 
 
-def _milliseconds(driver: VulkanDriver, made: Pipeline, draw: Draw) -> float:
+def _milliseconds(driver: VulkanDriver, drawn: Draws) -> float:
     """The time of one draw by a pipeline that is there already."""
     times = []
     for count in (1, 1 + DRAWS):
+        job = drawn(count)
         start = perf_counter()
-        driver.draw_frame(draw_job(made, [draw] * count))
+        driver.draw_frame(job)
         times.append(perf_counter() - start)
     return 1000 * (times[1] - times[0]) / DRAWS
 
 
-def _sprites(options: Mapping[str, Any]) -> tuple[Pipeline, Draw]:
+def _sprites(options: Mapping[str, Any]) -> Draws:
     """Many small sprites: each vertex of a mesh turns into a square that faces the viewer."""
     path = EXAMPLES / "sprites.burnish"
     (material,) = burnish.compile(path, ROUTE.profile, **options).materials
@@ -87,7 +89,8 @@ def _sprites(options: Mapping[str, Any]) -> tuple[Pipeline, Draw]:
     state = set_up(instance, with_inputs(material.reflection, _cloud()), Scene(), SIZE)
     with Toolchain() as toolchain:
         codes = compile_one(ROUTE, material.files, toolchain)
-    return pipeline(material.reflection, ROUTE, codes, exact=False), state.draw()
+    made = pipeline(material.reflection, ROUTE, codes)
+    return lambda count: states_job(material, [state] * count, made)
 
 
 def _cloud() -> Mesh:

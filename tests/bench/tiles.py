@@ -28,7 +28,8 @@ from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.vulkan import frame
 from burnish.targets.runner.drivers.vulkan.device import recording
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
-from burnish.targets.runner.kernels import full_screen_state, image_dispatch, job_of
+from burnish.targets.runner.frames.states import states_job
+from burnish.targets.runner.kernels import full_screen_state
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Job, Toolchain
 from burnish.targets.toolchain.tools import inspect_all
@@ -84,10 +85,9 @@ def _job(kernel: CompiledMaterial, toolchain: Toolchain) -> FrameJob:
     route, instance = ROUTES["lavapipe:glsl"], kernel.instance()
     texels = np.random.default_rng(1).integers(0, 256, (SIZE, SIZE, 4)).astype(np.uint8)
     instance.set("source", burnish.Texture.of_array(texels))
-    dispatch = image_dispatch(full_screen_state(instance).draw())
     codes = compile_one(route, kernel.files, toolchain)
     bound = pipeline(kernel.reflection, route, codes)
-    return job_of(kernel.reflection, bound, [dispatch])
+    return states_job(kernel, [full_screen_state(instance)], bound)
 
 
 def milliseconds(driver: VulkanDriver, job: FrameJob) -> float:

@@ -12,7 +12,8 @@ import burnish
 from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.runner import Runner
@@ -69,7 +70,8 @@ def returned(
             instance.set(name, texture)
     state = set_up(instance, plane(1), Scene(), (SIDE, SIDE))
     codes = compile_one(route, material.files, toolchain)
-    made = pipeline(material.reflection, route, codes, exact=True)
+    exact = Exact.of(material)
+    made = pipeline(exact.reflection, route, codes)
     # The results of all programs are larger than the store, and would drive the pictures out of it.
-    (picture,) = runner.draw(route, made, [state.draw()], keep=False)
-    return [target[..., lane] for target in arrays(picture) for lane in range(4)]
+    (outcome,) = draw_states(exact, [state], route, made, runner, keep=False)
+    return [target[..., lane] for target in outcome.pictures for lane in range(4)]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeVar
@@ -20,9 +20,12 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Request, compile_all, compile_one
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.frame_job import FrameDraw, FrameJob
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames.states import draw_states, outcomes
 from burnish.targets.runner.reference import expected
-from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.runner import Runner
 from burnish.targets.runner.scene_state import CLEAR, SceneState
 from burnish.targets.toolchain import Toolchain
@@ -72,6 +75,13 @@ class Studio(Closing):
         ]
         compile_all(requests, self.toolchain)
 
+    def pictures(
+        self, route: Route, job: FrameJob, states: Sequence[SceneState]
+    ) -> list[tuple[Floats, ...]]:
+        """The pictures of a job that ``states_job`` has made, or one made of such a job."""
+        found = self.runner.draw_frame(route, job)
+        return [each.pictures for each in outcomes(job, found, states)]
+
     def draw(self, where: str, material: CompiledMaterial, state: SceneState) -> tuple[Floats, ...]:
         """The targets that a route or the reference draws, each of shape (height, width, 4).
 
@@ -84,10 +94,11 @@ class Studio(Closing):
         route = ROUTES[where]
         problem = self.runner.problem(route)
         assert problem is None, f"{where} cannot be drawn: {problem}"
+        exact = Exact.of(material)
         codes = compile_one(route, material.files, self.toolchain)
-        made = pipeline(material.reflection, route, codes, exact=True)
-        (picture,) = self.runner.draw(route, made, [state.draw()])
-        return arrays(picture)
+        made = pipeline(exact.reflection, route, codes)
+        (found,) = draw_states(exact, [state], route, made, self.runner)
+        return found.pictures
 
     def judged(self, route: str, name: str, subject: CompiledMaterial) -> Row:
         """The row of ``conform`` for a material or a kernel."""
@@ -100,6 +111,21 @@ def compiled(source: str | Path, **options: Any) -> CompiledMaterial:
     where = FOLDER / source if isinstance(source, str) and source.endswith(".burnish") else source
     (material,) = burnish.compile(where, PROFILES, **options).materials
     return material
+
+
+def redrawn(job: FrameJob, change: Callable[[Draw], Draw]) -> FrameJob:
+    """A job that draws something else."""
+    return replace(
+        job,
+        steps=tuple(
+            replace(step, draws=tuple(_redrawn(drawn, change) for drawn in step.draws))
+            for step in job.steps
+        ),
+    )
+
+
+def _redrawn(drawn: FrameDraw, change: Callable[[Draw], Draw]) -> FrameDraw:
+    return drawn if drawn.draw is None else replace(drawn, draw=change(drawn.draw))
 
 
 def assert_one_picture(found: Floats, expected: Floats) -> None:

@@ -25,9 +25,8 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.capturing import Vertices, capture
 from burnish.targets.runner.drivers.frame_job import Captured
-from burnish.targets.runner.kernels import elements_of
+from burnish.targets.runner.frames.states import Outcome
 from burnish.targets.runner.meshes import MeshError, cube, plane
-from burnish.targets.runner.pipeline_jobs import Written
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
@@ -304,11 +303,11 @@ def _member_later(right: Any) -> Callable[..., Any]:
 def _all_there(_right: Any) -> Callable[..., Any]:
     """Keeps also the vertices that no strip emits."""
 
-    def found(state: SceneState, written: Written) -> Captured:
+    def found(state: SceneState, outcome: Outcome) -> Captured:
         capture = state.instance.reflection.capture
         assert capture is not None
         stride = capture.stride
-        (data,) = elements_of(state.instance, written).values()
+        (data,) = outcome.elements.values()
         words = np.frombuffer(data, np.uint8).reshape(state.instance.extent(), -1)
         return Captured(len(words), words[:, :stride].tobytes())
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import burnish
 from burnish.compiler.documents.reflection import Reflection
 from burnish.targets.conformance.cases import SIZE, UNCOVERED, Case, series_of
-from burnish.targets.conformance.contents import to_targets
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.patches import pattern
 
@@ -201,5 +201,5 @@ def test_several_samples_are_drawn_and_single_ones() -> None:
     (grey,) = burnish.compile(text, (), pass_="Smooth").materials
     exact, declared = series_of(grey.reflection)
     assert [exact.exact, declared.exact] == [True, False]
-    drawn = [to_targets(grey.shader, exact=one.exact).render_state for one in (exact, declared)]
+    drawn = [each.shader.render_state for each in (Exact.of(grey), grey)]
     assert [state.samples for state in drawn] == [1, 4]

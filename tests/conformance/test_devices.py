@@ -15,7 +15,7 @@ from burnish.targets.conformance.summary import details
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import DEVICE_ROUTES, Route
 from burnish.targets.runner.runner import Runner
@@ -91,8 +91,8 @@ def test_wgpu_draws_nothing_of_patches_of_level_0(wgpu: Runner, toolchain: Toolc
     state = set_up(
         material.instance(), with_inputs(material.reflection, plane(1)), Scene(), (2, 2), clear
     )
-    (picture,) = wgpu.draw(WGPU, made, [state.draw()])
-    (target,) = arrays(picture)
+    (outcome,) = draw_states(material, [state], WGPU, made, wgpu)
+    (target,) = outcome.pictures
     assert np.abs(target - clear).max() < 0.01
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.conformance.conform import Planned, planned, rows_of
+from burnish.targets.conformance.conform import Tried, rows_of, trials_of
 from burnish.targets.conformance.summary import details
 from burnish.targets.runner.routes import ROUTES
 
@@ -46,23 +46,23 @@ CASES = [
 
 
 @pytest.fixture(scope="module")
-def plans() -> Callable[[Path], list[Planned]]:
-    """The planned drawings of an example; they remember the reference's pictures for all routes."""
+def trials() -> Callable[[Path], list[Tried]]:
+    """The trials of an example, which remember the reference's pictures for all routes."""
 
     @keeping_the_last
-    def found(path: Path) -> list[Planned]:
+    def found(path: Path) -> list[Tried]:
         profiles = tuple(dict.fromkeys(ROUTES[name].profile for name in routes_of(path)))
         (frame,) = burnish.compile(path, profiles, partial=True).frames
-        return planned([(path.stem, frame)], size=SIZE)
+        return trials_of([(path.stem, frame)], size=SIZE)
 
     return found
 
 
 @pytest.mark.parametrize(("path", "route"), CASES)
 def test_it_agrees(
-    studio: Studio, plans: Callable[[Path], list[Planned]], path: Path, route: str
+    studio: Studio, trials: Callable[[Path], list[Tried]], path: Path, route: str
 ) -> None:
-    (row,) = rows_of(plans(path), [ROUTES[route]], studio.runner, studio.toolchain)
+    (row,) = rows_of(trials(path), [ROUTES[route]], studio.runner, studio.toolchain)
     if ROUTES[route].profile in LACKING.get(path.stem, ()):
         assert row.status == "not run", row.status
         return

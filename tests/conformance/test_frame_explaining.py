@@ -9,7 +9,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.explaining import made_lines
-from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.frames.pixel_origins import BEFORE, Carried, Origin
 from burnish.targets.runner.routes import ROUTES
@@ -47,7 +47,7 @@ pass Added : FullScreen blend add {
 def made(frame: str, pixel: tuple[int, int] = (3, 1), case: str = "value") -> Origin | None:
     """The explanation of a pixel of the output ``value``."""
     (found,) = burnish.compile(f"{PASSES}\nframe F {{ {frame} }}", "glsl:vulkan").frames
-    return FramePlan("F", found, SIZE).made(case, ROUTE, DEVICE, "guaranteed", pixel)
+    return FrameTrial("F", found, SIZE).made(case, ROUTE, DEVICE, "guaranteed", pixel)
 
 
 def test_which_input_carries_the_error() -> None:

@@ -16,14 +16,16 @@ import pytest
 from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames.states import states_job
 from burnish.targets.runner.meshes import Mesh, plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 from burnish.targets.runner.textures.texture import Texture
 
-from .kit import Floats, Studio, compiled
+from .kit import Floats, Studio, compiled, redrawn
 
 SIDE = 16
 POISON = (math.nan, math.inf, -math.inf)
@@ -81,18 +83,22 @@ def drawn(
     data = array.astype("<f4").tobytes()
     instance.set("albedo", Texture("rgba32float", SIDE, SIDE, (data,)))
     instance.set("gain", GAIN)
-    draw = set_up(instance, mesh, Scene(), (SIDE, SIDE)).draw()
+    state = set_up(instance, mesh, Scene(), (SIDE, SIDE))
     written, wanted = (struct.pack("<f", value) for value in (GAIN, gain))
-    draw = replace(draw, blocks=tuple(block.replace(written, wanted) for block in draw.blocks))
-    if corner is not None:
+
+    def changed(draw: Draw) -> Draw:
+        draw = replace(draw, blocks=tuple(block.replace(written, wanted) for block in draw.blocks))
+        if corner is None:
+            return draw
         places = np.frombuffer(draw.vertices[0], "<f4").reshape(-1, 3).copy()
         places[-2] = corner
-        draw = replace(draw, vertices=(places.tobytes(),))
-    route = ROUTES[where]
-    codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True)
-    (picture,) = studio.runner.draw(route, made, [draw])
-    return arrays(picture)
+        return replace(draw, vertices=(places.tobytes(),))
+
+    route, exact = ROUTES[where], Exact.of(material())
+    made = pipeline(exact.reflection, route, compile_one(route, exact.files, studio.toolchain))
+    job = redrawn(states_job(exact, [state], made), changed)
+    (picture,) = studio.pictures(route, job, [state])
+    return picture
 
 
 @pytest.mark.parametrize("route", ROUTES)

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import Comparison, compare
-from burnish.targets.conformance.contents import to_targets
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact, exact_shader
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene_state import SceneState
@@ -82,17 +82,17 @@ def comparisons(name: str, studio: Studio, factor: float = 1.0) -> Iterator[Comp
     """Each picture against the measured bounds of a driver, for values that are larger."""
     route = ROUTES[name]
     codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True)
-    drawn = list(states())
-    pictures = studio.runner.draw(route, made, [state.draw() for state in drawn])
-    program = to_targets(material().emitted(route.profile), exact=True)
-    for state, picture in zip(drawn, pictures, strict=True):
+    exact, drawn = Exact.of(material()), list(states())
+    made = pipeline(exact.reflection, route, codes)
+    found = draw_states(exact, drawn, route, made, studio.runner)
+    program = exact_shader(material().emitted(route.profile))
+    for state, outcome in zip(drawn, found, strict=True):
         bounds = bounds_of(state, route, studio.runner.device(route))[0]
         larger = {**state.attributes, "shade": _single(factor * state.attributes["shade"])}
         asked = replace(state, attributes=larger)
         wanted = expected(program, asked, bounds.rules, bounds.errors)
         steps = [np.ones_like(target) for target in wanted.targets]
-        yield compare(arrays(picture), wanted, wanted.targets, steps, bounds.level)
+        yield compare(outcome.pictures, wanted, wanted.targets, steps, bounds.level)
 
 
 @pytest.mark.parametrize("route", ONE_OF_EACH_DRIVER)

@@ -10,8 +10,8 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.conform import conform
-from burnish.targets.conformance.plan import Plan
 from burnish.targets.conformance.rows import CaseResult
+from burnish.targets.conformance.trials import Trial
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.subject import Subject
 
@@ -34,7 +34,7 @@ def test_rows_under_way_end_early(
     name: str, studio: Studio, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compared: list[CaseResult] = []
-    judge = Plan.results
+    judge = Trial.results
 
     def results(self: Any, route: Route, *rest: Any) -> Iterator[CaseResult]:
         """The results of one route; those of the other come slowly, and are many."""
@@ -48,7 +48,7 @@ def test_rows_under_way_end_early(
             compared.append(first)
             yield first
 
-    monkeypatch.setattr(Plan, "results", results)
+    monkeypatch.setattr(Trial, "results", results)
     with pytest.raises(KeyboardInterrupt):
         conform(
             [(name, _subject(SUBJECTS[name]))], [QUICK, SLOW], studio.runner, studio.toolchain,

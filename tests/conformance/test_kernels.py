@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 
 import burnish
-from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.values import ResultRow
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import BOOL
@@ -20,9 +19,7 @@ from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.summary import details
 from burnish.targets.emit import stage
 from burnish.targets.runner import kernels as running
-from burnish.targets.runner.drivers.draws import Dispatch
-from burnish.targets.runner.drivers.frame_job import FrameJob
-from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.drivers.draws import Dispatch, Sides
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.routes import ROUTES
 
@@ -72,13 +69,9 @@ def _one_group_less(instance: Instance) -> Dispatch:
     return replace(made, extent=(made.extent[0] - GROUP, 1, 1))
 
 
-def _half_the_groups(
-    reflection: Reflection, pipeline: Pipeline, dispatches: Sequence[Dispatch]
-) -> FrameJob:
-    assert reflection.work_group is not None
-    x, y, z = reflection.work_group
-    larger = changed(reflection, work_group=(2 * x, y, z))
-    return running.job_of(larger, pipeline, dispatches)
+def _half_the_groups(dispatch: Dispatch, work_group: Sides) -> Sides:
+    x, y, z = work_group
+    return GROUPS(dispatch, (2 * x, y, z))
 
 
 def _first_column(self: Any, expressions: Any, store: Any, value: Any) -> Any:
@@ -106,16 +99,18 @@ def _last_is_left_out(self: Any, expressions: Any, extent: Any) -> str:
 
 GROUP = 64
 """The invocations in a work group of ``Fixed``."""
-DISPATCH, STORE = running.dispatch_of, stage.StagePrinter._store
+DISPATCH, GROUPS = running.dispatch_of, Dispatch.groups
+STORE = stage.StagePrinter._store
 SCATTER, GUARD = stage.StagePrinter._scattered, stage.StagePrinter._guard
 PRINTER = "burnish.targets.emit.stage.StagePrinter."
-JUDGE = "burnish.targets.conformance.contents."
+JOBS = "burnish.targets.runner.frames.by_route."
+DRAWS = "burnish.targets.runner.drivers.draws."
 REFERENCE = "burnish.compiler.reference.scattering."
 PLANTED: Mapping[str, tuple[str, str, Any]] = {
-    "blocks without values": ("Structures", JUDGE + "dispatch_of", _without_values),
-    "buffers without contents": ("Vectors", JUDGE + "dispatch_of", _empty_before),
-    "one work group less": ("Fixed", JUDGE + "dispatch_of", _one_group_less),
-    "half the work groups": ("Fixed", JUDGE + "job_of", _half_the_groups),
+    "blocks without values": ("Structures", JOBS + "dispatch_of", _without_values),
+    "buffers without contents": ("Vectors", JOBS + "dispatch_of", _empty_before),
+    "one work group less": ("Fixed", JOBS + "dispatch_of", _one_group_less),
+    "half the work groups": ("Fixed", DRAWS + "Dispatch.groups", _half_the_groups),
     "columns in one place": ("Vectors", PRINTER + "_store", _first_column),
     "the last element is left out": ("Fixed", PRINTER + "_guard", _last_is_left_out),
     "elements begin with zeros": ("Bits", "burnish.targets.runner.kernels._before", _zeroed),

@@ -21,8 +21,10 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.passes.layers import layer_of
 from burnish.support.frozen import changed
-from burnish.targets.runner import binding, pipeline_jobs
-from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner import binding
+from burnish.targets.runner.drivers.frame_job import FrameDraw
+from burnish.targets.runner.frames.by_route import HostSteps
+from burnish.targets.runner.frames.step_draws import StepDraw
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -138,33 +140,31 @@ def test_a_host_draws_the_layers_one_by_one() -> None:
     """The reflection is enough: each draw differs from the others in one parameter."""
     material = compiled(native=False)
     assert material.reflection.draw.layers == LayersRow(count=COUNT, parameter="draw.layer")
-    draw = state_of(material).draw()
-    assert len({*draw.layers}) == COUNT
+    assert len({layer.draw().blocks for layer in state_of(material).layers}) == COUNT
     native = compiled(native=True)
     assert native.reflection.draw.layers == LayersRow(count=COUNT, parameter=None)
-    assert state_of(native).draw().layers == ()
+    assert state_of(native).layers == ()
 
 
-_single_draws = pipeline_jobs._single_draws
+_draw = HostSteps._draw
 
 
-def _turned(draw: Draw) -> list[Draw]:
+def _turned(steps: HostSteps, draw: StepDraw, layer: int) -> FrameDraw:
     """The draws of the layers, the last one first."""
-    return _single_draws(draw)[::-1]
+    return _draw(steps, draw, COUNT - 1 - layer)
 
 
-def _first_only(draw: Draw) -> list[Draw]:
+def _first_only(steps: HostSteps, draw: StepDraw, _layer: int) -> FrameDraw:
     """The first layer in place of all."""
-    draws = _single_draws(draw)
-    return draws[:1] * len(draws)
+    return _draw(steps, draw, 0)
 
 
 PLANTED = {
     "all strips in the first layer": form("glsl", deliver_layer="gl_Layer = 0;"),
     "layers count from one": form("glsl", deliver_layer="gl_Layer = min({value} + 1, 4);"),
     "the layer is not told": form("glsl", deliver_layer="// {value}"),
-    "layers in another order": replaced(pipeline_jobs, "_single_draws", _turned),
-    "one layer for all": replaced(pipeline_jobs, "_single_draws", _first_only),
+    "layers in another order": replaced(HostSteps, "_draw", _turned),
+    "one layer for all": replaced(HostSteps, "_draw", _first_only),
     "strips of all layers in each": replaced(
         lower_expansion._Lowering, "_is_drawn",
         lambda lowering, _layer: build.constant(lowering._graph, BOOL, True),

@@ -21,8 +21,8 @@ from burnish.compiler.reference.picture import lines as lines_module
 from burnish.compiler.reference.picture.scene import Bools, Lines
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import Comparison, compare
-from burnish.targets.conformance.contents import to_targets
 from burnish.targets.conformance.drivers import DRIVERS
+from burnish.targets.runner.exact import exact_shader
 from burnish.targets.runner.kernels import drawable
 from burnish.targets.runner.meshes import Mesh
 from burnish.targets.runner.reference import expected
@@ -103,7 +103,7 @@ def comparison(
     asked = state(meant)
     bounds = bounds_of(asked, route, studio.runner.device(route))[0]
     rules: RasterRules = bounds.rules if rule is None else replace(bounds.rules, lines=rule)
-    program = to_targets(drawable(meant.emitted(route.profile)), exact=True)
+    program = exact_shader(drawable(meant.emitted(route.profile)))
     wanted = expected(program, asked, rules, bounds.errors)
     steps = [np.ones_like(target) for target in wanted.targets]
     return compare([got], wanted, wanted.targets, steps, bounds.level)

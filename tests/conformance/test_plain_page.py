@@ -21,7 +21,7 @@ from burnish.compiler.documents.writing import to_json
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.browser.chromium import Chromium
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.meshes import Mesh, sphere
 from burnish.targets.runner.patches import patches
 from burnish.targets.runner.primitives import primitives
@@ -174,5 +174,5 @@ def drawn_by_runtime(studio: Studio, material: CompiledMaterial, state: SceneSta
     """The picture of the browser's driver, in the format of the only target."""
     codes = compile_one(ROUTE, material.files, studio.toolchain)
     made = pipeline(material.reflection, ROUTE, codes)
-    (picture,) = studio.runner.draw(ROUTE, made, [state.draw()])
-    return np.rint(255 * arrays(picture)[0]).astype(np.uint8)
+    (outcome,) = draw_states(material, [state], ROUTE, made, studio.runner)
+    return np.rint(255 * outcome.pictures[0]).astype(np.uint8)

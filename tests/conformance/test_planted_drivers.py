@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pytest
 
 import burnish
-from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.routes import ROUTES, DriverRow
 from burnish.targets.runner.runner import Runner
@@ -90,7 +90,7 @@ def _agrees(studio: Studio, name: str) -> bool:
     (frame,) = burnish.compile(FRAME, (route.profile,)).frames
     # A store would hand back what the driver without the error has drawn.
     with Runner([route], reuse=False) as runner:
-        drawn = FramePlan("F", frame, SIZE)
+        drawn = FrameTrial("F", frame, SIZE)
         results = drawn.results(route, runner.device(route), runner, studio.toolchain)
         return not any(result.comparison.wrong for result in results)
 

@@ -16,7 +16,7 @@ from burnish.compiler.documents import plan as documents
 from burnish.compiler.documents.plan import AttachmentRow, PlanStep
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.writing import to_json
-from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import Attachment, Barrier
 from burnish.targets.runner.frames import by_route, job_resources
@@ -134,7 +134,7 @@ def _results(studio: Studio, change: Callable[[Plan], None]) -> list[bool]:
         plan=read(documents.FramePlan, document),
         plan_of_reference=frame.plan_of_reference,
     )
-    drawn = FramePlan("F", cast(FrameSubject, planted), SIZE)
+    drawn = FrameTrial("F", cast(FrameSubject, planted), SIZE)
     device = studio.runner.device(ROUTE)
     results = list(drawn.results(ROUTE, device, studio.runner, studio.toolchain))
     return [not result.comparison.wrong for result in results]
@@ -205,16 +205,16 @@ def _all_in_one_place(_plan: documents.FramePlan, needed: Mapping[int, int]) -> 
     return [sorted(needed)]
 
 
-ATTACHMENT, BOUND = by_route._Job._attachment, by_route._Job._bound
+ATTACHMENT, BOUND = by_route.HostSteps._attachment, by_route.HostSteps._bound
 BARRIERS = JobResources.barriers
 
 
 @pytest.mark.parametrize(
     ("place", "name", "planted", "told"),
     [
-        (by_route._Job, "_attachment", _never_loads, ""),
-        (by_route._Job, "_bound", _other_textures, ""),
-        (by_route._Job, "_attachment", _never_stores,
+        (by_route.HostSteps, "_attachment", _never_loads, ""),
+        (by_route.HostSteps, "_bound", _other_textures, ""),
+        (by_route.HostSteps, "_attachment", _never_stores,
          "is read, but nothing has drawn its layer 0, level 0"),
         (JobResources, "barriers", _without_barriers,
          "is used as 'target', but its use is 'undefined'"),

@@ -6,7 +6,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance import frames
-from burnish.targets.conformance.frames import FramePlan
+from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.routes import ROUTES
 
 from ..frames.random_frames import random_frame
@@ -25,7 +25,7 @@ def test_random_frames_agree(studio: Studio, name: str, monkeypatch: pytest.Monk
             (frame,) = burnish.compile(random_frame(seed), (route.profile,)).frames
         except burnish.CompileError:
             continue
-        made, device = FramePlan(f"{seed}", frame, SIZE), studio.runner.device(route)
+        made, device = FrameTrial(f"{seed}", frame, SIZE), studio.runner.device(route)
         for result in made.results(route, device, studio.runner, studio.toolchain):
             assert not result.comparison.wrong, f"{seed}: {result.case}"
             drawn += 1

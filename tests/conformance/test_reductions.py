@@ -16,8 +16,9 @@ import burnish
 from burnish.api.compiled import CompiledMaterial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
+from burnish.targets.runner.kernels import elements_state
 from burnish.targets.runner.routes import ROUTES
 
 from .kit import Studio
@@ -56,9 +57,9 @@ class Kernels:
             instance.set(member, value)
         codes = compile_one(ROUTE, kernel.files, self.studio.toolchain)
         bound = pipeline(kernel.reflection, ROUTE, codes)
-        job = job_of(kernel.reflection, bound, [dispatch_of(instance)])
-        (written,) = self.studio.runner.compute(ROUTE, job)
-        return np.frombuffer(elements_of(instance, written)[result], kind)
+        states = [elements_state(instance)]
+        (outcome,) = draw_states(kernel, states, ROUTE, bound, self.studio.runner)
+        return np.frombuffer(outcome.elements[result], kind)
 
     def reduced(self, name: str, values: Array) -> Array:
         """The one element that is left of some."""

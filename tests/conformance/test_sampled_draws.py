@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import pytest
 
 import burnish
+from burnish.support.frozen import changed
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
 from burnish.targets.conformance.summary import details
+from burnish.targets.runner.drivers.frame_job import FrameJob
+from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames import states
+from burnish.targets.runner.frames.states import states_job
 from burnish.targets.runner.routes import ROUTES
-from burnish.targets.runner.runner import Runner
+from burnish.targets.runner.scene_state import SceneState
+from burnish.targets.runner.subject import Subject
 
 from .kit import Studio
 
@@ -40,10 +47,11 @@ def test_pictures_of_samples_are_those_of_the_reference(studio: Studio) -> None:
 
 def test_a_single_sample_is_found(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:
     """A driver that ignores them differs at the edges of what it draws."""
-    draw = Runner.draw
 
-    def with_one(runner: Runner, route: Any, pipeline: Any, draws: Any) -> Any:
-        return draw(runner, route, replace(pipeline, samples=1), draws)
+    def with_one(subject: Subject, drawn: Sequence[SceneState], bound: Pipeline) -> FrameJob:
+        state = changed(subject.reflection.render_state, samples=1)
+        single = Exact(subject, changed(subject.reflection, render_state=state))
+        return states_job(single, drawn, replace(bound, samples=1))
 
-    monkeypatch.setattr(Runner, "draw", with_one)
+    monkeypatch.setattr(states, "states_job", with_one)
     assert {row.status for row in rows(studio)} == {"differs"}

@@ -23,9 +23,10 @@ from burnish.compiler.ir.stages import STAGES
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.pipeline import Pipeline
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
+from burnish.targets.runner.kernels import elements_state
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
@@ -85,13 +86,14 @@ def ours(studio: Studio, name: str) -> Pipeline:
     """The pipeline with all stages by Burnish."""
     material = compiled(name)
     codes = compile_one(ROUTE, material.files, studio.toolchain)
-    return pipeline(material.reflection, ROUTE, codes, exact=True)
+    return pipeline(Exact.of(material).reflection, ROUTE, codes)
 
 
 def drawn(studio: Studio, made: Pipeline, name: str, values: Values) -> Floats:
     """A pipeline's picture of a plane."""
-    (picture,) = studio.runner.draw(ROUTE, made, [state_of(name, values).draw()])
-    return arrays(picture)[0]
+    exact, states = Exact.of(compiled(name)), [state_of(name, values)]
+    (outcome,) = draw_states(exact, states, ROUTE, made, studio.runner)
+    return outcome.pictures[0]
 
 
 def state_of(name: str, values: Values) -> SceneState:
@@ -140,9 +142,9 @@ def computed(studio: Studio, made: Pipeline) -> dict[str, NDArray[Any]]:
     """A pipeline's results for ``HEAT``."""
     instance = Instance(compiled("Spreading").reflection)
     instance.set("heat", HEAT)
-    job = job_of(instance.reflection, made, [dispatch_of(instance)])
-    (written,) = studio.runner.compute(ROUTE, job)
-    found = elements_of(instance, written)
+    states = [elements_state(instance)]
+    (outcome,) = draw_states(compiled("Spreading"), states, ROUTE, made, studio.runner)
+    found = outcome.elements
     return {
         "next": np.frombuffer(found["next"], "<f4"),
         "crossed": np.frombuffer(found["crossed"], "<i4"),

@@ -51,7 +51,8 @@ from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.pipeline import Pipeline, Primitive
-from burnish.targets.runner.drivers.readback import arrays
+from burnish.targets.runner.exact import Exact
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.meshes import Indices
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene_state import SceneState
@@ -252,11 +253,11 @@ def drawn(
     where = ROUTES[route]
     assert studio.runner.problem(where) is None
     codes = compile_one(where, material.files, studio.toolchain)
-    made: Pipeline = pipeline(material.reflection, where, codes, exact=True)
+    exact = Exact.of(material)
+    made: Pipeline = pipeline(exact.reflection, where, codes)
     if primitive is not None:
         made = replace(made, primitive=primitive)
-    pictures = studio.runner.draw(where, made, [each.draw() for each in states])
-    return [arrays(picture) for picture in pictures]
+    return [each.pictures for each in draw_states(exact, states, where, made, studio.runner)]
 
 
 @pytest.mark.parametrize("route", ON)

@@ -23,15 +23,13 @@ from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance.bounds import bounds_of
 from burnish.targets.conformance.compare import compare
-from burnish.targets.conformance.contents import to_targets
-from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.codes import Codes, compile_one
-from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.pipeline import Pipeline, VertexInput
-from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
+from burnish.targets.runner.exact import Exact, exact_shader
+from burnish.targets.runner.frames.states import states_job
 from burnish.targets.runner.meshes import Mesh, cube, sphere, torus
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES, Route
@@ -39,7 +37,7 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import Color, SceneState, set_up
 
 from ..bench import __file__ as bench
-from .kit import PROFILES, HandWritten, Studio
+from .kit import PROFILES, HandWritten, Studio, redrawn
 
 FOLDER = Path(bench).parent
 SIZE = (72, 56)
@@ -203,17 +201,9 @@ def by_hand(route: Route, codes: Codes) -> Pipeline:
     )
 
 
-def drawn(studio: Studio, route: Route, made: Pipeline, draw: Draw) -> Floats:
-    """The only target of the only draw."""
-    assert studio.runner.problem(route) is None
-    (picture,) = studio.runner.draw(route, made, [draw])
-    return arrays(picture)[0]
-
-
 def drawn_by_burnish(studio: Studio, route: Route, taken: SceneState) -> Floats:
-    codes = compile_one(route, material().files, studio.toolchain)
-    made = pipeline(material().reflection, route, codes, exact=True)
-    return drawn(studio, route, made, taken.draw())
+    assert studio.runner.problem(route) is None
+    return studio.draw(route.name, material(), taken)[0]
 
 
 def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
@@ -223,15 +213,20 @@ def drawn_by_hand(studio: Studio, route: Route, scene: str) -> Floats:
         taken.attributes[name].astype("<f4").tobytes()
         for name in ("vertex_position", "vertex_normal")
     )
-    filled = replace(taken.draw(), vertices=vertices, blocks=(block(SCENES[scene][1]),))
-    return drawn(studio, route, by_hand(route, codes), filled)
+    job = redrawn(
+        states_job(Exact.of(material()), [taken], by_hand(route, codes)),
+        lambda draw: replace(draw, vertices=vertices, blocks=(block(SCENES[scene][1]),)),
+    )
+    assert studio.runner.problem(route) is None
+    ((picture,),) = studio.pictures(route, job, [taken])
+    return picture
 
 
 def drawn_by_reference(
     studio: Studio, route: Route, taken: SceneState, error: str = ""
 ) -> Expected:
     bounds = bounds_of(taken, route, studio.runner.device(route))[0]
-    program = to_targets(material(error).shader, exact=True)
+    program = exact_shader(material(error).shader)
     return expected(program, taken, bounds.rules, bounds.errors)
 
 

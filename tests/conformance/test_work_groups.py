@@ -21,7 +21,7 @@ from burnish.targets.runner.routes import ROUTES
 
 from ..targets.standings import routes
 from .kit import Studio, all_of
-from .test_kernels import JUDGE, _one_group_less
+from .test_kernels import JOBS, _one_group_less
 
 FILE = Path(__file__).with_name("work_groups.burnish")
 ROUTES_WITHOUT = routes("absent", "joined work groups")
@@ -126,7 +126,7 @@ PLANTED: Mapping[str, tuple[str, str, Any]] = {
         WRITTEN,
         _edited("index / 32", "index", stage.StagePrinter._all_written),
     ),
-    "one work group less": ("Joined", JUDGE + "dispatch_of", _one_group_less),
+    "one work group less": ("Joined", JOBS + "dispatch_of", _one_group_less),
     "the reference takes the last group for a whole one": (
         "Joined",
         REFERENCE + "InGroups.__init__",

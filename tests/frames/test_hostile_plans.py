@@ -119,10 +119,31 @@ def input_twice(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
     one["location"] = other["location"]
 
 
-def captured_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
-    row = {"name": "at", "type": "float", "representation": "float", "offset": 0, "doc": ""}
-    capture = {"topology": "point-list", "vertices": 1, "buffer": None, "there": None}
-    shader["capture"] = {**capture, "members": [row], "stride": 10**9}
+def captured(stride: int, buffer: str | None = None) -> Change:
+    """The shader captures one number of each vertex."""
+
+    def change(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
+        row = {"name": "at", "type": "float", "representation": "float", "offset": 0, "doc": ""}
+        capture = {"topology": "point-list", "vertices": 1, "buffer": buffer, "there": None}
+        shader["capture"] = {**capture, "members": [row], "stride": stride}
+
+    return change
+
+
+def captured_far_apart(plan: dict[str, Any], shader: dict[str, Any]) -> None:
+    """A kernel captures, and its vertices have a gap of 10⁹ bytes between them."""
+    captured(4, "captured")(plan, shader)
+    written = {"name": "captured", "type": "uint[]", "representation": "uint[]", "group": "draw"}
+    layout = {"stored": "uint", "kind": "uint", "lanes": 1}
+    lists: dict[str, Any] = {"members": [], "structs": []}
+    joined = {"scattered": None, "initial": None}
+    count = [{"op": "constant", "type": "int", "args": [], "value": 3}]
+    shader["results"] = [
+        {**written, **lists, **joined, "stride": 10**9, "layout": layout, "doc": "", "count": count}
+    ]
+    place = {"identifier": "captured", "group": 0, "binding": 9, "register": "u9"}
+    for backend in shader["backends"].values():
+        backend["buffers"]["captured"] = place
 
 
 def group_of(_plan: dict[str, Any], shader: dict[str, Any]) -> None:
@@ -203,7 +224,15 @@ HOSTILE: dict[str, tuple[Change, str]] = {
         input_twice, "Shadows.Shadowed.Clay, vertex_normal: another vertex input has the location 1"
     ),
     "a vertex that is captured with a gap": (
-        captured_of, "Shadows.Shadowed.Clay, capture: its values have 4 bytes, and not 1000000000"
+        captured(10**9),
+        "Shadows.Shadowed.Clay, capture: its values have 4 bytes, and not 1000000000"
+    ),
+    "vertices that nothing captures": (
+        captured(4, "captured"), "Shadows.Shadowed.Clay, capture: no kernel writes `captured`"
+    ),
+    "vertices that are captured far apart": (
+        captured_far_apart,
+        "Shadows.Shadowed.Clay, captured: its vertices have 4 bytes, and not 1000000000"
     ),
     "a large work group": (
         group_of, "Shadows.Shadowed.Clay, work_group: no device runs 1000000000 x 1 x 1 "

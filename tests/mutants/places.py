@@ -28,7 +28,7 @@ AREAS: Mapping[str, tuple[str, ...]] = {
     "frames": ("targets/runner/frames/by_route.py", "targets/runner/frames/job_resources.py",
                "targets/runner/frames/memory.py"),
     "drivers": ("targets/runner/drivers/vulkan/*.py", "targets/runner/drivers/readback.py",
-                "targets/runner/pipeline_jobs.py"),
+                "targets/runner/frames/states.py"),
     "reference": ("compiler/reference/*.py", "compiler/reference/picture/*.py",
                   "targets/runner/frames/by_reference.py",
                   "targets/runner/frames/reference_textures.py"),

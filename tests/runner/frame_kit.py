@@ -154,7 +154,7 @@ LEFT = Area(right=0.0)
 TOP = Area(bottom=0.0)
 
 
-def draw_of(area: Area, *blocks: bytes, targets: int = 1) -> Draw:
+def draw_of(area: Area, *blocks: bytes) -> Draw:
     """Two triangles over an area."""
     corners = quad(area.left, area.bottom, area.right, area.top, area.depth)
     lanes = [lane for corner in corners for lane in corner]
@@ -166,7 +166,6 @@ def draw_of(area: Area, *blocks: bytes, targets: int = 1) -> Draw:
         indices=struct.pack(f"<{len(corners)}I", *range(len(corners))),
         blocks=blocks,
         textures=(),
-        clear=(CLEAR,) * targets,
     )
 
 
@@ -175,11 +174,9 @@ def painted(paint: Color, area: Area = ALL, pipeline: int = 0) -> FrameDraw:
     return FrameDraw(pipeline, (), (), draw_of(area, struct.pack("<4f", *paint)))
 
 
-def reading(
-    pipeline: int, *textures: int, buffers: Sequence[int] = (), targets: int = 1
-) -> FrameDraw:
+def reading(pipeline: int, *textures: int, buffers: Sequence[int] = ()) -> FrameDraw:
     """A draw over everything that reads textures and buffers of the frame."""
-    return FrameDraw(pipeline, textures, tuple(buffers), draw_of(ALL, targets=targets))
+    return FrameDraw(pipeline, textures, tuple(buffers), draw_of(ALL))
 
 
 def dispatched(pipeline: int, *textures: int, buffers: Sequence[int] = ()) -> FrameDraw:

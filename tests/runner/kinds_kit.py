@@ -19,9 +19,9 @@ from burnish.targets.runner.drivers.pipeline import Code, Pipeline
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import Place, TextureSlot
 from burnish.targets.runner.drivers.texels import TEXELS, Dimension, Image, Sample, TextureFormat
-from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_kit, vulkan_kit
+from .jobs_kit import draw_job
 
 Floats = npt.NDArray[np.float32]
 

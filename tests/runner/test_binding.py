@@ -7,14 +7,16 @@ from typing import Any, get_args
 import pytest
 
 import burnish
+from burnish.api.entry_points import CompiledMaterial
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.ir.formats import VERTEX_FORMATS, VertexFormat
 from burnish.compiler.semantics.shading.passes.formats import FORMATS as TARGET_FORMATS
-from burnish.targets.runner.binding import EXACT, FORMATS, pipeline
+from burnish.targets.runner.binding import FORMATS, pipeline
 from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers.pipeline import Code, VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
+from burnish.targets.runner.exact import Exact, exact_format
 from burnish.targets.runner.routes import ROUTES
 
 from .blends import named
@@ -44,15 +46,22 @@ pass Fronts : Both {
 """
 
 
-def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> Reflection:
+def compiled(text: str, pass_: str | None, **options: Any) -> CompiledMaterial:
     (material,) = burnish.compile(text, PROFILES, pass_=pass_, **options).materials
-    return material.reflection
+    return material
+
+
+def reflection(text: str = TEXT, pass_: str | None = "Both", **options: Any) -> Reflection:
+    return compiled(text, pass_, **options).reflection
 
 
 def test_every_table_is_whole() -> None:
     assert FORMATS.keys() == TARGET_FORMATS.keys()
     assert set(FORMATS.values()) <= set(get_args(TargetFormat))
-    assert EXACT.keys() == {str(type_) for type_ in TARGET_FORMATS.values()}
+    for name, type_ in TARGET_FORMATS.items():
+        exact = exact_format(name)
+        assert exact.endswith("32f")
+        assert TARGET_FORMATS[exact] == type_
     assert set(VERTEX_FORMATS.values()) == set(get_args(VertexFormat))
 
 
@@ -136,8 +145,8 @@ def test_what_hosts_of_flipped_texts_are_told() -> None:
 
 @pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)
 def test_exact_targets_keep_what_is_written(route: Any) -> None:
-    described = reflection()
-    made = pipeline(described, route, CODES, exact=True)
+    described = Exact.of(compiled(TEXT, "Both")).reflection
+    made = pipeline(described, route, CODES)
     assert made.targets == (RenderTarget("r32float"), RenderTarget("rgba32float"))
     assert [slot.size for slot in made.blocks] == [row.size for row in described.blocks]
     identifiers = [slot.place.identifier for slot in made.blocks]

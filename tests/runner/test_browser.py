@@ -15,11 +15,11 @@ import pytest
 from burnish.targets.runner.drivers.browser import chromium
 from burnish.targets.runner.drivers.browser.driver import APIS, Browser
 from burnish.targets.runner.drivers.device import DriverError
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.runner import frame_request
 
 from ..suite.processes import Program, run, started, until
 from . import textual_shaders as shaders
+from .jobs_kit import draw_job
 from .textual_kit import COMMANDS, RED, Asker, full, pipeline, shoot
 
 

@@ -8,13 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.frame_job import (
-    Attachment,
-    Barrier,
-    FrameDraw,
-    FrameStep,
-    TextureUse,
-)
+from burnish.compiler.documents.plan import TextureState
+from burnish.targets.runner.drivers.frame_job import Attachment, Barrier, FrameDraw, FrameStep
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 
 from .blends import named
@@ -125,7 +120,7 @@ void main() { target = vec4(texelFetch(before, ivec2(gl_FragCoord.xy), 0).r); }
 """
     only_depths = driver.pipeline("void main() {}\n", targets=())
     reader = driver.pipeline(text, textures=(slot(sample="depth"),))
-    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25), targets=0))
+    near = FrameDraw(0, (), (), draw_of(replace(TOP, depth=0.25)))
     (found,) = driver.draw(
         job(
             [texture(format="depth32float"), texture()],
@@ -224,7 +219,7 @@ def test_two_textures_take_turns(driver: Driver) -> None:
     steps = [step(0, painted((0.125, 0.25, 0.5, 1.0)), barriers=drawn_first(0))]
     for number in range(rounds):
         source, target = number % 2, 1 - number % 2
-        use: TextureUse = "undefined" if number == 0 else "sampled"
+        use: TextureState = "undefined" if number == 0 else "sampled"
         barriers = (Barrier(source, "target", "sampled"), Barrier(target, use, "target"))
         steps.append(step(target, reading(1, source), barriers=barriers))
     twice = driver.pipeline(TWICE, textures=(slot(),))
@@ -287,9 +282,7 @@ layout(location = 1) out vec4 other;
 void main() { one = vec4(gl_FragCoord.xy, 0.0, 1.0); other = vec4(0.25); }
 """
     both = driver.pipeline(text, targets=(RenderTarget("rgba32float"),) * 2)
-    drawn = FrameStep(
-        drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0, targets=2),)
-    )
+    drawn = FrameStep(drawn_first(0, 1), (Attachment(0), Attachment(1)), None, (reading(0),))
     one, other = driver.draw(job([texture(), texture()], [both], drawn, back(0, 1)))
     assert tuple(one[0, 0, 1]) == (1.5, 0.5, 0.0, 1.0)  # the first row is the top one
     np.testing.assert_array_equal(other[0], np.full((SIZE, SIZE, 4), 0.25))

@@ -4,13 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from burnish.targets.runner.drivers.frame_job import (
-    Barrier,
-    BufferBarrier,
-    BufferUse,
-    FrameBuffer,
-    FrameStep,
-)
+from burnish.compiler.documents.plan import BufferState
+from burnish.targets.runner.drivers.frame_job import Barrier, BufferBarrier, FrameBuffer, FrameStep
 
 from .frame_kit import (
     SIZE,
@@ -114,9 +109,9 @@ void main() { uint i = gl_GlobalInvocationID.x; result[i] = 2.0 * before[i] + 1.
 layout(location = 0) out vec4 target;
 void main() { target = vec4(before[int(gl_FragCoord.x)]); }
 """
-    uses: list[BufferUse] = ["undefined", "undefined"]
+    uses: list[BufferState] = ["undefined", "undefined"]
 
-    def waiting(number: int, use: BufferUse) -> BufferBarrier:
+    def waiting(number: int, use: BufferState) -> BufferBarrier:
         before, uses[number] = uses[number], use
         return BufferBarrier(number, before, use)
 

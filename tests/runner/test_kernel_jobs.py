@@ -2,25 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import pytest
 
 import burnish
+from burnish.api.entry_points import CompiledMaterial
+from burnish.targets.runner.binding import pipeline
+from burnish.targets.runner.codes import Codes
 from burnish.targets.runner.drivers.checks import check_groups
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.draws import Dispatch, Sides
 from burnish.targets.runner.drivers.frame_checks import check_frame
-from burnish.targets.runner.drivers.frame_job import FrameJob
+from burnish.targets.runner.drivers.frame_job import (
+    OWN,
+    BufferBarrier,
+    Found,
+    FrameBuffer,
+    FrameDraw,
+    FrameJob,
+    FrameStep,
+)
 from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.slots import BufferSlot, Place
+from burnish.targets.runner.frames.job_resources import WORD
+from burnish.targets.runner.frames.states import outcomes, states_job
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.kernels import dispatch_of, elements_of, job_of
-from burnish.targets.runner.pipeline_jobs import Written, kernel_job
+from burnish.targets.runner.kernels import dispatch_of, elements_state
+from burnish.targets.runner.routes import ROUTES
 
 PLACE = Place("r", 0, 0)
-PIPELINE = Pipeline({}, (), (), (), (), buffers=(BufferSlot(PLACE, 4, written=True),))
-READING = replace(PIPELINE, buffers=(BufferSlot(PLACE, 4, written=False),))
+PIPELINE = Pipeline({}, (), (), (), (), buffers=(BufferSlot(PLACE, 8, written=True),))
+READING = replace(PIPELINE, buffers=(BufferSlot(PLACE, 8, written=False),))
 SOURCE = """
 kernel K {
     work_group of 32
@@ -32,8 +46,28 @@ kernel K {
 """
 
 
-def dispatch(extent: Sides = (1, 1, 1), data: bytes = bytes(4)) -> Dispatch:
+def dispatch(extent: Sides = (1, 1, 1), data: bytes = bytes(8)) -> Dispatch:
     return Dispatch(extent, (), (), (data,))
+
+
+def kernel_job(pipeline: Pipeline, work_group: Sides, dispatches: Sequence[Dispatch]) -> FrameJob:
+    """A step for each dispatch, whose only buffer is the job's own if the kernel writes it."""
+    (slot,) = pipeline.buffers
+    buffers, steps = [], []
+    for number, each in enumerate(dispatches):
+        run = FrameDraw(0, (), (OWN,), dispatch=each)
+        barriers: tuple[BufferBarrier, ...] = ()
+        if slot.written:
+            run = FrameDraw(0, (), (number,), dispatch=replace(each, buffers=()))
+            barriers = (BufferBarrier(number, "undefined", "written"),)
+            buffers.append(FrameBuffer(len(each.buffers[0]) // WORD))
+        groups = each.groups(work_group)
+        steps.append(
+            FrameStep(
+                draws=(run,), groups=groups, buffer_barriers=barriers, name=f"dispatch {number}"
+            )
+        )
+    return FrameJob((), tuple(buffers), (pipeline,), tuple(steps))
 
 
 @pytest.mark.parametrize(
@@ -50,7 +84,7 @@ def dispatch(extent: Sides = (1, 1, 1), data: bytes = bytes(4)) -> Dispatch:
 )
 def test_work_groups_cover_all_elements(extent: Sides, work_group: Sides, groups: Sides) -> None:
     assert dispatch(extent).groups(work_group) == groups
-    run, _ = kernel_job(PIPELINE, work_group, [dispatch(extent)]).steps
+    (run,) = kernel_job(PIPELINE, work_group, [dispatch(extent)]).steps
     assert run.groups == groups
 
 
@@ -72,22 +106,34 @@ def test_more_work_groups_than_a_device_runs_are_refused() -> None:
 
 @pytest.mark.parametrize("written", [True, False])
 def test_buffers_of_another_size_are_refused(written: bool) -> None:
-    pipeline = PIPELINE if written else READING
-    check_frame(kernel_job(pipeline, (64, 1, 1), [dispatch()]))
+    made = PIPELINE if written else READING
+    check_frame(kernel_job(made, (64, 1, 1), [dispatch()]))
     with pytest.raises(DriverError) as error:
-        check_frame(kernel_job(pipeline, (64, 1, 1), [dispatch(), dispatch(data=bytes(6))]))
+        check_frame(kernel_job(made, (64, 1, 1), [dispatch(), dispatch(data=bytes(12))]))
     assert str(error.value) == (
-        "dispatch 1: storage buffer 'r' is given 6 bytes, and its elements have 4"
+        "dispatch 1: storage buffer 'r' is given 12 bytes, and its elements have 8"
     )
 
 
 def test_buffers_that_are_missing_are_refused() -> None:
-    (run, read) = kernel_job(READING, (64, 1, 1), [dispatch()]).steps
-    (drawn,) = run.draws
-    lacking = replace(run, draws=(replace(drawn, dispatch=Dispatch((1, 1, 1), (), (), ())),))
+    lacking = Dispatch((1, 1, 1), (), (), ())
     with pytest.raises(DriverError) as error:
-        check_frame(FrameJob((), (), (READING,), (lacking, read)))
+        check_frame(kernel_job(READING, (64, 1, 1), [lacking]))
     assert str(error.value) == "dispatch 0: 0 storage buffers are given, and the pipeline has 1"
+
+
+def bound(kernel: CompiledMaterial) -> Pipeline:
+    """The pipeline of a kernel, without its code."""
+    return pipeline(kernel.reflection, ROUTES["lavapipe:glsl"], Codes({}))
+
+
+def elements(kernel: CompiledMaterial, instance: Instance) -> Mapping[str, bytes]:
+    """The elements of a kernel's results, if it writes nothing."""
+    states = [elements_state(instance)]
+    job = states_job(kernel, states, bound(kernel))
+    found = Found(buffers=tuple(each.contents for each in job.buffers))
+    (there,) = outcomes(job, found, states)
+    return there.elements
 
 
 def test_a_dispatch_is_what_the_reflection_says() -> None:
@@ -97,14 +143,12 @@ def test_a_dispatch_is_what_the_reflection_says() -> None:
     made = dispatch_of(instance)
     assert made.extent == (3, 1, 1)
     assert [len(data) for data in made.buffers] == [16, 48, 12]
+    assert {name: len(data) for name, data in elements(kernel, instance).items()} == {
+        "after": 48, "count": 12,
+    }  # fmt: skip
     instance.set("n", 33)
-    made = replace(dispatch_of(instance), buffers=(bytes(4),))
-    run, _ = job_of(kernel.reflection, PIPELINE, [made]).steps
+    run = states_job(kernel, [elements_state(instance)], bound(kernel)).steps[0]
     assert run.groups == (2, 1, 1)
-    instance.set("n", 3)
-    written = Written((bytes(range(48)), bytes(12)))
-    found = elements_of(instance, written)
-    assert {name: len(data) for name, data in found.items()} == {"after": 48, "count": 12}
 
 
 def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None:
@@ -113,8 +157,7 @@ def test_results_without_elements_are_bound_with_one_that_nobody_reads() -> None
     instance.set("n", 0)
     made = dispatch_of(instance)
     assert [len(data) for data in made.buffers] == [16, 16, 4]
-    found = elements_of(instance, Written((bytes(16), bytes(4))))
-    assert set(found.values()) == {b""}
+    assert set(elements(kernel, instance).values()) == {b""}
 
 
 @pytest.mark.parametrize("profile", ["glsl:gl450", "glsl:es310"])

@@ -13,9 +13,9 @@ from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.opengl.driver import OpenGL
 from burnish.targets.runner.drivers.pipeline import Code
 from burnish.targets.runner.drivers.slots import BlockSlot
-from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_shaders as shaders
+from .jobs_kit import draw_job
 from .textual_kit import NEAREST, SIZE, Floats, floats, full, image, pipeline, place, read, shoot
 
 

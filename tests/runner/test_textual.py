@@ -12,11 +12,11 @@ import pytest
 from burnish.compiler.ir.blending import NAMED, Blend, BlendEquation, Factor, Operation
 from burnish.compiler.ir.render_state import Compare, Cull, DepthState
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
-from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders
 from .blends import blended, both, named
+from .jobs_kit import draw_job
 from .textual_kit import (
     BLUE,
     CORNERS,
@@ -140,7 +140,8 @@ Floats = npt.NDArray[np.float64]
 
 SOURCE = np.array([0.5, 0.25, 1.0, 0.25])
 TARGET = np.array([0.25, 1.0, 0.5, 0.5])
-
+CLEAR = ((0.25, 1.0, 0.5, 0.5),)
+"""The clear colour of the only target, which is ``TARGET``."""
 
 CONSTANT = (0.5, 0.25, 0.75, 1.0)
 
@@ -163,16 +164,16 @@ def with_words(mode: str) -> Floats:
 @pytest.mark.parametrize("mode", NAMED)
 def test_blending(api: str, mode: str, format: TargetFormat) -> None:
     chosen = pipeline(api, targets=[RenderTarget(format, named(mode))])
-    draw = replace(full(SOURCE), clear=(tuple(TARGET),))
-    assert (shoot(api, draw_job(chosen, (draw,))) == with_words(mode)).all()
+    found = shoot(api, draw_job(chosen, (full(SOURCE),), clear=CLEAR))
+    assert (found == with_words(mode)).all()
 
 
 def test_every_factor(api: str) -> None:
     for factor in get_args(Factor):
         for state in (both(factor, "one"), both("one", factor)):
             chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
-            draw = replace(full(SOURCE), clear=(tuple(TARGET),), blend_constant=CONSTANT)
-            found = shoot(api, draw_job(chosen, (draw,)))
+            job = draw_job(chosen, (full(SOURCE),), clear=CLEAR, blend_constant=CONSTANT)
+            found = shoot(api, job)
             expected = blended(state, SOURCE.tolist(), TARGET.tolist(), CONSTANT)
             assert (found == np.array(expected)).all(), state
 
@@ -181,18 +182,17 @@ def test_every_operation(api: str) -> None:
     for operation in get_args(Operation):
         state = Blend(BlendEquation("one", "one", operation), BlendEquation("one", "zero"))
         chosen = pipeline(api, targets=[RenderTarget("rgba32float", state)])
-        draw = replace(full(SOURCE), clear=(tuple(TARGET),))
-        found = shoot(api, draw_job(chosen, (draw,)))
+        found = shoot(api, draw_job(chosen, (full(SOURCE),), clear=CLEAR))
         assert (found == np.array(blended(state, SOURCE.tolist(), TARGET.tolist()))).all(), state
 
 
 @pytest.mark.parametrize("mask", ["rgb", "ga", "none"])
 def test_lanes_that_are_masked_keep_what_they_have(api: str, mask: str) -> None:
     chosen = pipeline(api, targets=[RenderTarget("rgba32float", None, mask)])
-    draw = replace(full(SOURCE), clear=(tuple(TARGET),))
+    draw = full(SOURCE)
     written = [mask != "none" and lane in mask for lane in "rgba"]
     # Twice, as what clears the second picture must not obey the first one's mask.
-    pictures = kit.asker(api).draw(draw_job(chosen, (draw, draw)))
+    pictures = kit.asker(api).draw(draw_job(chosen, (draw, draw), clear=CLEAR))
     for picture in pictures:
         assert (kit.pixels(picture, 0) == np.where(written, SOURCE, TARGET)).all()
 
@@ -200,8 +200,8 @@ def test_lanes_that_are_masked_keep_what_they_have(api: str, mask: str) -> None:
 def test_depths_are_cleared_as_asked(api: str) -> None:
     chosen = replace(pipeline(api), depth=DepthState("greater"))
     for depth, drawn in ((0.25, True), (0.75, False)):
-        draw = replace(mesh([(x, y, 0.5) for x, y in CORNERS], RED), clear_depth=depth)
-        assert (shoot(api, draw_job(chosen, (draw,))) == RED).all() == drawn
+        draw = mesh([(x, y, 0.5) for x, y in CORNERS], RED)
+        assert (shoot(api, draw_job(chosen, (draw,), clear_depth=depth)) == RED).all() == drawn
 
 
 @pytest.mark.parametrize("format", get_args(TargetFormat))
@@ -234,10 +234,9 @@ def test_two_targets_each_with_its_own(api: str) -> None:
     """Format, clear colour and blending."""
     targets = [RenderTarget("rgba8unorm"), RenderTarget("rg32float", named("add"))]
     draw = mesh(TOP_LEFT, (1, 0, 0.25, 1))
-    draw = replace(draw, clear=((0, 1, 0, 1), (0.5, 8, 0, 0)))
-    (picture,) = kit.asker(api).draw(
-        draw_job(pipeline(api, shaders.TWO_GLSL, shaders.TWO_WGSL, targets=targets), (draw,))
-    )
+    chosen = pipeline(api, shaders.TWO_GLSL, shaders.TWO_WGSL, targets=targets)
+    job = draw_job(chosen, (draw,), clear=((0, 1, 0, 1), (0.5, 8, 0, 0)))
+    (picture,) = kit.asker(api).draw(job)
     first, second = kit.pixels(picture, 0), kit.pixels(picture, 1)
     assert np.allclose(first[0, 0], (1, 0, 0.25, 1), atol=0.5 / 255)
     assert first[-1, -1].tolist() == [0, 1, 0, 1]

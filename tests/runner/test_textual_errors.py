@@ -11,10 +11,10 @@ from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.pipeline import VertexInput
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, BufferSlot
-from burnish.targets.runner.pipeline_jobs import draw_job
 
 from . import textual_kit as kit
 from . import textual_shaders as shaders
+from .jobs_kit import draw_job
 from .textual_kit import (
     CORNERS,
     NEAREST,
@@ -149,7 +149,6 @@ def test_bytes_that_do_not_fit(api: str) -> None:
         draw_job(chosen, (replace(draw, indices=kit.indices(0, 1)),)),
         "whole primitives of 3",
     )
-    wrong(api, draw_job(chosen, (replace(draw, clear=()),)), "clear colours")
     block = kit.with_blocks(mesh(CORNERS, (-5, 3, 7), "<i4"), NUMBERS_DATA + bytes(16))
     wrong(api, draw_job(numbers(api), (block,)), "80", "64")
 

@@ -11,9 +11,9 @@ import pytest
 import burnish
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
 from burnish.targets.runner.meshes import mesh
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
@@ -21,6 +21,7 @@ from burnish.targets.runner.textures.texture import Texture
 from burnish.targets.toolchain import Toolchain
 from burnish.tests.structure.kit import ROOT
 
+from .jobs_kit import draw_job
 from .textual_kit import Floats, shoot
 
 Covered = npt.NDArray[np.bool_]
@@ -46,7 +47,7 @@ def pictures() -> dict[str, Floats]:
     shown = {}
     for api, route in ROUTE_OF.items():
         codes = compile_one(ROUTES[route], plastic.files, Toolchain())
-        made = pipeline(plastic.reflection, ROUTES[route], codes, exact=True)
+        made = pipeline(Exact.of(plastic).reflection, ROUTES[route], codes)
         shown[api] = shoot(api, draw_job(made, (draw,)))
     return shown
 

@@ -16,9 +16,9 @@ from burnish.targets.runner.drivers.pipeline import VertexInput
 from burnish.targets.runner.drivers.readback import TEXEL_LANES
 from burnish.targets.runner.drivers.render_state import RenderTarget, TargetFormat
 from burnish.targets.runner.drivers.slots import BlockSlot, Place
-from burnish.targets.runner.pipeline_jobs import draw_job
 
 from .blends import blended, both, named
+from .jobs_kit import draw_job
 from .vulkan_kit import (
     PLACE,
     SIZE,
@@ -163,6 +163,8 @@ def test_depths_that_are_not_written_hide_nothing(vulkan: Asker) -> None:
 
 SOURCE = np.array([0.5, 0.25, 1.0, 0.25])
 UNDER = np.array([0.125, 0.5, 0.75, 0.5])
+CLEAR = ((0.125, 0.5, 0.75, 0.5),)
+"""The clear colour of the only target, which is ``UNDER``."""
 BLENDED = {
     "none": SOURCE,
     "alpha": [*(SOURCE * 0.25 + UNDER * 0.75)[:3], 0.25 + 0.5 * 0.75],
@@ -175,8 +177,8 @@ BLENDED = {
 @pytest.mark.parametrize("blend", BLENDED)
 def test_blend_modes(vulkan: Asker, blend: str) -> None:
     pipeline = painted_pipeline(RenderTarget("rgba16float", named(blend)))
-    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
-    picture = vulkan.one(pipeline, draw)
+    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6)
+    picture = vulkan.one(pipeline, draw, clear=CLEAR)
     assert picture[0, 0].tolist() == list(BLENDED[blend])
     assert picture[-1, -1].tolist() == UNDER.tolist()
 
@@ -188,8 +190,8 @@ CONSTANT = (0.5, 0.25, 0.75, 1.0)
 def test_every_factor(vulkan: Asker, factor: Factor) -> None:
     for blend in (both(factor, "one"), both("one", factor)):
         pipeline = painted_pipeline(RenderTarget("rgba32float", blend))
-        draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
-        picture = vulkan.one(pipeline, replace(draw, blend_constant=CONSTANT))
+        draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6)
+        picture = vulkan.one(pipeline, draw, clear=CLEAR, blend_constant=CONSTANT)
         expected = blended(blend, SOURCE.tolist(), UNDER.tolist(), CONSTANT)
         assert picture[0, 0].tolist() == expected
 
@@ -198,24 +200,24 @@ def test_every_factor(vulkan: Asker, factor: Factor) -> None:
 def test_every_operation(vulkan: Asker, operation: Operation) -> None:
     blend = both("one", "one", operation)
     pipeline = painted_pipeline(RenderTarget("rgba32float", blend))
-    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
+    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6)
     expected = blended(blend, SOURCE.tolist(), UNDER.tolist())
-    assert vulkan.one(pipeline, draw)[0, 0].tolist() == expected
+    assert vulkan.one(pipeline, draw, clear=CLEAR)[0, 0].tolist() == expected
 
 
 @pytest.mark.parametrize("mask", ["rgb", "ga", "none"])
 def test_lanes_that_are_masked_keep_what_they_have(vulkan: Asker, mask: str) -> None:
     pipeline = painted_pipeline(RenderTarget("rgba32float", named("add"), mask))
-    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6, clear=[UNDER.tolist()])
+    draw = draw_of(TOP_LEFT, [SOURCE.tolist()] * 6)
     added, written = SOURCE + UNDER, [mask != "none" and lane in mask for lane in "rgba"]
     expected = np.where(written, added, UNDER).tolist()
-    assert vulkan.one(pipeline, draw)[0, 0].tolist() == expected
+    assert vulkan.one(pipeline, draw, clear=CLEAR)[0, 0].tolist() == expected
 
 
 def test_depths_are_cleared_as_asked(vulkan: Asker) -> None:
     places, paints = quad(-1, -1, 1, 1, 0.25) + quad(-1, 0, 0, 1, 0.75), [RED] * 6 + [GREEN] * 6
-    draw = replace(draw_of(places, paints), clear_depth=0.5)
-    picture = vulkan.one(painted_pipeline(depth=DepthState("greater")), draw)
+    pipeline = painted_pipeline(depth=DepthState("greater"))
+    picture = vulkan.one(pipeline, draw_of(places, paints), clear_depth=0.5)
     assert picture[0, 0].tolist() == GREEN
     assert picture[-1, -1].tolist() == [0.0] * 4
 
@@ -251,8 +253,8 @@ def test_two_targets_with_blend_modes_of_their_own(vulkan: Asker) -> None:
     """
     targets = (RenderTarget("rgba32float"), RenderTarget("rg16float", named("add")))
     pipeline = flat_pipeline(both, targets=targets)
-    draw = draw_of(TOP_LEFT, clear=([1.0] * 4, [0.5, 0.125, 0.0, 0.0]))
-    (picture,) = vulkan.draw(draw_job(pipeline, (draw,)))
+    clear = ((1.0, 1.0, 1.0, 1.0), (0.5, 0.125, 0.0, 0.0))
+    (picture,) = vulkan.draw(draw_job(pipeline, (draw_of(TOP_LEFT),), clear=clear))
     assert pixels(picture, 0)[0, 0].tolist() == [0.5] * 4
     assert pixels(picture, 0)[-1, -1].tolist() == [1.0] * 4
     assert pixels(picture, 1)[0, 0].tolist() == [0.75, 0.875, 0.0, 1.0]

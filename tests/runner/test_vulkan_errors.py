@@ -24,12 +24,12 @@ from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.vulkan.driver import VulkanDriver
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import WORKERS
 from burnish.targets.toolchain.pipe import Packet, receive, send
 
 from ..suite.processes import Background, run, started
+from .jobs_kit import draw_job
 from .vulkan_kit import (
     PAINT,
     PLACE,
@@ -113,9 +113,7 @@ def test_a_picture_of_no_pixels(vulkan: Asker) -> None:
 
 
 def test_too_many_targets(vulkan: Asker) -> None:
-    targets = (RenderTarget("rgba32float"),) * 9
-    clear = ((0.0, 0.0, 0.0, 0.0),) * 9
-    said = refusal(vulkan, flat_pipeline(targets=targets), clear=clear)
+    said = refusal(vulkan, flat_pipeline(targets=(RenderTarget("rgba32float"),) * 9))
     assert said == "there are 9 targets, and the device has at most 8"
 
 
@@ -211,7 +209,6 @@ def test_a_word_of_the_validation_layer_is_fatal(vulkan: Asker, mistake: str) ->
         vertices=tuple(given.get(each.identifier, draw.vertices[0]) for each in pipeline.inputs),
         blocks=(bytes(96),) * len(pipeline.blocks),
         textures=(Image("rgba8unorm", 1, 1, (bytes(4),)),) * len(pipeline.textures),
-        clear=draw.clear * len(pipeline.targets),
     )
     first, _, rest = said.partition("\n")
     assert first == "Vulkan refuses a part of the job:"

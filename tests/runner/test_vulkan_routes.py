@@ -15,12 +15,13 @@ from burnish.targets.runner import meshes
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import Codes, compile_one
 from burnish.targets.runner.drivers.vulkan.blocks import block_sizes
+from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.instances.instance import Instance
-from burnish.targets.runner.pipeline_jobs import draw_job
 from burnish.targets.runner.routes import ROUTES, Route
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
+from .jobs_kit import draw_job
 from .vulkan_kit import Asker, Floats, pixels, tools
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -50,11 +51,9 @@ def codes(file: str, route: str) -> Codes:
 
 def picture(vulkan: Asker, file: str, route: Route) -> Floats:
     """A sphere in the standard scene."""
-    reflection = material(file).reflection
+    reflection = Exact.of(material(file)).reflection
     state = set_up(Instance(reflection), meshes.mesh("sphere"), Scene(), SIZE)
-    job = draw_job(
-        pipeline(reflection, route, codes(file, route.name), exact=True), (state.draw(),)
-    )
+    job = draw_job(pipeline(reflection, route, codes(file, route.name)), (state.draw(),))
     (drawn,) = vulkan.draw(job)
     return pixels(drawn)
 

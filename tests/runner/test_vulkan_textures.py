@@ -9,8 +9,8 @@ import pytest
 
 from burnish.targets.runner.drivers.slots import BlockSlot, Mip, Place, TextureSlot, Wrap
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
-from burnish.targets.runner.pipeline_jobs import draw_job
 
+from .jobs_kit import draw_job
 from .vulkan_kit import SIZE, WHOLE, Asker, Floats, draw_of, flat_pipeline, floats, pixels
 
 READ = """#version 450

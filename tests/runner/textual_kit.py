@@ -18,20 +18,19 @@ import numpy.typing as npt
 from burnish.compiler.ir.formats import VertexFormat
 from burnish.targets.runner.drivers.device import Device, DriverError
 from burnish.targets.runner.drivers.draws import Draw
-from burnish.targets.runner.drivers.frame_job import Found, FrameJob, Picture
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
-from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.slots import BlockSlot, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
 from burnish.targets.runner.drivers.wire import from_json, joined
-from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain.limits import BROWSERS
 from burnish.targets.toolchain.pipe import Packet
 from burnish.targets.toolchain.workers import Answer, Worker
 
 from . import textual_shaders as shaders
+from .jobs_kit import Picture, draw_job, pictures
 
 Floats = npt.NDArray[np.float32]
 Color = tuple[float, float, float, float]
@@ -50,7 +49,6 @@ SIZE = 8
 
 CORNERS = ((-1, -1), (3, -1), (-1, 3))
 """The corners of a triangle that covers the picture."""
-BLACK: Color = (0.0, 0.0, 0.0, 0.0)
 
 
 class Asker:
@@ -93,7 +91,7 @@ def asker(api: str) -> Asker:
 
 def pixels(picture: Picture, target: int = 0) -> Floats:
     """A target of a picture, of shape (height, width, 4)."""
-    found: Floats = layers_of(picture[target])[0].astype(np.float32)
+    found: Floats = picture[target].astype(np.float32)
     return found
 
 
@@ -162,7 +160,6 @@ def mesh(places: Sequence[Sequence[float]], paint: object, kind: str = "<f4") ->
         indices=indices(*range(count)),
         blocks=(),
         textures=(),
-        clear=(BLACK,),
     )
 
 

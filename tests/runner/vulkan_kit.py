@@ -18,19 +18,19 @@ import numpy.typing as npt
 from burnish.targets.runner.codes import modules
 from burnish.targets.runner.drivers.device import Device, DriverError
 from burnish.targets.runner.drivers.draws import Draw
-from burnish.targets.runner.drivers.frame_job import Found, FrameJob, Picture
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob
 from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
-from burnish.targets.runner.drivers.readback import layers_of
 from burnish.targets.runner.drivers.render_state import RenderTarget
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.drivers.wire import from_json, joined
-from burnish.targets.runner.pipeline_jobs import draw_job, pictures
 from burnish.targets.runner.routes import DRIVERS
 from burnish.targets.runner.runner import frame_request
 from burnish.targets.toolchain import Job, Toolchain
 from burnish.targets.toolchain.pipe import Packet
 from burnish.targets.toolchain.tools import inspect_all, tool_named
 from burnish.targets.toolchain.workers import Answer, Worker
+
+from .jobs_kit import Picture, draw_job, pictures
 
 Floats = npt.NDArray[np.float32]
 
@@ -81,10 +81,13 @@ class Asker:
         reply = self._reply(frame_request(job))
         return pictures(job, joined(Found, reply.content["found"], reply.data))
 
-    def one(self, pipeline: Pipeline, draw: Draw, target: int = 0) -> Floats:
-        """A target of the only picture, as an array of rows, columns and lanes."""
-        (picture,) = self.draw(draw_job(pipeline, (draw,)))
-        return pixels(picture, target)
+    def one(self, pipeline: Pipeline, draw: Draw, **settings: Any) -> Floats:
+        """The first target of the only picture, as an array of rows, columns and lanes.
+
+        ``settings`` are those of ``draw_job``.
+        """
+        (picture,) = self.draw(draw_job(pipeline, (draw,), **settings))
+        return pixels(picture)
 
     def kill(self) -> None:
         """Kill the worker's process from outside."""
@@ -116,7 +119,7 @@ class Asker:
 
 def pixels(picture: Picture, target: int = 0) -> Floats:
     """A target as an array of rows, columns and lanes."""
-    found: Floats = layers_of(picture[target])[0].astype(np.float32)
+    found: Floats = picture[target].astype(np.float32)
     return found
 
 
@@ -203,7 +206,6 @@ def draw_of(
     paints: Sequence[Sequence[float]] | None = None,
     *,
     size: tuple[int, int] = (SIZE, SIZE),
-    clear: Sequence[Sequence[float]] = ((0.0, 0.0, 0.0, 0.0),),
     blocks: Sequence[bytes] = (),
     textures: Sequence[Image] = (),
 ) -> Draw:
@@ -219,7 +221,6 @@ def draw_of(
         indices=struct.pack(f"<{len(places)}I", *range(len(places))),
         blocks=tuple(blocks),
         textures=tuple(textures),
-        clear=tuple((each[0], each[1], each[2], each[3]) for each in clear),
     )
 
 

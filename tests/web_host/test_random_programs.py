@@ -17,9 +17,9 @@ from burnish.compiler.documents.plan import DrawStep
 from burnish.targets.conformance.sample import sample_buffers, sample_textures, sample_values
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
-from burnish.targets.runner.drivers.readback import arrays
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.single import single_frame, single_scenery
+from burnish.targets.runner.frames.states import draw_states
 from burnish.targets.runner.frames.step_draws import StepDraws
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
@@ -71,9 +71,9 @@ def test_random_programs_draw_as_jobs_do(runner: Runner) -> None:
             (drawn,) = StepDraws(host).of(step, is_first=True)
             codes = compile_one(ROUTE, material.files, toolchain)
             made = pipeline(material.reflection, ROUTE, codes)
-            (wanted,) = runner.draw(ROUTE, made, [drawn.state.draw()])
+            (wanted,) = draw_states(material, [drawn.state], ROUTE, made, runner)
             (found,) = draw_frames(host, ROUTE, runner, toolchain)
-            for (name, texels), target in zip(found.items(), arrays(wanted), strict=True):
+            for (name, texels), target in zip(found.items(), wanted.pictures, strict=True):
                 rows = texels.reshape(-1, *texels.shape[2:])
                 assert np.array_equal(rows, target, equal_nan=True), f"{SEED}:{number}, {name}"
                 covered += int(np.ptp(rows) > 0)

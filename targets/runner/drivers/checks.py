@@ -107,7 +107,6 @@ def check_draw(pipeline: Pipeline, draw: Draw) -> None:
     _same_number("uniform blocks", draw.blocks, pipeline.blocks)
     _same_number("storage buffers", draw.buffers, pipeline.buffers)
     _same_number("textures", draw.textures, pipeline.textures)
-    _same_number("clear colours", draw.clear, pipeline.targets)
     for vertex_input, data in zip(pipeline.inputs, draw.vertices, strict=True):
         steps = {"vertex": draw.vertex_count, "instance": draw.instance_count}
         size = 4 * lane_count(vertex_input.format) * steps[vertex_input.step]

@@ -30,17 +30,9 @@ class Draw:
     cleared."""
     blocks: tuple[bytes, ...]
     textures: tuple[Image, ...]
-    clear: tuple[tuple[float, float, float, float], ...]
-    """The clear colours, one for each target."""
     instance_count: int = 1
     buffers: tuple[bytes, ...] = ()
     """The contents of all storage buffers, in the pipeline's order."""
-    clear_depth: float = 1.0
-    blend_constant: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-    """The colour of the blend factor ``constant``, for all targets."""
-    layers: tuple[tuple[bytes, ...], ...] = ()
-    """For each layer of the picture, the contents that replace ``blocks``, if every layer is a draw
-    of its own."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,8 +1,8 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
-They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan, and
-``pipeline_jobs.py`` of draws with one pipeline. A job has any number of pipelines, and its steps
-draw into textures that later steps read. Only requested results are read back.
+They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan: of a frame's,
+or of that of a single shader. A job has any number of pipelines, and its steps draw into textures
+that later steps read. Only requested results are read back.
 """
 
 from __future__ import annotations
@@ -10,15 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from ....compiler.documents.plan import BufferState, ResolveRow, TextureState
 from .draws import Dispatch, Draw, Sides
 from .pipeline import Pipeline
 from .render_state import DepthFormat, TargetFormat
-
-TextureUse = Literal["undefined", "target", "depth", "image", "sampled", "copied_from", "copied_to"]
-"""The use of a texture between two barriers; before the first one it has no contents."""
-
-BufferUse = Literal["undefined", "written", "read"]
-"""The use of a storage buffer between two barriers. Its first contents are in ``FrameBuffer``."""
 
 Area = tuple[int, int, int, int]
 """A part of a picture: left, top, width and height."""
@@ -66,8 +61,8 @@ class Barrier:
     """A barrier for a texture: from here on, it is used in another way."""
 
     texture: int
-    before: TextureUse
-    after: TextureUse
+    before: TextureState
+    after: TextureState
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,17 +70,8 @@ class BufferBarrier:
     """A barrier for a storage buffer: from here on, it is used in another way."""
 
     buffer: int
-    before: BufferUse
-    after: BufferUse
-
-
-@dataclass(frozen=True, slots=True)
-class Resolve:
-    """A resolve target: gets the mean of each texel's samples at the end of a step."""
-
-    texture: int
-    layer: int = 0
-    level: int = 0
+    before: BufferState
+    after: BufferState
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +91,7 @@ class Attachment:
     if the depths are, and otherwise cleared to 0."""
     clear: tuple[float, float, float, float] = BLACK
     """The clear colour; for depths, the first number."""
-    resolve: Resolve | None = None
+    resolve: ResolveRow | None = None
     """The place of the samples' means. ``None``: no step reads them, or there is one sample."""
 
 
@@ -206,18 +192,16 @@ class FrameBuffer:
     """The number of words of four bytes."""
     initial: int = 0
     """The first value of each word."""
-    data: bytes = b""
-    """The first contents, instead of ``words`` and ``initial``."""
 
     @property
     def size(self) -> int:
         """The number of bytes."""
-        return len(self.data) or 4 * self.words
+        return 4 * self.words
 
     @property
     def contents(self) -> bytes:
         """The buffer's first contents."""
-        return self.data or self.initial.to_bytes(4, "little") * self.words
+        return self.initial.to_bytes(4, "little") * self.words
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,10 +228,6 @@ class FrameTexels:
     texels: bytes
     """float32 RGBA, layer by layer and row by row from the top; lanes that the format lacks are 0,
     0, 1. Depths are in the first lane."""
-
-
-Picture = tuple[FrameTexels, ...]
-"""The targets of one draw, or the images of one dispatch."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 
+from ....compiler.documents.plan import BufferState, ResolveRow, TextureState
 from .device import DriverError
-from .frame_job import OWN, Attachment, BufferUse, FrameJob, FrameStep, Resolve, TextureUse
+from .frame_job import OWN, Attachment, FrameJob, FrameStep
 
 Part = tuple[int, int]
 """A layer and a level of a texture."""
@@ -78,11 +79,11 @@ class _Buffer:
 
     def __init__(self, name: str) -> None:
         self._name = name
-        self._use: BufferUse = "undefined"
+        self._use: BufferState = "undefined"
         self._is_changed = False
         """True if the buffer was written since the last barrier."""
 
-    def wait(self, before: BufferUse, after: BufferUse) -> None:
+    def wait(self, before: BufferState, after: BufferState) -> None:
         """Pass a barrier."""
         if before != self._use:
             raise DriverError(
@@ -91,7 +92,7 @@ class _Buffer:
         self._use = after
         self._is_changed = False
 
-    def be_used(self, use: BufferUse) -> None:
+    def be_used(self, use: BufferState) -> None:
         """Let a kernel write the buffer, or a shader read it."""
         if use != self._use:
             raise DriverError(f"{self._name} is used as {use!r}, but its use is {self._use!r}")
@@ -110,7 +111,7 @@ class _Texture:
         self._name = f"texture {number}"
         self._layers, self._levels = made.layers, made.levels
         self.memory = made.memory
-        self._use: TextureUse = "sampled" if made.is_black else "undefined"
+        self._use: TextureState = "sampled" if made.is_black else "undefined"
         self._held = set(self._parts()) if made.is_black else set()
         """The parts that have contents."""
         self._changed: set[Part] = set()
@@ -121,7 +122,7 @@ class _Texture:
         self._use = "undefined"
         self._held.clear()
 
-    def wait(self, before: TextureUse, after: TextureUse) -> None:
+    def wait(self, before: TextureState, after: TextureState) -> None:
         """Pass a barrier."""
         if before != self._use:
             raise DriverError(
@@ -130,18 +131,18 @@ class _Texture:
         self._use = after
         self._changed.clear()
 
-    def read(self, use: TextureUse, levels: int | None = None) -> None:
+    def read(self, use: TextureState, levels: int | None = None) -> None:
         """Let a shader, a copy or the host read the first levels, or all of them."""
         self._check_use(use)
         self._check_contents(self._parts(levels))
 
-    def write(self, use: TextureUse) -> None:
+    def write(self, use: TextureState) -> None:
         """Let a kernel or a copy write the whole texture."""
         self._check_use(use)
         self._change(self._parts())
         self._held.update(self._parts())
 
-    def draw(self, attachment: Attachment, use: TextureUse) -> None:
+    def draw(self, attachment: Attachment, use: TextureState) -> None:
         """Let a step draw to a part of the texture."""
         self._check_use(use)
         first = attachment.layer
@@ -154,7 +155,7 @@ class _Texture:
         else:
             self._held.difference_update(parts)
 
-    def resolve(self, resolve: Resolve) -> None:
+    def resolve(self, resolve: ResolveRow) -> None:
         """Let a step write the means of samples to a part of the texture."""
         self._check_use("target")
         parts = [(resolve.layer, resolve.level)]
@@ -167,7 +168,7 @@ class _Texture:
             for layer in range(self._layers):
                 yield layer, level
 
-    def _check_use(self, use: TextureUse) -> None:
+    def _check_use(self, use: TextureState) -> None:
         if use != self._use:
             raise DriverError(f"{self._name} is used as {use!r}, but its use is {self._use!r}")
 

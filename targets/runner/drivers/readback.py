@@ -1,17 +1,15 @@
-"""Converts the texels of a render target to float32 RGBA, as ``Picture`` has them.
+"""Converts the texels of a render target to float32 RGBA, as answers have them.
 
 Every driver calls this module for the texels that it reads back.
 """
 
 from __future__ import annotations
 
-from typing import Literal
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ....compiler.reference.transfer import decode_srgb
-from .frame_job import FrameTexels, Picture
+from .frame_job import FrameTexels
 from .render_state import TargetFormat
 
 TexelLanes = tuple[int, np.dtype[np.float32 | np.float16 | np.uint8]]
@@ -31,14 +29,8 @@ TEXEL_LANES: dict[TargetFormat, TexelLanes] = {
 """The number of lanes of a texel, and their type."""
 
 
-def to_float(
-    texels: bytes,
-    format: TargetFormat,
-    width: int,
-    height: int,
-    first_row: Literal["top", "bottom"],
-) -> bytes:
-    """A target's tightly packed texels as a shader would read them: float32 RGBA, from the top."""
+def to_float(texels: bytes, format: TargetFormat, width: int, height: int) -> bytes:
+    """A target's tightly packed texels as a shader would read them: float32 RGBA."""
     count, kind = TEXEL_LANES[format]
     lanes = np.frombuffer(texels, kind).reshape(height, width, count)
     picture = np.zeros((height, width, 4), np.float32)
@@ -46,7 +38,7 @@ def to_float(
     picture[..., :count] = lanes / np.float32(255.0) if kind == np.uint8 else lanes
     if format == "rgba8unorm-srgb":
         picture[..., :3] = decode_srgb(picture[..., :3].astype(np.float64))
-    return (picture[::-1] if first_row == "bottom" else picture).tobytes()
+    return picture.tobytes()
 
 
 def depths_to_float(texels: bytes) -> bytes:
@@ -61,8 +53,3 @@ def layers_of(texels: FrameTexels) -> NDArray[np.float64]:
     """The texels of a texture that was read back: (layers, height, width, 4)."""
     shape = texels.layers, texels.height, texels.width, 4
     return np.frombuffer(texels.texels, "<f4").reshape(shape).astype(np.float64)
-
-
-def arrays(picture: Picture) -> tuple[NDArray[np.float64], ...]:
-    """The targets of a picture, each of shape (height, width, 4); one layer is below the other."""
-    return tuple(np.concatenate(layers_of(texels)) for texels in picture)

@@ -1,12 +1,12 @@
 """Draws a frame with a driver: makes a frame job of the plan, and returns what is read back.
 
 All frames that are asked for are steps of one job, so that textures which one frame leaves for the
-next stay on the device.
+next stay on the device. ``states.py`` makes a job of single shaders by the same steps.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
@@ -17,26 +17,18 @@ from ....compiler.documents.plan import (
     AttachmentRow,
     CopyStep,
     DrawStep,
-    FramePlan,
     PlanStep,
     ResolveRow,
     RunStep,
+    TextureState,
     WaitingRow,
 )
+from ....support.frozen import changed
 from ...toolchain import Toolchain
 from ..binding import pipeline
 from ..codes import Codes, compile_one
 from ..drivers.draws import Dispatch, Draw
-from ..drivers.frame_job import (
-    OWN,
-    Attachment,
-    Barrier,
-    FrameDraw,
-    FrameJob,
-    FrameStep,
-    Resolve,
-    TextureUse,
-)
+from ..drivers.frame_job import OWN, Attachment, Barrier, Found, FrameDraw, FrameJob, FrameStep
 from ..drivers.pipeline import Pipeline
 from ..drivers.readback import layers_of
 from ..kernels import dispatch_of, full_screen_state, has_images, image_dispatch
@@ -44,7 +36,7 @@ from ..routes import Route
 from ..runner import Runner
 from .checks.rows import END
 from .host import FrameHost
-from .job_resources import JobResources
+from .job_resources import JobParts, JobResources
 from .step_draws import StepDraw as HostDraw
 from .step_draws import StepDraws
 
@@ -55,14 +47,15 @@ Given = TypeVar("Given", Draw, Dispatch)
 def draw_frames(
     host: FrameHost, route: Route, runner: Runner, toolchain: Toolchain, count: int = 1
 ) -> list[dict[str, Floats]]:
-    """The outputs of some frames, by name: (layers, height, width, 4).
+    """The outputs of some frames, by name, with their top rows first: (layers, height, width, 4).
 
     Raises ``CodeError`` if a compiler refuses a text, and ``DriverError``.
     """
     codes = [compile_one(route, shader.files, toolchain) for shader in host.shaders]
     names = [row.name for row in host.plan.outputs if row.texture is not None]
-    found = iter(runner.draw_frame(route, frame_job(host, route, codes, names, count)).texels)
-    return [{name: layers_of(next(found)) for name in names} for _ in range(count)]
+    job = frame_job(host, route, codes, names, count)
+    found = upright(job, runner.draw_frame(route, job))
+    return [{name: next(found) for name in names} for _ in range(count)]
 
 
 def frame_job(
@@ -72,24 +65,42 @@ def frame_job(
 
     ``codes`` are those of the plan's shaders.
     """
-    job = _Job(host, route, codes)
-    for number in range(count):
-        job.add_frame(number)
-        job.add_reading(outputs)
-    return job.whole()
-
-
-class _Job:
-    def __init__(self, host: FrameHost, route: Route, codes: Sequence[Codes]) -> None:
-        self._host = host
-        self._draws = StepDraws(host)
-        self._plan = host.plan
-        self._pipelines: list[Pipeline] = [
+    parts = JobParts(
+        tuple(
             pipeline(shader.reflection, route, code)
             for shader, code in zip(host.shaders, codes, strict=True)
-        ]
-        self._resources = JobResources(host, _use_of_written_images(host, self._pipelines))
-        self._steps: list[FrameStep] = []
+        )
+    )
+    steps = HostSteps(host, StepDraws(host), parts)
+    for number in range(count):
+        steps.add_frame(number)
+        steps.add_reading(outputs)
+    return parts.whole()
+
+
+def upright(job: FrameJob, found: Found) -> Iterator[Floats]:
+    """The textures that a job has read back, with their top rows first.
+
+    Texts of frames draw the top row to the first row of a texture. Those of single materials for
+    OpenGL and its relatives begin with the bottom row; but not kernels that write images
+    themselves.
+    """
+    is_turned = any(made.first_row == "bottom" and not made.images for made in job.pipelines)
+    for each in found.texels:
+        layers = layers_of(each)
+        yield layers[:, ::-1] if is_turned else layers
+
+
+class HostSteps:
+    """Adds the steps of a host's frames to a job."""
+
+    def __init__(self, host: FrameHost, draws: StepDraws, parts: JobParts) -> None:
+        self._host = host
+        self._draws = draws
+        self._plan = host.plan
+        self._pipelines = parts.pipelines
+        self._steps = parts.steps
+        self._resources = JobResources(host, parts, _use_of_written_images(host, parts.pipelines))
 
     def add_frame(self, number: int) -> None:
         """Add the steps of one frame; ``number`` is that of the frames before it."""
@@ -106,25 +117,20 @@ class _Job:
 
     def add_reading(self, outputs: Sequence[str]) -> None:
         """Read these outputs back."""
-        read = [self._output(name) for name in outputs]
+        rows = {row.name: row for row in self._plan.outputs}
+        textures = [rows[name].texture for name in outputs]
+        read = tuple(self._resources.texture(each) for each in textures if each is not None)
+        buffers = tuple(
+            self._resources.buffer(rows[name].result)
+            for name in outputs
+            if rows[name].texture is None
+        )
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
         name = f"the outputs of {self._plan.frame}"
-        self._steps.append(FrameStep(barriers, read=tuple(read), name=name))
+        self._steps.append(FrameStep(barriers, read=read, read_buffers=buffers, name=name))
         again = tuple(Barrier(number, "copied_from", "sampled") for number in there)
         self._steps.append(FrameStep(again, name=name))
-
-    def whole(self) -> FrameJob:
-        """The job."""
-        return FrameJob(
-            tuple(self._resources.textures),
-            tuple(self._resources.buffers),
-            tuple(self._pipelines),
-            tuple(self._steps),
-        )
-
-    def _output(self, name: str) -> int:
-        return self._resources.texture(_texture_of(self._plan, name))
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -195,16 +201,16 @@ class _Job:
             self._host.clear_of(target), self._resolve(target.resolve),
         )  # fmt: skip
 
-    def _resolve(self, row: ResolveRow | None) -> Resolve | None:
+    def _resolve(self, row: ResolveRow | None) -> ResolveRow | None:
         if row is None:
             return None
-        return Resolve(self._resources.texture(row.texture), row.layer, row.level)
+        return changed(row, texture=self._resources.texture(row.texture))
 
     def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
         state = draw.state.layers[layer] if draw.state.layers else draw.state
         textures, buffers = self._bound(draw)
-        given = replace(state.draw(), layers=())
-        return FrameDraw(draw.shader, textures, buffers, _carried(given, textures, buffers))
+        carried = _carried(state.draw(), textures, buffers)
+        return FrameDraw(draw.shader, textures, buffers, carried)
 
     def _textures_of(self, shader: int) -> list[str]:
         """The names of the textures that a shader reads."""
@@ -290,13 +296,6 @@ def _carried(given: Given, textures: Sequence[int], buffers: Sequence[int]) -> G
     )
 
 
-def _texture_of(plan: FramePlan, output: str) -> int:
-    """The texture of an output that is a picture."""
-    texture = plan.output_texture(output)
-    assert texture is not None, "it is no buffer"
-    return texture
-
-
 def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     """Two steps that draw to the same attachments, as one render pass if that is possible.
 
@@ -319,7 +318,7 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     return [replace(before, barriers=barriers, targets=targets, depth=depth, draws=draws)]
 
 
-def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureUse:
+def _use_of_written_images(host: FrameHost, pipelines: Sequence[Pipeline]) -> TextureState:
     """The use of the plan's images that kernels write: some routes draw them in a pass."""
     drawn = any(
         has_images(shader.reflection) and not made.images

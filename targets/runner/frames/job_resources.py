@@ -6,13 +6,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from ....compiler.budget import Tally, check
-from ....compiler.documents.plan import KeptRow, PlanStep, WaitingRow
+from ....compiler.documents.plan import KeptRow, PlanStep, TextureState, WaitingRow
 from ....compiler.ir.formats import DEPTH_WORDS
 from ..binding import FORMATS
-from ..drivers.frame_job import Barrier, BufferBarrier, FrameBuffer, FrameTexture, TextureUse
+from ..drivers.frame_job import (
+    Barrier,
+    BufferBarrier,
+    FrameBuffer,
+    FrameJob,
+    FrameStep,
+    FrameTexture,
+)
+from ..drivers.pipeline import Pipeline
 from .host import FrameHost
 from .memory import bytes_of, taking_turns
 
@@ -20,18 +29,38 @@ WORD = 4
 """The bytes of a word."""
 
 
-class JobResources:
-    """The resources of one job: made where a step needs them first, and kept for later frames."""
+@dataclass(frozen=True, slots=True)
+class JobParts:
+    """The parts of a job that is being made; several hosts may add to it."""
 
-    def __init__(self, host: FrameHost, written_as: TextureUse) -> None:
+    pipelines: tuple[Pipeline, ...]
+    textures: list[FrameTexture] = field(default_factory=list)
+    buffers: list[FrameBuffer] = field(default_factory=list)
+    steps: list[FrameStep] = field(default_factory=list)
+
+    def whole(self) -> FrameJob:
+        """The job."""
+        return FrameJob(
+            tuple(self.textures), tuple(self.buffers), self.pipelines, tuple(self.steps)
+        )
+
+    @property
+    def memories(self) -> int:
+        """The number of memories that textures share in turn."""
+        return len({each.memory for each in self.textures if each.memory is not None})
+
+
+class JobResources:
+    """The resources of one host: made where a step needs them first, and kept for later frames."""
+
+    def __init__(self, host: FrameHost, parts: JobParts, written_as: TextureState) -> None:
         """``written_as`` is the use of the images that kernels write, which some routes draw."""
-        self.textures: list[FrameTexture] = []
-        self.buffers: list[FrameBuffer] = []
+        self._parts = parts
         self._host = host
         self._plan = host.plan
         self._written_as = written_as
-        self._uses: list[TextureUse] = []
-        """The present use of each texture."""
+        self._uses: dict[int, TextureState] = {}
+        """The present use of each texture of the job."""
         self._at: dict[int, int] = {}
         """The present texture of the job for each of the plan."""
         self._buffer_of: dict[str, int] = {}
@@ -45,7 +74,10 @@ class JobResources:
     def begin(self, *, is_first: bool) -> None:
         """Make the textures that a frame reads of the last one, before its first step."""
         if is_first:
-            self._memory = _shared_memory(self._host)
+            first = self._parts.memories
+            self._memory = {
+                texture: first + number for texture, number in _shared_memory(self._host).items()
+            }
         for row in self._plan.kept:
             for texture in (row.texture, row.previous):
                 if texture is not None and texture not in self._at:
@@ -76,7 +108,8 @@ class JobResources:
         if row.size.value is None:
             self._bytes.add(bytes_of(row, (width, height)))
         name: Any = DEPTH_WORDS.get(row.format) or FORMATS[row.format]
-        self.textures.append(
+        found = len(self._parts.textures)
+        self._parts.textures.append(
             FrameTexture(
                 name,
                 width,
@@ -89,9 +122,9 @@ class JobResources:
                 self._memory.get(number),
             )
         )
-        self._uses.append("sampled" if is_black else "undefined")
-        self._at[number] = len(self.textures) - 1
-        return self._at[number]
+        self._uses[found] = "sampled" if is_black else "undefined"
+        self._at[number] = found
+        return found
 
     def buffer(self, result: str) -> int:
         """The number in the job of the buffer that a kernel has written."""
@@ -99,7 +132,7 @@ class JobResources:
 
     def buffer_size(self, result: str) -> int:
         """The size of such a buffer, in bytes."""
-        return self.buffers[self.buffer(result)].words * WORD
+        return self._parts.buffers[self.buffer(result)].words * WORD
 
     def written(self, step: PlanStep, contents: Sequence[bytes]) -> list[int]:
         """The numbers of the buffers for a kernel's results; each run has new ones.
@@ -110,8 +143,8 @@ class JobResources:
         for row, data in zip(step.buffers, contents, strict=True):
             self._bytes.add(len(data))
             initial = int.from_bytes(data[:WORD], "little")
-            self.buffers.append(FrameBuffer(len(data) // WORD, initial))
-            found.append(len(self.buffers) - 1)
+            found.append(len(self._parts.buffers))
+            self._parts.buffers.append(FrameBuffer(len(data) // WORD, initial))
             self._buffer_of[row.result] = found[-1]
         return found
 
@@ -123,7 +156,7 @@ class JobResources:
                 continue
             number = self.texture(row.texture)
             before, after = self._use(row.before), self._use(row.after)
-            if before == "undefined" and self.textures[number].memory is None:
+            if before == "undefined" and self._parts.textures[number].memory is None:
                 # The last frame may still read the contents that it left there.
                 before = self._uses[number]
             found.append(Barrier(number, before, after))
@@ -140,7 +173,7 @@ class JobResources:
             if is_first or not row.only_first
         )
 
-    def _use(self, planned: TextureUse) -> TextureUse:
+    def _use(self, planned: TextureState) -> TextureState:
         return self._written_as if planned == "image" else planned
 
 

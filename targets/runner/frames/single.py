@@ -7,17 +7,9 @@ do the same with any reflection.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-
-from ....compiler.documents.drawing import TargetRow
-from ....compiler.documents.plan import FramePlan
-from ....compiler.documents.reflection import Reflection
-from ....compiler.ir.shader import Shader
-from ....support.frozen import changed
-from ..binding import EXACT, FORMATS, shows_less
+from ..binding import shows_less
 from ..capturing import give_elements
-from ..codes import ShaderFile
+from ..exact import Exact
 from ..kernels import has_images
 from ..meshes import MESHES, farthest_first
 from ..scene import Scene, with_inputs
@@ -27,53 +19,7 @@ from .checks.rows import PlanError
 from .host import FrameHost
 from .scenery import Model, Scenery
 from .single_plan import single_plan
-from .subjects import PlannedFrame
-
-
-@dataclass(frozen=True, slots=True)
-class SingleFrame:
-    """A frame with one shader."""
-
-    name: str
-    plan: FramePlan
-    shaders: Sequence[Subject]
-
-    @property
-    def plan_of_reference(self) -> FramePlan:
-        """The plan itself, as the results of one step share nothing."""
-        return self.plan
-
-
-@dataclass(frozen=True, slots=True)
-class _Exact:
-    """A material whose targets hold every number that it writes."""
-
-    subject: Subject
-    reflection: Reflection
-
-    @property
-    def name(self) -> str:
-        """The name of the material."""
-        return self.subject.name
-
-    @property
-    def files(self) -> Sequence[ShaderFile]:
-        """The emitted texts, which do not depend on the formats of targets."""
-        return self.subject.files
-
-    @property
-    def lacking(self) -> Mapping[str, str]:
-        """The reason for each profile that has no texts."""
-        return self.subject.lacking
-
-    @property
-    def shader(self) -> Shader:
-        """The shader of the material as it is meant."""
-        return self.subject.shader
-
-    def emitted(self, profile: str) -> Shader:
-        """The shader that the texts for a profile compute."""
-        return self.subject.emitted(profile)
+from .subjects import PlannedFrame, SingleFrame
 
 
 def single_frame(
@@ -91,14 +37,8 @@ def single_frame(
     if not (reflection.targets or reflection.results):
         raise PlanError(f"{subject.name} draws no picture")
     if exact and not (has_images(reflection) or shows_less(reflection)):
-        targets = tuple(map(_exact, reflection.targets))
-        subject = _Exact(subject, changed(reflection, targets=targets))
+        subject = Exact.of(subject)
     return SingleFrame(subject.name, single_plan(subject.reflection, background), (subject,))
-
-
-def _exact(row: TargetRow) -> TargetRow:
-    format_ = next(name for name, word in FORMATS.items() if word == EXACT[row.representation])
-    return changed(row, format=format_, encoding="linear")
 
 
 def captures(frame: PlannedFrame) -> bool:

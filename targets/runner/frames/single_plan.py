@@ -41,7 +41,7 @@ from ....compiler.documents.values import LayoutRow, ParameterRow
 from ....compiler.reflection.plan import VERSION
 from ....support.frozen import changed
 from ..scene import declared_as
-from ..scene_state import Color
+from ..scene_state import CLEAR, Color
 from .scenery import WHOLE
 
 STEP = "shown"
@@ -55,22 +55,25 @@ _PLACE = PlaceRow(file="", line=1, column=1, length=0)
 """The place of all rows: nobody has written the plan."""
 
 
-def single_plan(reflection: Reflection, background: Color) -> FramePlan:
+def single_plan(
+    reflection: Reflection, background: Color, blend_constant: Color = CLEAR
+) -> FramePlan:
     """The plan that shows a material, or a kernel.
 
     Its only shader is called like the material. ``background`` is the clear value of all targets
-    for which the pass has none.
+    for which the pass has none, and ``blend_constant`` the colour of the blend factor ``constant``.
     """
-    return _Planning(reflection, background).plan()
+    return _Planning(reflection, background, blend_constant).plan()
 
 
 class _Planning:
     """A plan that is being made: its values, textures, results and outputs so far."""
 
-    def __init__(self, reflection: Reflection, background: Color) -> None:
+    def __init__(self, reflection: Reflection, background: Color, blend_constant: Color) -> None:
         self._material = reflection.material
         self._reflection = reflection
         self._background = background
+        self._blend_constant = blend_constant
         self._is_kernel = reflection.extent is not None
         self._values = [_size_value()]
         self._textures: list[FrameTextureRow] = []
@@ -185,6 +188,7 @@ class _Planning:
         ]
         if depth is not None:
             barriers.append(_barrier(depth.texture, "undefined", "depth"))
+        constant = self._constant(self._blend_constant) if any(self._blend_constant) else None
         use = UseRow(material=self._material, shader=0, inputs=())
         drawn = DrawnRow(models=WHOLE, vertices=None, light=None, uses=(use,))
         return DrawStep(
@@ -198,7 +202,7 @@ class _Planning:
             depth=depth,
             viewport=None,
             scissor=None,
-            blend_constant=None,
+            blend_constant=constant,
             draws=(drawn,),
             source=_PLACE,
             continues=False,

@@ -86,6 +86,8 @@ class StepDraws:
     def __init__(self, host: FrameHost) -> None:
         """``host`` has the values of the frame, the models that it draws and their lights."""
         self._host = host
+        self.given: SceneState | None = None
+        """The state of the only step, if it is not made of the host's values and models."""
         self._costs = [_cost(shader.reflection) for shader in host.shaders]
         self._entries = {row.entry: row for row in host.plan.lights}
 
@@ -102,6 +104,9 @@ class StepDraws:
 
     def of(self, step: DrawStep, *, is_first: bool) -> Iterator[StepDraw]:
         """All draws of a step, in order."""
+        if self.given is not None:
+            yield StepDraw(0, self.given, {})
+            return
         state = self._host.state_of(step)
         size = self._host.drawn_size(step)
         onto = _Onto(size, size if state.viewport is None else state.viewport[2:])
@@ -112,11 +117,14 @@ class StepDraws:
     def kernel(self, step: RunStep, *, is_first: bool) -> StepDraw:
         """The run of a kernel."""
         shader = step.use.shader
-        self._host.steps.add(self._costs[shader])
-        instance = self._host.instances[shader].copied()
-        reads = self._give(instance, step.use, is_first)
-        self._host.kernels[step.name] = instance
-        return StepDraw(shader, SceneState(1, 1, {}, KERNEL.triangles, instance, ()), reads)
+        state, reads = self.given, {}
+        if state is None:
+            self._host.steps.add(self._costs[shader])
+            instance = self._host.instances[shader].copied()
+            reads = self._give(instance, step.use, is_first)
+            state = SceneState(1, 1, {}, KERNEL.triangles, instance, ())
+        self._host.kernels[step.name] = state.instance
+        return StepDraw(shader, state, reads)
 
     def _lights(self, entry: str | None) -> Sequence[tuple[str, int | None] | None]:
         """Each light of an entry of the rig, by its name and number."""

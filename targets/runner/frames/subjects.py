@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Protocol, TypeGuard
 
 from ....compiler.documents.plan import FramePlan
@@ -31,6 +32,20 @@ class FrameSubject(PlannedFrame, Protocol):
     @property
     def plan_of_reference(self) -> FramePlan:
         """The plan that the reference executes: one of its own, in which results share nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class SingleFrame:
+    """A frame with one shader."""
+
+    name: str
+    plan: FramePlan
+    shaders: Sequence[Subject]
+
+    @property
+    def plan_of_reference(self) -> FramePlan:
+        """The plan itself, as the results of one step share nothing."""
+        return self.plan
 
 
 def is_frame(subject: Subject | FrameSubject) -> TypeGuard[FrameSubject]:

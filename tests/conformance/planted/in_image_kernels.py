@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 from unittest.mock import patch as patched
@@ -13,13 +12,13 @@ from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import IVEC2
 from burnish.compiler.passes import pipeline
 from burnish.support.frozen import changed
-from burnish.targets.runner import binding, kernels
-from burnish.targets.runner.drivers.draws import Dispatch
-from burnish.targets.runner.drivers.frame_job import FrameJob
+from burnish.targets.runner import kernels
+from burnish.targets.runner.drivers.draws import Dispatch, Draw, Sides
+from burnish.targets.runner.frames import by_route
 
 from .planting import Plant, Planted, form, framebuffer, replaced, skeleton, supplied
 
-texel, job_of, pipeline_of = full_screen._texel, kernels.job_of, binding.pipeline
+texel, groups, dispatch_of = full_screen._texel, Dispatch.groups, kernels.image_dispatch
 drawn = full_screen.full_screen
 
 DRAWN, WRITTEN = "Few", "Stored"
@@ -55,16 +54,13 @@ def _exchanged(shader: Shader) -> Shader:
     return changed(made, results=(position, first, second, third, fourth))
 
 
-def _too_few_groups(reflection: Any, *asked: Any) -> FrameJob:
+def _too_few_groups(dispatch: Dispatch, _work_group: Sides) -> Sides:
     """A host that takes work groups for larger than they are."""
-    return job_of(changed(reflection, work_group=(16, 8, 1)), *asked)
+    return groups(dispatch, (16, 8, 1))
 
 
-def _without_values(reflection: Any, made: Any, dispatches: Sequence[Dispatch]) -> FrameJob:
-    return job_of(reflection, made, list(map(_emptied, dispatches)))
-
-
-def _emptied(dispatch: Dispatch) -> Dispatch:
+def _without_values(draw: Draw) -> Dispatch:
+    dispatch = dispatch_of(draw)
     return replace(dispatch, blocks=tuple(bytes(len(block)) for block in dispatch.blocks))
 
 
@@ -92,6 +88,6 @@ PLANTED = [
             skeleton("hlsl", ("[[spv::format_{{ image.format }}]]", ""))),
     Planted("smaller work groups than a host is told of", WRITTEN, WGSL,
             skeleton("wgsl", ("({{ entry.work_group", "(4, 4) // ({{"))),
-    Planted("too few work groups", WRITTEN, GLSL, replaced(kernels, "job_of", _too_few_groups)),
-    Planted("no values", WRITTEN, GLSL, replaced(kernels, "job_of", _without_values)),
+    Planted("too few work groups", WRITTEN, GLSL, replaced(Dispatch, "groups", _too_few_groups)),
+    Planted("no values", WRITTEN, GLSL, replaced(by_route, "image_dispatch", _without_values)),
 ]  # fmt: skip

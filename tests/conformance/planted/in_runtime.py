@@ -8,16 +8,20 @@ from typing import Any
 
 import numpy as np
 
+from burnish.compiler.ir.render_state import StencilState
 from burnish.support.frozen import changed
 from burnish.targets.runner.drivers.checks import level_size
 from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.frame_job import BLACK, FrameJob
+from burnish.targets.runner.drivers.pipeline import Pipeline
 from burnish.targets.runner.drivers.texels import Image
 from burnish.targets.runner.instances import blocks, derived, instance, shapes
 from burnish.targets.runner.instances.shapes import Numbers, Shape
 from burnish.targets.runner.textures.texture import Texture
 
 from ...runner.blends import named
-from .planting import QUICKEST, Asked, Planted, job, replaced
+from ..kit import redrawn
+from .planting import QUICKEST, Plant, Planted, job, replaced
 
 write, write_numbers = blocks.write, blocks._write_numbers
 image = Texture.image
@@ -114,8 +118,12 @@ def _backwards(texture: Texture) -> Image:
     return replace(whole, levels=tuple(turned))
 
 
-def _draws(change: Callable[[Draw], Draw]) -> Callable[[Asked], Asked]:
-    return lambda asked: replace(asked, draws=tuple(map(change, asked.draws)))
+def _draws(change: Callable[[Draw], Draw]) -> Plant:
+    return job(lambda asked: redrawn(asked, change))
+
+
+def _pipelines(change: Callable[[Pipeline], Pipeline]) -> Plant:
+    return job(lambda asked: replace(asked, pipelines=tuple(map(change, asked.pipelines))))
 
 
 def _last_vertex_first(draw: Draw) -> Draw:
@@ -123,57 +131,52 @@ def _last_vertex_first(draw: Draw) -> Draw:
     return replace(draw, indices=turned.tobytes())
 
 
-def _samplers(**state: Any) -> Callable[[Asked], Asked]:
-    def change(asked: Asked) -> Asked:
-        slots = tuple(replace(slot, **state) for slot in asked.pipeline.textures)
-        return replace(asked, pipeline=replace(asked.pipeline, textures=slots))
+def _samplers(**state: Any) -> Plant:
+    """With some of the state of all samplers set to something else."""
+    return _pipelines(
+        lambda made: replace(made, textures=tuple(replace(slot, **state) for slot in made.textures))
+    )
 
-    return change
 
-
-def _targets(**state: Any) -> Callable[[Asked], Asked]:
+def _targets(**state: Any) -> Plant:
     """With some of the state of all targets set to something else."""
+    return _pipelines(
+        lambda made: replace(
+            made, targets=tuple(replace(target, **state) for target in made.targets)
+        )
+    )
 
-    def change(asked: Asked) -> Asked:
-        targets = tuple(replace(target, **state) for target in asked.pipeline.targets)
-        return replace(asked, pipeline=replace(asked.pipeline, targets=targets))
 
-    return change
-
-
-def _states(**state: Any) -> Callable[[Asked], Asked]:
+def _states(**state: Any) -> Plant:
     """With some of a pipeline's state set to something else."""
-
-    def change(asked: Asked) -> Asked:
-        return replace(asked, pipeline=replace(asked.pipeline, **state))
-
-    return change
+    return _pipelines(lambda made: replace(made, **state))
 
 
-def _depths(**state: Any) -> Callable[[Asked], Asked]:
+def _depths(**state: Any) -> Plant:
     """With some of a pipeline's depth test set to something else."""
-
-    def change(asked: Asked) -> Asked:
-        return _states(depth=changed(asked.pipeline.depth, **state))(asked)
-
-    return change
+    return _pipelines(lambda made: replace(made, depth=changed(made.depth, **state)))
 
 
-def _stencils(**state: Any) -> Callable[[Asked], Asked]:
+def _stencils(**state: Any) -> Plant:
     """With some of a pipeline's stencil test set to something else."""
-
-    def change(asked: Asked) -> Asked:
-        stencil = asked.pipeline.stencil
-        assert stencil is not None
-        return _states(stencil=changed(stencil, **state))(asked)
-
-    return change
+    return _stencil(lambda stencil: changed(stencil, **state))
 
 
-def _sides_exchanged(asked: Asked) -> Asked:
-    stencil = asked.pipeline.stencil
-    assert stencil is not None
-    return _stencils(front=stencil.back, back=stencil.front)(asked)
+def _sides_exchanged(stencil: StencilState) -> StencilState:
+    return changed(stencil, front=stencil.back, back=stencil.front)
+
+
+def _stencil(change: Callable[[StencilState], StencilState]) -> Plant:
+    def made(pipeline: Pipeline) -> Pipeline:
+        assert pipeline.stencil is not None
+        return replace(pipeline, stencil=change(pipeline.stencil))
+
+    return _pipelines(made)
+
+
+def _without_constant(asked: FrameJob) -> FrameJob:
+    """With black for the colour by which targets are blended."""
+    return replace(asked, steps=tuple(replace(each, blend_constant=BLACK) for each in asked.steps))
 
 
 def _textures_exchanged(draw: Draw) -> Draw:
@@ -215,33 +218,33 @@ PLANTED = [
     Planted("slices of integers in another order", "kinds: Loaded", HLSL,
             replaced(Texture, "image", _backwards)),
     Planted("all compare likewise", "kinds: Compared", HLSL,
-            job(_samplers(compare="less"))),
-    Planted("textures exchanged", "textures: Wraps", GLSL, job(_draws(_textures_exchanged))),
-    Planted("buffers exchanged", "buffers: Shapes", WGSL, job(_draws(_buffers_turned))),
-    Planted("all repeat", "textures: Wraps", GLSL, job(_samplers(wrap="repeat"))),
-    Planted("all mirror", "textures: Wraps", HLSL, job(_samplers(wrap="mirror"))),
-    Planted("all smooth", "textures: Wraps", WGSL, job(_samplers(filter="linear"))),
-    Planted("all coarse", "textures: Wraps", GLSL, job(_samplers(filter="nearest"))),
-    Planted("nearest levels", "textures: Levels", HLSL, job(_samplers(mip="nearest"))),
-    Planted("no levels", "textures: Levels", WGSL, job(_samplers(mip="none"))),
+            _samplers(compare="less")),
+    Planted("textures exchanged", "textures: Wraps", GLSL, _draws(_textures_exchanged)),
+    Planted("buffers exchanged", "buffers: Shapes", WGSL, _draws(_buffers_turned)),
+    Planted("all repeat", "textures: Wraps", GLSL, _samplers(wrap="repeat")),
+    Planted("all mirror", "textures: Wraps", HLSL, _samplers(wrap="mirror")),
+    Planted("all smooth", "textures: Wraps", WGSL, _samplers(filter="linear")),
+    Planted("all coarse", "textures: Wraps", GLSL, _samplers(filter="nearest")),
+    Planted("nearest levels", "textures: Levels", HLSL, _samplers(mip="nearest")),
+    Planted("no levels", "textures: Levels", WGSL, _samplers(mip="none")),
     Planted("flat from the last vertex", "pipeline: Crossing", GLSL,
-            job(_draws(_last_vertex_first))),
-    Planted("clockwise front faces", "pipeline: Crossing", HLSL, job(_states(front_face="cw"))),
-    Planted("both sides drawn", "pipeline: Backs", GLSL, job(_states(cull="none"))),
-    Planted("the other side drawn", "pipeline: Backs", WGSL, job(_states(cull="back"))),
-    Planted("depths written", "pipeline: Layers", HLSL, job(_depths(write=True))),
-    Planted("the nearest drawn", "pipeline: Latest", GLSL, job(_depths(compare="less"))),
-    Planted("another reference", "pipeline: Counted", GLSL, job(_stencils(reference=1))),
-    Planted("fewer bits written", "pipeline: Counted", HLSL, job(_stencils(write_mask=6))),
-    Planted("sides counted the other way round", "pipeline: Sided", WGSL, job(_sides_exchanged)),
-    Planted("no stencil test", "pipeline: Sided", GLSL, job(_states(stencil=None))),
-    Planted("nothing moved", "pipeline: Biased", GLSL, job(_depths(bias=0, slope_bias=0.0))),
-    Planted("clamped no more", "pipeline: Biased", HLSL,
-            job(_depths(bias_clamp=0.0))),
-    Planted("fronts as usual", "pipeline: Clockwise", WGSL, job(_states(front_face="ccw"))),
-    Planted("masked lanes written", "pipeline: Stained", WGSL, job(_targets(mask="rgba"))),
+            _draws(_last_vertex_first)),
+    Planted("clockwise front faces", "pipeline: Crossing", HLSL, _states(front_face="cw")),
+    Planted("both sides drawn", "pipeline: Backs", GLSL, _states(cull="none")),
+    Planted("the other side drawn", "pipeline: Backs", WGSL, _states(cull="back")),
+    Planted("depths written", "pipeline: Layers", HLSL, _depths(write=True)),
+    Planted("the nearest drawn", "pipeline: Latest", GLSL, _depths(compare="less")),
+    Planted("another reference", "pipeline: Counted", GLSL, _stencils(reference=1)),
+    Planted("fewer bits written", "pipeline: Counted", HLSL, _stencils(write_mask=6)),
+    Planted("sides counted the other way round", "pipeline: Sided", WGSL,
+            _stencil(_sides_exchanged)),
+    Planted("no stencil test", "pipeline: Sided", GLSL, _states(stencil=None)),
+    Planted("nothing moved", "pipeline: Biased", GLSL, _depths(bias=0, slope_bias=0.0)),
+    Planted("clamped no more", "pipeline: Biased", HLSL, _depths(bias_clamp=0.0)),
+    Planted("fronts as usual", "pipeline: Clockwise", WGSL, _states(front_face="ccw")),
+    Planted("masked lanes written", "pipeline: Stained", WGSL, _targets(mask="rgba")),
     Planted("blended by nothing", "pipeline: Stained", GLSL,
-            job(_draws(lambda draw: replace(draw, blend_constant=(0.0, 0.0, 0.0, 0.0))))),
-    Planted("added instead of blended", "pipeline: Veil", GLSL, job(_targets(blend=named("add")))),
-    Planted("whole triangles", "pipeline: Edges", GLSL, job(_states(fill="faces"))),
+            job(_without_constant)),
+    Planted("added instead of blended", "pipeline: Veil", GLSL, _targets(blend=named("add"))),
+    Planted("whole triangles", "pipeline: Edges", GLSL, _states(fill="faces")),
 ]  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,9 +18,7 @@ from burnish.targets.description.profile import Profile
 from burnish.targets.description.shading_language import Language
 from burnish.targets.description.spellings import Spelling
 from burnish.targets.emit import templates
-from burnish.targets.runner.drivers.draws import Draw
-from burnish.targets.runner.drivers.frame_job import Picture
-from burnish.targets.runner.drivers.pipeline import Pipeline
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob
 from burnish.targets.runner.routes import Route
 from burnish.targets.runner.runner import Runner
 
@@ -152,26 +150,15 @@ def skeleton(language: str, *replacements: tuple[str, str]) -> Plant:
 # --- on the way to a driver ----------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Asked:
-    """What a route is asked to draw."""
-
-    pipeline: Pipeline
-    draws: Sequence[Draw]
-
-
-def job(change: Callable[[Asked], Asked]) -> Plant:
+def job(change: Callable[[FrameJob], FrameJob]) -> Plant:
     """Change the job that a driver gets."""
 
     def plant(patch: pytest.MonkeyPatch, _folder: Path) -> None:
-        draw = Runner.draw
+        draw = Runner.draw_frame
 
-        def drawn(
-            self: Runner, route: Route, pipeline: Pipeline, draws: Sequence[Draw]
-        ) -> list[Picture]:
-            asked = change(Asked(pipeline, draws))
-            return draw(self, route, asked.pipeline, asked.draws)
+        def drawn(self: Runner, route: Route, job: FrameJob, *, keep: bool = True) -> Found:
+            return draw(self, route, change(job), keep=keep)
 
-        patch.setattr(Runner, "draw", drawn)
+        patch.setattr(Runner, "draw_frame", drawn)
 
     return plant

@@ -123,16 +123,21 @@ def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]
     from burnish.targets.conformance.cases import series_of
     from burnish.targets.runner.binding import pipeline
     from burnish.targets.runner.drivers.wire import to_json
+    from burnish.targets.runner.exact import Exact
+    from burnish.targets.runner.frames.states import states_job
 
     work = [
-        (series.exact, [to_json(case.state.draw()) for case in series.cases])
+        (Exact.of(material) if series.exact else material, [case.state for case in series.cases])
         for series in series_of(material.reflection)
     ]
     for route, (codes,) in _codes(material):
-        pipelines = [
-            to_json(pipeline(material.reflection, route, codes, exact=exact)) for exact, _ in work
-        ]
-        yield route.name, (pipelines, work)
+        yield (
+            route.name,
+            [
+                to_json(states_job(form, states, pipeline(form.reflection, route, codes)))
+                for form, states in work
+            ],
+        )
 
 
 def _told_of_frame(frame: CompiledFrame) -> Iterator[tuple[str, object]]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 
-from ..frame_job import Attachment, FrameTexels, FrameTexture, Resolve
+from .....compiler.documents.plan import ResolveRow
+from ..frame_job import Attachment, FrameTexels, FrameTexture
 from ..readback import depths_to_float, to_float
 from ..slots import TextureSlot
 from .context import (
@@ -63,7 +64,7 @@ class MadeTexture:
             case _:
                 return GL_COLOR_ATTACHMENT0 + number
 
-    def attach(self, at: Attachment | Resolve, number: int, to: int = GL_FRAMEBUFFER) -> None:
+    def attach(self, at: Attachment | ResolveRow, number: int, to: int = GL_FRAMEBUFFER) -> None:
         """Attach the texture to the bound framebuffer: as a target, or as the depths.
 
         If several layers are attached, a geometry stage chooses among all layers of the texture.
@@ -139,7 +140,7 @@ class MadeTexture:
         texels = ((ctypes.c_float if is_float else ctypes.c_ubyte) * (4 * count))()
         kind = GL_FLOAT if is_float else GL_UNSIGNED_BYTE
         self.functions.glGetTexImage(part, 0, GL_RGBA, kind, texels)
-        return to_float(bytes(texels), widened, made.width, made.height * layers, "top")
+        return to_float(bytes(texels), widened, made.width, made.height * layers)
 
     def release(self) -> None:
         """Free the texture."""

@@ -8,6 +8,7 @@ from typing import Any
 
 import vulkan as vk
 
+from .....compiler.documents.plan import ResolveRow, TextureState
 from ..draws import Draw
 from ..frame_job import (
     Area,
@@ -20,8 +21,6 @@ from ..frame_job import (
     FrameJob,
     FrameStep,
     FrameTexels,
-    Resolve,
-    TextureUse,
 )
 from ..readback import TEXEL_LANES, depths_to_float, to_float
 from .capture import Captures, saying_places
@@ -172,12 +171,12 @@ class _Frame:
         vk.vkCmdEndRenderPass(commands)
         captures.wait_for_host(commands)
 
-    def _resolve(self, commands: Any, drawn: int, to: Resolve) -> None:
+    def _resolve(self, commands: Any, drawn: int, to: ResolveRow) -> None:
         """Write the means of samples to a resolve target.
 
         A render pass could do so, but lavapipe writes to the first layer then, whichever is meant.
         """
-        used: tuple[tuple[int, TextureUse], ...] = (
+        used: tuple[tuple[int, TextureState], ...] = (
             (drawn, "copied_from"),
             (to.texture, "copied_to"),
         )
@@ -301,7 +300,7 @@ class _Frame:
             case "depth32float" | "depth32float-stencil8":
                 texels = depths_to_float(data)
             case colours:
-                texels = to_float(data, colours, texture.width, rows, "top")
+                texels = to_float(data, colours, texture.width, rows)
         return FrameTexels(texture.width, texture.height, texture.layers, texels)
 
 
@@ -314,7 +313,7 @@ def _submissions(steps: Sequence[FrameStep]) -> Iterator[Sequence[FrameStep]]:
             first = number + 1
 
 
-def _resolves(step: FrameStep) -> list[Resolve]:
+def _resolves(step: FrameStep) -> list[ResolveRow]:
     return [target.resolve for target in step.targets if target.resolve is not None]
 
 

@@ -9,7 +9,8 @@ from typing import Any
 
 import vulkan as vk
 
-from ..frame_job import Barrier, BufferUse, FrameJob, FrameTexture, TextureUse
+from .....compiler.documents.plan import BufferState, TextureState
+from ..frame_job import Barrier, FrameJob, FrameTexture
 from .device import Gpu
 from .formats import ASPECTS, DEPTHS, TARGETS, VIEWS
 from .memory import ImageSpec, give_memory, image_without_memory, make_view
@@ -44,7 +45,7 @@ class Use:
     access: int
 
 
-USES: Mapping[TextureUse, Use] = {
+USES: Mapping[TextureState, Use] = {
     "undefined": Use(vk.VK_IMAGE_LAYOUT_UNDEFINED, vk.VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0),
     "target": Use(vk.VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, DRAWING, COLOURS),
     "depth": Use(vk.VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, TESTING, TESTS),
@@ -63,7 +64,7 @@ USES: Mapping[TextureUse, Use] = {
     ),
 }  # fmt: skip
 
-BUFFER_USES: Mapping[BufferUse, BufferAccess] = {
+BUFFER_USES: Mapping[BufferState, BufferAccess] = {
     "undefined": BufferAccess(SHADERS, 0),
     # Atomic operations also read the element.
     "written": BufferAccess(
@@ -113,7 +114,7 @@ class MadeTexture:
         self.owned.callback(vk.vkDestroyImageView, self.gpu.device, view, None)
         return view
 
-    def barrier(self, before: TextureUse, after: TextureUse) -> Any:
+    def barrier(self, before: TextureState, after: TextureState) -> Any:
         """The image barrier between two uses."""
         return vk.VkImageMemoryBarrier(
             oldLayout=USES[before].layout,

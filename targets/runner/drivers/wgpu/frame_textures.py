@@ -90,7 +90,7 @@ class MadeTexture:
             case colours:
                 lanes, kind = TEXEL_LANES[colours]
                 data = self._copied(lanes * kind.itemsize, "all")
-                texels = to_float(data, colours, made.width, made.height * made.layers, "top")
+                texels = to_float(data, colours, made.width, made.height * made.layers)
         return FrameTexels(made.width, made.height, made.layers, texels)
 
     def _copied(self, texel: int, aspect: str) -> bytes:

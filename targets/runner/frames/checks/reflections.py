@@ -158,7 +158,8 @@ class _Reflection:
         self._values.check_buffers(reflection.buffers)
         self._values.check_textures(reflection.textures)
         for result in reflection.results:
-            self._values.check_element(result)
+            if reflection.capture is None or result.name != reflection.capture.buffer:
+                self._values.check_element(result)
         check_blocks(self._where, reflection)
         for derived in reflection.derived:
             self._values.check_row(derived.name, derived)
@@ -221,7 +222,17 @@ class _Reflection:
             end += LANE * lanes_of(each.representation)
         if row.stride != end or row.there not in (None, end):
             self._fail("capture", f"its values have {end} bytes, and not {row.stride}")
+        if row.buffer is not None:
+            self._check_vertices(row.buffer, end if row.there is None else end + LANE)
         check("vertices", row.vertices, f"{self._where}: what is captured of one primitive has")
+
+    def _check_vertices(self, name: str, size: int) -> None:
+        """Check that each element of a buffer is a captured vertex of so many bytes."""
+        found = next((row for row in self._reflection.results if row.name == name), None)
+        if found is None:
+            self._fail("capture", f"no kernel writes `{name}`")
+        if found.stride != size:
+            self._fail(name, f"its vertices have {size} bytes, and not {found.stride}")
 
     def _no_two(self, table: str, names: Sequence[str]) -> None:
         if len(set(names)) < len(names):

@@ -1,6 +1,6 @@
-"""Plans what is compared of a material, a kernel or a frame: cases, which all routes share.
+"""Tries a material or a kernel on routes: its cases, which all routes share.
 
-``conform.py`` makes a plan of each subject, and asks it for the results of each route. All plans
+``conform.py`` makes a trial of each subject, and asks it for the results of each route. All trials
 answer alike; ``frames.py`` has that of a frame, and this module that of a single shader.
 """
 
@@ -18,6 +18,7 @@ from ...compiler.reference.picture import Expected, RasterRules
 from ..runner.binding import pipeline
 from ..runner.codes import compile_one
 from ..runner.drivers.device import Device
+from ..runner.exact import Exact
 from ..runner.explanation import explained
 from ..runner.frames.pixel_origins import Origin
 from ..runner.kernels import UndrawableError, drawable, is_drawn
@@ -28,7 +29,7 @@ from ..runner.scene_state import SceneState
 from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
 from .bounds import Bounds, bounds_of, precise
-from .cases import Size, series_of
+from .cases import Series, Size, series_of
 from .compare import Level
 from .contents import Content, Said
 from .judging import Answer, Compared
@@ -39,7 +40,7 @@ LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
 """The stages whose captured vertices, or elements, the reference can compute."""
 
 
-class Plan(ABC):
+class Trial(ABC):
     """The cases of one subject. Several threads use it."""
 
     def __init__(self, label: str, shaders: Sequence[Subject]) -> None:
@@ -78,7 +79,7 @@ class Plan(ABC):
         return (each.judged() for each in self.answers(route, device, runner, toolchain))
 
 
-class ShaderPlan(Plan):
+class ShaderTrial(Trial):
     """The cases of a single shader: of a material with a pass, or of a kernel."""
 
     def __init__(
@@ -101,14 +102,14 @@ class ShaderPlan(Plan):
         self._content = content
         self._meant = form = _computed(subject, meant)
         self._work = [
-            (series, [content.given(case.state) for case in run.cases])
+            (series, [case.state for case in run.cases])
             for series, run in zip(
                 series_of(form.reflection, seed, size),
                 series_of(subject.reflection, seed, size, like=form.reflection),
                 strict=True,
             )
         ]
-        """Each series as the reference computes it, with what drivers are given for its cases."""
+        """Each series as the reference computes it, with the states of its cases for drivers."""
         self._programs: Known[Program] = Known()
         self._known: Known[Any] = Known()
 
@@ -121,14 +122,13 @@ class ShaderPlan(Plan):
     ) -> Iterator[Answer]:
         """An answer of a route for each case; it does a series when the first one is asked for."""
         (subject,) = self.shaders
-        codes, reflection = compile_one(route, subject.files, toolchain), subject.reflection
-        for series, given in self._work:
-            bound = pipeline(reflection, route, codes, exact=series.exact)
-            made = self._content.answers(route, runner, reflection, bound, given)
+        codes = compile_one(route, subject.files, toolchain)
+        for series, states in self._work:
+            form = _form(subject, series)
+            bound = pipeline(form.reflection, route, codes)
+            made = self._content.answers(form, states, route, bound, runner)
             for case, got in zip(series.cases, made, strict=True):
-                program, source = (
-                    self._program(profile, exact=series.exact) for profile in (route.profile, None)
-                )
+                program, source = (self._program(series, each) for each in (route.profile, None))
                 yield Answer(
                     case.name,
                     bounds_of(case.state, route, device),
@@ -137,7 +137,7 @@ class ShaderPlan(Plan):
 
     def cases(self) -> Mapping[str, SceneState]:
         """The states of the cases, by name."""
-        return {case.name: case.state for series, _ in self._work for case in series.cases}
+        return {case.name: case.state for series, _states in self._work for case in series.cases}
 
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
@@ -177,14 +177,20 @@ class ShaderPlan(Plan):
             lambda found: not isinstance(found, Expected) or rules.agree_with(found.counted),
         )
 
-    def _program(self, profile: str | None, *, exact: bool) -> Program:
+    def _program(self, series: Series, profile: str | None) -> Program:
         """The program as emitted for a profile, or that of the source."""
 
         def made() -> Program:
-            shader = self._meant.shader if profile is None else self._meant.emitted(profile)
-            return Program.of(self._content.evaluated(shader, exact))
+            form = _form(self._meant, series)
+            shader = form.shader if profile is None else form.emitted(profile)
+            return Program.of(self._content.evaluated(shader))
 
-        return self._programs.value((profile, exact), made)
+        return self._programs.value((profile, series.exact), made)
+
+
+def _form(subject: Subject, series: Series) -> Subject:
+    """The form of a subject whose targets are those of a series."""
+    return Exact.of(subject) if series.exact else subject
 
 
 def _computed(subject: Subject, meant: Subject | None) -> Subject:

@@ -1,0 +1,98 @@
+"""Shows exactly what a material writes: its targets hold every number, and nothing is mixed.
+
+``conform`` compares such pictures, ``burnish render`` draws them, and so do tests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ...compiler.documents.drawing import TargetRow
+from ...compiler.documents.reflection import Reflection
+from ...compiler.ir.blending import REPLACES
+from ...compiler.ir.formats import TARGET_FORMATS
+from ...compiler.ir.shader import Result, Shader
+from ...compiler.ir.types import Type
+from ...support.frozen import changed
+from .codes import ShaderFile
+from .drivers.render_state import ALL_LANES
+from .subject import Subject
+
+_FLOATS: Mapping[Type, str] = {
+    TARGET_FORMATS[name].type: name for name in ("r32f", "rg32f", "rgba32f")
+}
+"""For each type that is written to a target, a format that can hold every value of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exact:
+    """A material whose targets keep what it writes.
+
+    They are neither rounded to the declared formats nor blended, and each pixel has one sample.
+    """
+
+    subject: Subject
+    reflection: Reflection
+
+    @classmethod
+    def of(cls, subject: Subject) -> Exact:
+        """The material with such targets."""
+        reflection = subject.reflection
+        return cls(
+            subject,
+            changed(
+                reflection,
+                targets=tuple(map(_exact_row, reflection.targets)),
+                render_state=changed(reflection.render_state, samples=1),
+            ),
+        )
+
+    @property
+    def name(self) -> str:
+        """The name of the material."""
+        return self.subject.name
+
+    @property
+    def files(self) -> Sequence[ShaderFile]:
+        """The emitted texts, which do not depend on the formats of targets."""
+        return self.subject.files
+
+    @property
+    def lacking(self) -> Mapping[str, str]:
+        """The reason for each profile that has no texts."""
+        return self.subject.lacking
+
+    @property
+    def shader(self) -> Shader:
+        """The shader of the material as it is meant."""
+        return exact_shader(self.subject.shader)
+
+    def emitted(self, profile: str) -> Shader:
+        """The shader that the texts for a profile compute."""
+        return exact_shader(self.subject.emitted(profile))
+
+
+def exact_shader(shader: Shader) -> Shader:
+    """The shader with targets that keep what it writes."""
+    results = tuple(map(_exact_result, shader.results))
+    return changed(shader, results=results, render_state=changed(shader.render_state, samples=1))
+
+
+def exact_format(declared: str) -> str:
+    """The format that takes the same values as a declared one, and keeps them."""
+    return _FLOATS[TARGET_FORMATS[declared].type]
+
+
+def _exact_row(row: TargetRow) -> TargetRow:
+    format_ = exact_format(row.format)
+    return changed(row, format=format_, encoding="linear", blend=None, mask=ALL_LANES)
+
+
+def _exact_result(result: Result) -> Result:
+    if result.state is None:
+        return result
+    format_ = exact_format(result.state.format)
+    return changed(
+        result, state=changed(result.state, format=format_, blend=REPLACES, mask=ALL_LANES)
+    )
