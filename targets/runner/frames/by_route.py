@@ -117,13 +117,11 @@ class HostSteps:
 
     def add_reading(self, outputs: Sequence[str]) -> None:
         """Read these outputs back."""
-        rows = {row.name: row for row in self._plan.outputs}
-        textures = [rows[name].texture for name in outputs]
+        textures = [self._plan.output_texture(name) for name in outputs]
         read = tuple(self._resources.texture(each) for each in textures if each is not None)
+        results = {row.name: row.result for row in self._plan.outputs if row.texture is None}
         buffers = tuple(
-            self._resources.buffer(rows[name].result)
-            for name in outputs
-            if rows[name].texture is None
+            self._resources.buffer(results[each]) for each in outputs if each in results
         )
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)

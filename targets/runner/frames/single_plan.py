@@ -226,9 +226,9 @@ class _Planning:
     def _depth(self) -> AttachmentRow | None:
         """The depth attachment, with stencil values, if the pass uses any."""
         state = self._reflection.render_state
-        if not state.depth.is_used:
-            return None
         has_stencil = state.stencil is not None
+        if not state.depth.is_used and not has_stencil:
+            return None
         result = _result(_DEPTH)
         texture = self._add_texture(
             changed(
