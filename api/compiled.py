@@ -7,7 +7,6 @@ that many users never need are computed when they are first read.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ..compiler.diagnostics.diagnostic import Diagnostic
@@ -17,6 +16,7 @@ from ..compiler.ir.frame import Frame
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.guard import Guard
 from ..compiler.passes.pipeline import Staged
+from ..support.cached import cached_property
 from ..support.frozen import EMPTY, changed, frozen
 from ..support.garbage import seldom_collected
 from ..targets.description.profile import Profile

@@ -24,6 +24,7 @@ from ..compiler.ir.frame import Frame, FrameShader
 from ..compiler.ir.program import Program
 from ..compiler.ir.shader import Shader
 from ..compiler.ir.stages import COMPUTED, TARGET
+from ..compiler.library import FOLDER, standard_library
 from ..compiler.passes.lower_stages import keep_stages, lower_stages
 from ..compiler.passes.pipeline import Options, Staged, stage
 from ..compiler.semantics.names.modules import Module
@@ -44,6 +45,7 @@ from ..targets.legalise.legalise import legalise
 from ..targets.legalise.limits import excesses
 from ..targets.selection import DEFAULT, full_name, select_targets
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
+from .remembered import Remembered
 
 if TYPE_CHECKING:
     from ..targets.runner.instances.host_values import MissingValuesError
@@ -68,7 +70,6 @@ __all__ = [
 ]
 
 
-@seldom_collected
 def compile(
     source: str | Path,
     targets: str | Iterable[str] = DEFAULT,
@@ -102,36 +103,70 @@ def compile(
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
     """
-    report = Report()
     _check_names(material=material, rig=rig, pass_=pass_)
     _check_flags(
         hoist=hoist, flip_y=flip_y, single_file=single_file,
         line_directives=line_directives, partial=partial, native_stages=native_stages,
     )  # fmt: skip
-    chosen = select_targets(_names_of_targets(targets), report, single_file=single_file)
-    frontend, module = _opened(source, search_path, report)
+    asked = _Asked(
+        tuple(_names_of_targets(targets)), *_sources(source, search_path), material, rig, pass_,
+        Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
+    )  # fmt: skip
+    library = standard_library(FOLDER)
+    result = _REMEMBERED.find(asked, library)
+    if result is None:
+        result = _result(asked)
+        _REMEMBERED.keep(asked, library, result)
+    return result
+
+
+class _Asked(NamedTuple):
+    """Everything that ``compile`` is given."""
+
+    targets: tuple[str, ...]
+    source: str | Path
+    """A text, or a path."""
+    search_path: tuple[Path, ...]
+    material: str | None
+    rig: str | None
+    pass_: str | None
+    options: Options
+    emit: EmitOptions
+    partial: bool
+    native_stages: bool
+
+
+_REMEMBERED = Remembered()
+"""The results of the last calls of ``compile``."""
+
+
+@seldom_collected
+def _result(asked: _Asked) -> CompileResult:
+    """Compile a file, or a text. Raises ``CompileError``."""
+    report = Report()
+    chosen = select_targets(asked.targets, report, single_file=asked.emit.single_file)
+    frontend, module = _opened(asked.source, asked.search_path, report)
     frames: list[Frame] | None = None
     if module is None:
         shaders = []
-    elif frontend.has_frames(module, material):
-        frames = frontend.frames(module, material, rig)
+    elif frontend.has_frames(module, asked.material):
+        frames = frontend.frames(module, asked.material, asked.rig)
         shaders = [each.shader for frame in frames for each in frame.shaders]
     else:
-        shaders = frontend.shaders(module, material, rig, pass_)
+        shaders = frontend.shaders(module, asked.material, asked.rig, asked.pass_)
     if report.failed:
         raise CompileError(report.diagnostics)
-    options = EmitOptions(flip_y, single_file, line_directives)
-    if line_directives:
+    if asked.emit.line_directives:
         _warn_of_targets_without_lines(chosen, report)
     compiled = []
     for elaborated in shaders:
-        shader = keep_stages(elaborated) if native_stages else lower_stages(elaborated)
-        staged = stage(shader, Options(hoist))
+        shader = keep_stages(elaborated) if asked.native_stages else lower_stages(elaborated)
+        staged = stage(shader, asked.options)
         lacking = _lacking(shader, staged, chosen)
-        if not partial:
+        if not asked.partial:
             report.extend(chain.from_iterable(lacking.values()))
         to_textures = frames is not None
-        compiled.append(_compiled(shader, staged, lacking, chosen, options, to_textures))
+        compiled.append(_compiled(shader, staged, lacking, chosen, asked.emit, to_textures))
     if frames:
         programs = {each.name: each.staged.program for each in compiled}
         _check_filtering(frames, lambda shader: programs[shader.name], report)
@@ -232,12 +267,21 @@ def _opened(
     source: str | Path, search_path: Sequence[str | Path], report: Report
 ) -> tuple[Frontend, Module | None]:
     """The module of a path or a text, and its front end; ``None`` if it cannot be read."""
+    given, folders = _sources(source, search_path)
+    frontend = Frontend(report, folders)
+    if isinstance(given, str):
+        return frontend, frontend.open_text(given, "<text>")
+    return frontend, frontend.open_file(given)
+
+
+def _sources(
+    source: str | Path, search_path: Sequence[str | Path]
+) -> tuple[str | Path, tuple[Path, ...]]:
+    """The text itself or the path of a file, and the folders in which imports are looked for."""
     expect("source", source, (str, PathLike), "a path or a text")
     folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
-    frontend = Frontend(report, [Path(folder) for folder in folders])
-    if isinstance(source, str) and ("\n" in source or "{" in source):
-        return frontend, frontend.open_text(source, "<text>")
-    return frontend, frontend.open_file(Path(source))
+    is_text = isinstance(source, str) and ("\n" in source or "{" in source)
+    return source if is_text else Path(source), tuple(map(Path, folders))
 
 
 def _program_of(shader: FrameShader) -> Program:

@@ -16,12 +16,14 @@ import os
 import sys
 
 from ..compiler.cache import digest, load, store
+from ..compiler.inputs import unchanged
 from .replacing import replace_all
 from .terminal import print_output, show_everything, wants_color
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
 
     from ..compiler.inputs import Inputs
 
@@ -147,31 +149,10 @@ def _is_asked_for(output: Output, question: Question) -> bool:
     return any(word.endswith(output.folder) for word in question.arguments)
 
 
-def _unchanged(kept: dict[str, dict[str, str]]) -> bool:
+def _unchanged(kept: dict[str, Any]) -> bool:
     """True if everything that a compile depended on is found, and is the same."""
-    if not all(map(os.path.isdir, kept["folders"])):
-        return False
-    if any(os.path.realpath(path) != real for path, real in kept["links"].items()):
-        return False
-    return all(_holds(path, content) for path, content in kept["sources"].items())
-
-
-def _holds(path: str, content: str | None) -> bool:
-    """True if a file has this content or, with ``None``, if there is no file. Raises ``OSError``.
-
-    A pipe or a device can be read only once, which is left to the compile.
-    """
-    from stat import S_ISREG
-
-    try:
-        is_file = S_ISREG(os.stat(path).st_mode)  # noqa: PTH116
-    except (FileNotFoundError, NotADirectoryError):
-        return content is None
-    if content is None or not is_file:
-        return content is None and not is_file
-    expected = content.encode()
-    with open(path, "rb") as file:  # noqa: PTH123
-        return file.read(len(expected) + 1) == expected
+    sources = {k: v if v is None else v.encode() for k, v in kept["sources"].items()}
+    return unchanged(sources, kept["links"], kept["folders"])
 
 
 def installation() -> str:

@@ -1,13 +1,18 @@
 """Records all files that a compile has read, and the paths where it has looked in vain.
 
 The front end fills this record while it reads. As long as all of it is unchanged, compiling the
-same file with the same options gives the same result, which ``commands/results.py`` relies on.
+same file with the same options gives the same result, which ``api/remembered.py`` relies on within
+a process, and ``commands/results.py`` from one process to the next.
 """
 
 from __future__ import annotations
 
 import os
-from pathlib import Path
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from pathlib import Path
 
 
 class Inputs:
@@ -46,3 +51,38 @@ class Inputs:
         if known is None:
             known = self.links[asked] = os.path.realpath(path)
         return known
+
+    def are_current(self) -> bool:
+        """True if all of it is found again, and is the same."""
+        return unchanged(self.contents, self.links, self.folders)
+
+
+def unchanged(
+    contents: Mapping[str, bytes | None], links: Mapping[str, str], folders: Iterable[str]
+) -> bool:
+    """True if all of what a record has noted is found again, and is the same. Nothing is raised."""
+    try:
+        return (
+            all(map(os.path.isdir, folders))
+            and all(os.path.realpath(path) == real for path, real in links.items())
+            and all(_holds(path, content) for path, content in contents.items())
+        )
+    except (OSError, ValueError):
+        return False
+
+
+def _holds(path: str, content: bytes | None) -> bool:
+    """True if a file has this content or, with ``None``, if there is no file. Raises ``OSError``.
+
+    A pipe or a device can be read only once, which is left to the compile.
+    """
+    from stat import S_ISREG
+
+    try:
+        is_file = S_ISREG(os.stat(path).st_mode)  # noqa: PTH116
+    except (FileNotFoundError, NotADirectoryError):
+        return content is None
+    if content is None or not is_file:
+        return content is None and not is_file
+    with open(path, "rb") as file:  # noqa: PTH123
+        return file.read(len(content) + 1) == content

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache, lru_cache, wraps
 from pathlib import Path
-from threading import RLock
 from typing import TypeVar
 
+from ..support.locks import reentrant_lock
 from .diagnostics.source import Source
 from .library_trees import (
     declarations,
@@ -35,7 +35,7 @@ TESSELLATOR = "tessellator.burnish"
 
 T = TypeVar("T")
 
-_MAKING = RLock()
+_MAKING = reentrant_lock()
 
 
 def once(make: Callable[[], T]) -> Callable[[], T]:

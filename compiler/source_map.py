@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, ItemsView, Iterator, Mapping, ValuesView
-from functools import cached_property
 
+from ..support.cached import cached_property
 from .diagnostics.source import Span
 from .ir.node import Node, reachable
 from .ir.shader import Notes, Shader

@@ -11,11 +11,13 @@ unpickled faster, because nothing goes through ``__setattr__``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, cached_property, partial
+from functools import cache, partial
 from operator import attrgetter
 from types import CodeType, FunctionType, MappingProxyType
 from typing import Any, TypeVar, cast, dataclass_transform, overload
 from weakref import WeakValueDictionary
+
+from .cached import cached_property
 
 T = TypeVar("T")
 

@@ -16,9 +16,9 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable
 from functools import wraps
-from threading import Lock
 from typing import ParamSpec, TypeVar
 
+from .locks import lock
 from .stack import with_room
 
 SELDOM = (100_000, 50, 100)
@@ -67,7 +67,7 @@ class _Calls:
     """The calls that are running, in all threads: the thresholds belong to the process."""
 
     def __init__(self) -> None:
-        self._lock = Lock()
+        self._lock = lock()
         self._running = 0
         self._before = SELDOM
         """The host's thresholds, while any call is running."""

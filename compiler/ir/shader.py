@@ -6,9 +6,9 @@ Semantics makes a ``Shader``; the passes, the reference and the reflection read 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
 from typing import Any
 
+from ...support.cached import cached_property
 from ...support.frozen import fresh, frozen, record
 from ..diagnostics.source import Span
 from .blending import REPLACES, Blend, Mask

@@ -46,6 +46,11 @@ def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
     return roots
 
 
+def is_watched() -> bool:
+    """True if passes are verified or printed, so that each compile has to run them."""
+    return os.environ.get(VARIABLE) == "1" or bool(os.environ.get(SHOWN))
+
+
 def announce(shader: Shader) -> None:
     """Print the name of the shader whose graphs come next, where graphs are printed."""
     if shown := os.environ.get(SHOWN):

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from functools import cached_property
 
 from ...stdlib.builtins import BUILTINS
+from ...support.cached import cached_property
 from ..ir.node import Node
 from ..ir.operations import BRANCH
 from ..ir.types import BOOL, Matrix

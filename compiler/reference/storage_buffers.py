@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 from uuid import UUID, uuid4
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...support.cached import cached_property
 from ..ir.kernel import ends
 from ..ir.leaves import Buffer
 from ..ir.storage import (

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 from typing import Literal
 
+from ...support.cached import cached_property
 from ..diagnostics.source import Span
 from ..documents.plan import (
     AttachmentRow,

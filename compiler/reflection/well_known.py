@@ -8,9 +8,9 @@ library says of which parameters such a function has a meaning in a scene (``sce
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cached_property
 from typing import Any
 
+from ...support.cached import cached_property
 from ...support.frozen import frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Node

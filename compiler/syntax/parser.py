@@ -7,11 +7,11 @@ every mistake is reported, none is raised, and the tree lacks the parts that cou
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from functools import cached_property
 from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
 
+from ...support.cached import cached_property
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span

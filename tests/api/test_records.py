@@ -6,10 +6,10 @@ import copy
 import pickle
 import re
 from collections.abc import Callable
-from functools import cached_property
 
 import pytest
 
+from burnish.support.cached import cached_property
 from burnish.support.frozen import fresh, frozen, record
 
 

@@ -11,7 +11,6 @@ import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import burnish
 from burnish.api import entry_points as api
@@ -23,6 +22,7 @@ from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.support.cached import cached_property
 from burnish.targets.closing import Closing
 from burnish.targets.conformance.cases import SIZE, Size
 from burnish.targets.conformance.conform import conform

@@ -10,10 +10,10 @@ other sequence; the operands of operands, and data, come behind.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from functools import cached_property
 from itertools import product
 from typing import Any
 
+from ....support.cached import cached_property
 from ....support.frozen import changed, frozen
 from ...ir.node import HEADS, SPECIAL, Node, Op
 from ...ir.signatures import result_type

@@ -13,8 +13,8 @@ rule on random and special values.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from functools import cached_property
 
+from ....support.cached import cached_property
 from ....support.frozen import frozen
 from ...ir.node import Node, Op
 from ...ir.types import Type

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.accuracy import Bound, Error, Exact, Platform, Rounded, Within
 from ....stdlib.builtins.facts import LARGEST_FLOAT, ULP
+from ....support.cached import cached_property
 
 Floats = NDArray[np.float64]
 

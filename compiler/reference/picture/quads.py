@@ -7,11 +7,11 @@ covers, its values are those at the centre; only the depths that are compared ar
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from ....support.cached import cached_property
 from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments

@@ -7,13 +7,14 @@ the lanes of texels are the first.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ....support.cached import cached_property
 from ...ir.leaves import Texture
 from ...ir.types import TextureType
 from ..bounds import Bounded, exact, hull

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from threading import RLock
 from typing import Protocol
 
+from ....support.locks import reentrant_lock
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Source, Span
@@ -24,6 +24,10 @@ from .modules import Module
 _PRELUDE = "prelude.burnish"
 _NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
 """Library files that every file sees, or none."""
+
+
+_LINKING = reentrant_lock()
+"""Held while modules are linked: no thread sees half of one."""
 
 
 class Parse(Protocol):
@@ -55,7 +59,6 @@ class StandardLibrary:
         """The linked modules, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}
         self._offers: dict[str, str] | None = None
-        self._linking = RLock()
         prelude = self.module(_PRELUDE)
         assert prelude is not None, "the library has no prelude"
         self.prelude: Module = prelude
@@ -76,7 +79,7 @@ class StandardLibrary:
         """The module in a file of the library; ``None`` if there is no such file."""
         known = self._modules.get(relative)
         if known is None:
-            with self._linking:
+            with _LINKING:
                 known = self._linked(relative)
                 self._modules.update(self._begun)
         return known

@@ -6,8 +6,9 @@ import re
 import struct
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
-from functools import cached_property
 from typing import TYPE_CHECKING
+
+from burnish.support.cached import cached_property
 
 from .behaviour import (
     DRAWN,

@@ -10,7 +10,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from functools import cached_property
 
 from .....compiler.documents.plan import (
     AttachmentRow,
@@ -21,6 +20,7 @@ from .....compiler.documents.plan import (
     OutputRow,
     PlanStep,
 )
+from .....support.cached import cached_property
 from .rows import (
     Reading,
     drawn_over,
