@@ -16,8 +16,7 @@ from ..compiler.ir.frame import Frame
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.guard import Guard
 from ..compiler.passes.pipeline import Staged
-from ..support.cached import cached_property
-from ..support.frozen import EMPTY, changed, frozen
+from ..support.frozen import EMPTY, cached_property, changed, frozen
 from ..support.garbage import seldom_collected
 from ..targets.description.profile import Profile
 from ..targets.description.shading_language import Language

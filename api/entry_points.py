@@ -19,12 +19,11 @@ from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from ..compiler.diagnostics.source import Span
 from ..compiler.documents.writing import to_json
-from ..compiler.frontend import Frontend
+from ..compiler.frontend import Frontend, current_library
 from ..compiler.ir.frame import Frame, FrameShader
 from ..compiler.ir.program import Program
 from ..compiler.ir.shader import Shader
 from ..compiler.ir.stages import COMPUTED, TARGET
-from ..compiler.library import FOLDER, standard_library
 from ..compiler.passes.lower_stages import keep_stages, lower_stages
 from ..compiler.passes.pipeline import Options, Staged, stage
 from ..compiler.semantics.names.modules import Module
@@ -112,7 +111,7 @@ def compile(
         tuple(_names_of_targets(targets)), *_sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
     )  # fmt: skip
-    library = standard_library(FOLDER)
+    library = current_library()
     result = _REMEMBERED.find(asked, library)
     if result is None:
         result = _result(asked)

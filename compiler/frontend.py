@@ -22,6 +22,7 @@ from .semantics.frames.frames import Surroundings, frame_of
 from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.loader import Loader
 from .semantics.names.modules import Module, Symbol
+from .semantics.names.standard_library import StandardLibrary
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
 from .semantics.shading.kernels.kernel import kernel_shader
@@ -30,6 +31,12 @@ from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import TOTAL_LIMIT, check_text, load_source
 from .syntax.parser import parse
+
+
+def current_library() -> StandardLibrary:
+    """The library as its files are now: the same record for as long as none of them changes."""
+    return standard_library(FOLDER)
+
 
 _NOT_OWN = {
     kind: f"the file declares no {kind}; without `--{kind}` the library's is taken"
@@ -66,7 +73,7 @@ class Frontend:
         self._compared = Compared()
         self._report = report
         self._records = Records(report)
-        self._library = standard_library(FOLDER)
+        self._library = current_library()
         self._loader = Loader(report, self._library, folders, parse, self._read, self.inputs.looked)
 
     def open_file(self, path: Path) -> Module | None:

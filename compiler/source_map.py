@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, ItemsView, Iterator, Mapping, ValuesView
 
-from ..support.cached import cached_property
+from ..support.frozen import cached_property
 from .diagnostics.source import Span
 from .ir.node import Node, reachable
 from .ir.shader import Notes, Shader

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...support.cached import cached_property
-from ...support.frozen import fresh, frozen, record
+from ...support.frozen import cached_property, fresh, frozen, record
 from ..diagnostics.source import Span
 from .blending import REPLACES, Blend, Mask
 from .capture import Capture

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from ...stdlib.builtins import BUILTINS
-from ...support.cached import cached_property
+from ...support.frozen import cached_property
 from ..ir.node import Node
 from ..ir.operations import BRANCH
 from ..ir.types import BOOL, Matrix

@@ -14,7 +14,7 @@ from uuid import UUID, uuid4
 import numpy as np
 from numpy.typing import NDArray
 
-from ...support.cached import cached_property
+from ...support.frozen import cached_property
 from ..ir.kernel import ends
 from ..ir.leaves import Buffer
 from ..ir.storage import (

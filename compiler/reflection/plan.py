@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Literal
 
-from ...support.cached import cached_property
+from ...support.frozen import cached_property
 from ..diagnostics.source import Span
 from ..documents.plan import (
     AttachmentRow,

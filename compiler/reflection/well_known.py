@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ...support.cached import cached_property
-from ...support.frozen import frozen
+from ...support.frozen import cached_property, frozen
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..passes.rules.matching import Pattern

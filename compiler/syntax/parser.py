@@ -11,7 +11,7 @@ from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
 
-from ...support.cached import cached_property
+from ...support.frozen import cached_property
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span

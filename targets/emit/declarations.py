@@ -12,7 +12,7 @@ from ...compiler.ir.leaves import Buffer, Texture
 from ...compiler.ir.program import Block, Image, Stage, StoredMember
 from ...compiler.ir.storage import stored_type, structs_in
 from ...compiler.ir.types import RuntimeArray, Struct
-from ...support.cached import cached_property
+from ...support.frozen import cached_property
 from ..description.shading_language import BindingKind
 from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed

@@ -9,8 +9,7 @@ from collections.abc import Callable
 
 import pytest
 
-from burnish.support.cached import cached_property
-from burnish.support.frozen import fresh, frozen, record
+from burnish.support.frozen import cached_property, fresh, frozen, record
 
 
 @record

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import random
 import shutil
+import sys
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
-from time import monotonic
 
 import pytest
 
@@ -17,11 +17,41 @@ from burnish.api import entry_points
 from burnish.api.remembered import Remembered
 from burnish.compiler.passes.checkpoint import SHOWN, VARIABLE
 
-from ..suite.processes import LIMIT
+from ..suite.processes import at_once, run
 
 FLAT = "material Flat {{ color = vec3({}) }}"
 TINTED = "import {}.{{tint}}\nmaterial Tinted {{ color = vec3(1, 0.5, 0.25) * tint(2.0) }}"
 TINT = "fn tint(at: float) = at + {}"
+
+
+FORKING = """
+import faulthandler, os, threading, time
+import burnish
+
+def work(number):
+    while time.monotonic() < until:
+        burnish.compile(TEXT % (number + time.monotonic()), "wgsl")
+
+def forked():
+    child = os.fork()
+    if child == 0:
+        faulthandler.dump_traceback_later(20, exit=True)
+        burnish.compile(TEXT % 0, "wgsl")
+        burnish.compile(TEXT % os.getpid(), "wgsl")
+        os._exit(0)
+    return child
+
+TEXT = "material Flat { color = vec3(%s) }"
+burnish.compile(TEXT % 0, "wgsl")  # Nothing is imported any more, for which Python has locks.
+until = time.monotonic() + 2
+threads = [threading.Thread(target=work, args=(number,)) for number in range(4)]
+for thread in threads:
+    thread.start()
+children = [forked() for _ in range(10)]
+for thread in threads:
+    thread.join()
+assert all(os.waitpid(child, 0)[1] == 0 for child in children)
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -203,52 +233,15 @@ def test_threads_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(entry_points, "_REMEMBERED", Remembered(results=3))
     sources = [FLAT.format(number) for number in range(6)]
     wanted = {source: fresh(source, "wgsl") for source in sources}
-    order = random.Random(7).choices(sources, k=120)
-    with ThreadPoolExecutor(8) as pool:
-        found = list(pool.map(lambda source: outcome(source, "wgsl"), order))
+    order = random.Random(7).choices(sources, k=60)
+    found = at_once([partial(outcome, source, "wgsl") for source in order])
     assert found == [wanted[source] for source in order]
 
 
 def test_a_process_forks_in_the_middle_of_compiles() -> None:
     """Whatever other threads hold then, the copy compiles, too."""
-    burnish.compile(FLAT.format(0), "wgsl")  # Python's own locks of imports are none of ours.
-    until = monotonic() + 2
-
-    def work(number: int) -> None:
-        while monotonic() < until:
-            burnish.compile(FLAT.format(number), "wgsl")
-
-    with ThreadPoolExecutor(4) as pool:
-        working = [pool.submit(work, number) for number in range(4)]
-        children = [_forked() for _ in range(10)]
-        for each in working:
-            each.result(LIMIT)
-    assert [_ended(child) for child in children] == [0] * len(children)
-
-
-def _forked() -> int:
-    """A copy of this process that compiles one text that was compiled before, and a new one."""
-    child = os.fork()
-    if child:
-        return child
-    try:
-        burnish.compile(FLAT.format(1), "wgsl")
-        burnish.compile(FLAT.format(os.getpid()), "wgsl")
-        os._exit(0)
-    finally:
-        os._exit(1)
-
-
-def _ended(child: int) -> int:
-    """The exit code of a child; it is killed if it does not end."""
-    until = monotonic() + LIMIT
-    while monotonic() < until:
-        found, status = os.waitpid(child, os.WNOHANG)
-        if found:
-            return os.waitstatus_to_exitcode(status)
-        os.sched_yield()
-    os.kill(child, 9)
-    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    done = run([sys.executable, "-c", FORKING])
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -22,7 +22,7 @@ from burnish.compiler.ir.shader import Shader
 from burnish.compiler.passes.pipeline import Options
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
-from burnish.support.cached import cached_property
+from burnish.support.frozen import cached_property
 from burnish.targets.closing import Closing
 from burnish.targets.conformance.cases import SIZE, Size
 from burnish.targets.conformance.conform import conform

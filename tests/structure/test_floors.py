@@ -21,7 +21,8 @@ FLOORS: dict[str, str] = {
     "support.frozen": "",
     "support.arguments": "",
     "support.stack": "",
-    "support.garbage": "stack",
+    "support.locks": "",
+    "support.garbage": "stack locks",
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.budget": "",
@@ -38,13 +39,13 @@ FLOORS: dict[str, str] = {
     "compiler.documents": "frozen constraints ir packing",
     "compiler.formula": "stdlib ir",
     "compiler.promises": "frozen stdlib ir formula",
-    "compiler.source_map": "diagnostics ir",
+    "compiler.source_map": "frozen diagnostics ir",
     "compiler.reference": "frozen stdlib budget diagnostics ir formula",
     "compiler.semantics.work": "frozen",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
-    "compiler.semantics.names": "frozen diagnostics syntax types",
+    "compiler.semantics.names": "frozen locks diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
-    "compiler.library": "stdlib precomputed diagnostics syntax names library_trees",
+    "compiler.library": "locks stdlib precomputed diagnostics syntax names library_trees",
     "compiler.semantics.inheritance": "frozen diagnostics syntax work names",
     "compiler.semantics.state": (
         "frozen stdlib diagnostics syntax ir reference work types names inheritance"
@@ -101,9 +102,10 @@ FLOORS: dict[str, str] = {
         "frozen garbage inputs diagnostics ir documents passes planning reflection description "
         "legalise emit selection runner"
     ),
+    "api.remembered": "locks passes compiled",
     "api.entry_points": (
         "frozen arguments garbage diagnostics ir documents passes source_map names reflection "
-        "frontend description emit legalise availability selection runner compiled"
+        "frontend description emit legalise availability selection runner compiled remembered"
     ),
     "commands": (
         "frozen garbage stack cache inputs diagnostics syntax ir documents passes frontend formula "

@@ -13,8 +13,7 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any
 
-from ....support.cached import cached_property
-from ....support.frozen import changed, frozen
+from ....support.frozen import cached_property, changed, frozen
 from ...ir.node import HEADS, SPECIAL, Node, Op
 from ...ir.signatures import result_type
 from ...ir.types import Type

@@ -14,8 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 
-from ....support.cached import cached_property
-from ....support.frozen import frozen
+from ....support.frozen import cached_property, frozen
 from ...ir.node import Node, Op
 from ...ir.types import Type
 from .builder import Builder

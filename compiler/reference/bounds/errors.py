@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.accuracy import Bound, Error, Exact, Platform, Rounded, Within
 from ....stdlib.builtins.facts import LARGEST_FLOAT, ULP
-from ....support.cached import cached_property
+from ....support.frozen import cached_property
 
 Floats = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ....support.cached import cached_property
+from ....support.frozen import cached_property
 from ..bounds import Bounded
 from ..namespace import Lanes
 from .coverage import Fragments

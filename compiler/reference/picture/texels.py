@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....support.cached import cached_property
+from ....support.frozen import cached_property
 from ...ir.leaves import Texture
 from ...ir.types import TextureType
 from ..bounds import Bounded, exact, hull

@@ -12,8 +12,7 @@ from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
 
-from ....support.cached import cached_property
-from ....support.frozen import changed, frozen
+from ....support.frozen import cached_property, changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Diagnostic, Report
 from ...ir.node import Node

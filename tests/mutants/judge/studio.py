@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
-from burnish.support.cached import cached_property
+from burnish.support.frozen import cached_property
 
 from .behaviour import (
     DRAWN,

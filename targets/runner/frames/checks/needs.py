@@ -20,7 +20,7 @@ from .....compiler.documents.plan import (
     OutputRow,
     PlanStep,
 )
-from .....support.cached import cached_property
+from .....support.frozen import cached_property
 from .rows import (
     Reading,
     drawn_over,
