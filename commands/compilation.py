@@ -5,20 +5,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..support.frozen import changed
 from .compile_options import CompileRequest
+from .compiled_files import Compiled, compiled_files
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
 
 if TYPE_CHECKING:
-    from ..api.compiled import CompileResult
-    from ..compiler.diagnostics.diagnostic import Diagnostic
-    from ..compiler.documents.plan import FramePlan
-    from ..compiler.documents.reflection import Reflection
+    pass
 
 
 def succeeds(request: CompileRequest, question: Question | None) -> bool:
@@ -28,80 +27,88 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     """
     from ..compiler.diagnostics.diagnostic import CompileError
 
-    warnings: tuple[Diagnostic, ...] = ()
+    request = changed(request, files=tuple(dict.fromkeys(request.files)))
+    found = list(_told(request))
+    diagnostics = [one for each in found for one in each.diagnostics]
+    inputs = [each.inputs for each in found if each.inputs is not None]
     try:
-        result = _compiled(request)
-        warnings = result.diagnostics
-        if request.validate:
-            _insist_on_acceptance(result)
-        output = _output(request, result)
+        if len(inputs) < len(found):
+            raise CompileError(())
+        output = _output(request, found, rendered(diagnostics))
         _deliver(output)
     except CompileError as error:
-        show((*warnings, *error.diagnostics))
+        show((*diagnostics, *error.diagnostics))
         return False
-    show(warnings)
+    show(diagnostics)
     if question is not None:
-        keep(question, output, result.inputs)
+        first, *others = inputs
+        keep(question, output, first.joined(others))
     return True
 
 
-def _compiled(request: CompileRequest) -> CompileResult:
-    from ..api import entry_points as api
-    from ..targets.selection import DEFAULT
-
-    return api.compile(
-        request.file,
-        [name for names in request.targets for name in names.split(",")] or DEFAULT,
-        material=request.material,
-        rig=request.rig,
-        pass_=request.pass_,
-        search_path=request.search_path,
-        hoist=request.hoist,
-        flip_y=request.flip_y,
-        single_file=request.single_file,
-        line_directives=request.line_directives,
-        native_stages=request.native_stages,
-    )
+def _told(request: CompileRequest) -> Iterable[Compiled]:
+    """What each file becomes; a terminal shows how far it is with many."""
+    if len(request.files) == 1:
+        return compiled_files(request)
+    return _with_progress(compiled_files(request), len(request.files))
 
 
-def _output(request: CompileRequest, result: CompileResult) -> Output:
-    """The output of a command line: files in a folder, or shaders on standard output."""
-    warnings = rendered(result.diagnostics)
-    if request.output == STDOUT:
-        files = [file for material in result.materials for file in material.files]
-        headings = (f"// ======== {file.name}\n" if len(files) > 1 else "" for file in files)
-        printed = (heading + file.text for heading, file in zip(headings, files, strict=True))
+def _with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:
+    from .progress import Progress
+
+    with Progress("compiling") as progress:
+        for number, each in enumerate(found, 1):
+            yield each
+            progress.tell(number / count)
+
+
+def _output(request: CompileRequest, found: Sequence[Compiled], warnings: str) -> Output:
+    """The output of a command line: files in a folder, or shaders on standard output.
+
+    Raises ``CompileError`` if two files want to write one.
+    """
+    if request.prints:
+        texts = [text for each in found for text in each.texts.items()]
+        headings = (f"// ======== {name}\n" if len(texts) > 1 else "" for name, _ in texts)
+        printed = (heading + text for heading, (_, text) in zip(headings, texts, strict=True))
         return Output(STDOUT, {}, "".join(printed), warnings)
-    texts: dict[str, str] = {}
-    reflections: dict[str, str] = {}
-    lines = []
-    for material in result.materials:
-        reflection = f"{material.name}.json"
-        texts |= {file.name: file.text for file in material.files}
-        reflections[reflection] = _as_json(material.reflection)
-        shaders = f"{len(material.files)} shaders and {reflection}"
-        lines.append(f"{material.name}: {shaders} in {request.output}\n")
-    plans: dict[str, str] = {}
-    for frame in result.frames:
-        plan = f"{frame.name}.plan.json"
-        plans[plan] = _as_json(frame.plan)
-        count = len(frame.plan.steps)
-        steps = "1 step" if count == 1 else f"{count} steps"
-        lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
-    lines += _remarks_on_languages(result)
+    _insist_on_one_file_for_each(request.files, found)
+    lines = [line for each in found for line in each.lines]
+    lines += dict.fromkeys(remark for each in found for remark in each.remarks)
     # Reflections are put in place behind the shaders, and plans last: whoever sees a new one finds
     # what it describes.
-    return Output(request.output, texts | reflections | plans, "".join(lines), warnings)
+    written = (
+        *(each.texts for each in found),
+        *(each.reflections for each in found),
+        *(each.plans for each in found),
+    )
+    whole = {name: text for part in written for name, text in part.items()}
+    return Output(request.output, whole, "".join(lines), warnings)
 
 
-def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
-    """A line for each language of the texts that is marked as unproven."""
-    from ..targets import registry
+def _insist_on_one_file_for_each(files: Sequence[Path], found: Sequence[Compiled]) -> None:
+    """Raise ``CompileError`` if what one file becomes would replace what another one becomes.
 
-    names = (file.target for material in result.materials for file in material.files)
-    for target in map(registry.load, dict.fromkeys(names)):
-        if target.unproven:
-            yield f"texts in {target.title}: {target.unproven}\n"
+    Names that differ in capital letters only are one file on many disks.
+    """
+    from ..compiler.diagnostics import rules
+    from ..compiler.diagnostics.diagnostic import CompileError, Report
+
+    report, owners = Report(), dict[str, Path]()
+    for file, each in zip(files, found, strict=True):
+        for name in _names(each):
+            owner = owners.setdefault(name.casefold(), file)
+            if owner != file:
+                report.add(rules.SAME_OUTPUT, None, name=name, first=owner, second=file)
+                break
+    if report.failed:
+        raise CompileError(report.diagnostics)
+
+
+def _names(found: Compiled) -> Iterator[str]:
+    parts: tuple[Mapping[str, str], ...] = (found.texts, found.reflections, found.plans)
+    for part in parts:
+        yield from part
 
 
 def _deliver(output: Output) -> None:
@@ -116,22 +123,3 @@ def _deliver(output: Output) -> None:
         raise
     except OSError as error:
         raise unwritable(Path("standard output"), error.strerror or str(error)) from error
-
-
-def _insist_on_acceptance(result: CompileResult) -> None:
-    """Raise ``CompileError`` unless the downstream compilers accept every text."""
-    from ..compiler.diagnostics.diagnostic import CompileError
-    from .validate import validate
-
-    found = validate(file for material in result.materials for file in material.files)
-    if any(diagnostic.severity == "error" for diagnostic in found):
-        raise CompileError(found)
-    show(found)
-
-
-def _as_json(document: Reflection | FramePlan) -> str:
-    import json
-
-    from ..compiler.documents.writing import to_json
-
-    return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"

@@ -1,14 +1,15 @@
-"""``burnish compile``: compiles a file and writes shader texts and reflections to disk."""
+"""``burnish compile``: compiles files and writes shader texts and reflections to disk."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import click
 
 from .compilation import succeeds
 from .compile_options import OPTIONS, CompileRequest
-from .options import file_argument, option
+from .options import option
 from .results import Question
 from .terminal import FAILED
 
@@ -20,26 +21,28 @@ def _with_options(command: click.decorators.FC) -> click.decorators.FC:
 
 
 @click.command("compile")
-@file_argument
+@click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
 @_with_options
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
 def compile_(watch: bool, **chosen: Any) -> None:
-    """Compile the materials of FILE.
+    """Compile the materials of each FILE.
 
     Each becomes FOLDER/<Material>.<vert|frag>.<hlsl|glsl|wgsl> and FOLDER/<Material>.json, which
-    tells a host what to bind where. If anything is wrong, nothing is written.
+    tells a host what to bind where. If anything is wrong in any file, nothing is written. Many
+    files are compiled in several processes.
 
     \b
     Example:
         burnish compile plastic.burnish -o build/
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
+        burnish compile materials/*.burnish -o build/
     """
     request = CompileRequest(**chosen)
     context = click.get_current_context()
     if watch:
         from .watch import watch as repeat
 
-        repeat(request.file, request.search_path, lambda: succeeds(request, None))
+        repeat(request.files, request.search_path, lambda: succeeds(request, None))
     elif not succeeds(request, context.obj if isinstance(context.obj, Question) else None):
         context.exit(FAILED)

@@ -1,7 +1,7 @@
 """The options of ``burnish compile`` as rows, and a parser of plain command lines.
 
 click shows the rows in the help, and reads any command line by them (``compile.py``). But to load
-click takes a tenth of a short compile, and most command lines need nothing of it: they name a file,
+click takes a tenth of a short compile, and most command lines need nothing of it: they name files,
 and options in full with their values. ``cli.py`` has those read here.
 """
 
@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..support.frozen import frozen
+from .results import STDOUT
 
 
 @frozen
@@ -105,7 +106,7 @@ OPTIONS = (
 class CompileRequest:
     """A parsed command line of ``burnish compile``."""
 
-    file: Path
+    files: tuple[Path, ...]
     output: str
     """A folder, or ``-``."""
     targets: tuple[str, ...] = ()
@@ -122,6 +123,11 @@ class CompileRequest:
     hoist: bool = True
     native_stages: bool = False
     cache: bool = True
+
+    @property
+    def prints(self) -> bool:
+        """True if the shaders are printed instead of written."""
+        return self.output == STDOUT
 
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
@@ -153,12 +159,12 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
             row = _VALUES[name]
             given = Path(value) if row.is_path else value
             chosen[row.field] = (*chosen.get(row.field, ()), given) if row.many else given
-        elif word and not word.startswith("-") and "file" not in chosen:
-            chosen["file"] = Path(word)
+        elif word and not word.startswith("-"):
+            chosen["files"] = (*chosen.get("files", ()), Path(word))
         else:
             return None
-    paths = (*chosen.get("search_path", ()), *([chosen["file"]] if "file" in chosen else []))
-    if not chosen.keys() >= {"file", "output"} or not all(map(_may_be_read, paths)):
+    paths = (*chosen.get("search_path", ()), *chosen.get("files", ()))
+    if not chosen.keys() >= {"files", "output"} or not all(map(_may_be_read, paths)):
         return None
     return CompileRequest(**chosen)
 

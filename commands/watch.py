@@ -40,8 +40,8 @@ Stamp = tuple[int, ...] | None
 """The data by which a changed file is recognised; ``None`` if there is no file."""
 
 
-def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) -> None:
-    """Call ``act`` now and after each change to ``file`` or its imports; never returns.
+def watch(files: Sequence[Path], search_path: Sequence[Path], act: Callable[[], object]) -> None:
+    """Call ``act`` now and after each change to one of the files or its imports; never returns.
 
     Raises ``UsageError`` if the package that watches is not installed.
     """
@@ -50,11 +50,15 @@ def watch(file: Path, search_path: Sequence[Path], act: Callable[[], object]) ->
     except ImportError:
         raise click.UsageError("--watch needs one more package: pip install watchfiles") from None
     watcher = Watcher[Path]()
-    follow = partial(watcher.follow, file, file, partial(sources, file, search_path))
-    follow()
+
+    def follow(file: Path) -> None:
+        watcher.follow(file, file, partial(sources, file, search_path))
+
+    for file in files:
+        follow(file)
     act()
-    for _ in watcher.changes():
-        follow()
+    for file in watcher.changes():
+        follow(file)
         act()
 
 

@@ -52,6 +52,16 @@ class Inputs:
             known = self.links[asked] = os.path.realpath(path)
         return known
 
+    def joined(self, others: Iterable[Inputs]) -> Inputs:
+        """All that several compiles depend on together, in the same folder."""
+        found = Inputs()
+        for each in (self, *others):
+            for path, content in each.contents.items():
+                found.contents.setdefault(path, content)
+            found.links |= each.links
+            found.folders += each.folders
+        return found
+
     def are_current(self) -> bool:
         """True if all of it is found again, and is the same."""
         return unchanged(self.contents, self.links, self.folders)

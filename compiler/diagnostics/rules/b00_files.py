@@ -98,3 +98,10 @@ TOO_MUCH_TOGETHER = error(
     "All materials, kernels and frames that are not abstract are compiled together, each with all "
     "that it inherits and calls. Compile them one by one, by `--material`, or divide the file.",
 )
+SAME_OUTPUT = error(
+    "B0018",
+    "`{first}` and `{second}` would both write `{name}`",
+    "Outputs are called by their materials and frames. Files that are compiled together have to "
+    "declare different ones, also but for capital letters: rename one, or compile the files into "
+    "two folders.",
+)

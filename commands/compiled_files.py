@@ -1,0 +1,174 @@
+"""Compiles the files of a command line: each by itself, and many of them in several processes.
+
+``compilation.py`` joins what they become. A file is an input like any other program's: it shares
+nothing with the files beside it but what both import.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from ..support.frozen import changed
+from .compile_options import CompileRequest
+
+if TYPE_CHECKING:
+    from ..api.compiled import CompileResult
+    from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..compiler.documents.plan import FramePlan
+    from ..compiler.documents.reflection import Reflection
+    from ..compiler.inputs import Inputs
+
+SEVERAL = 16
+"""The number of files from which on other processes pay: each of them starts as long as eight short
+files take."""
+_PROCESS = f"{__package__}.compile_process"
+TIME_LIMIT = 600.0
+"""The seconds after which a process is given up; its file is then compiled here."""
+
+
+class Compiled(NamedTuple):
+    """What one file has become."""
+
+    texts: Mapping[str, str]
+    """The shaders, by the name of the file for them."""
+    reflections: Mapping[str, str]
+    plans: Mapping[str, str]
+    lines: tuple[str, ...]
+    """A line for each material and frame, which says what it has become."""
+    remarks: tuple[str, ...]
+    """Lines about languages."""
+    diagnostics: tuple[Diagnostic, ...]
+    inputs: Inputs | None
+    """The files that were read; ``None`` if there are errors."""
+
+
+def compiled_files(request: CompileRequest) -> Iterator[Compiled]:
+    """What each file of a request becomes, in their order; files with errors become nothing."""
+    from ..compiler.passes.checkpoint import is_watched
+
+    requests = [changed(request, files=(file,)) for file in request.files]
+    count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))
+    if count < 2 or request.validate or is_watched():
+        return map(compiled, requests)
+    return _compiled_in_processes(requests, count)
+
+
+def compiled(request: CompileRequest) -> Compiled:
+    """What the only file of a request becomes."""
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    (file,) = request.files
+    warnings: tuple[Diagnostic, ...] = ()
+    try:
+        result = _result(request, file)
+        warnings = result.diagnostics
+        if request.validate:
+            warnings += _complaints(result)
+    except CompileError as error:
+        return Compiled({}, {}, {}, (), (), (*warnings, *error.diagnostics), None)
+    return _written(request, result, warnings)
+
+
+def _result(request: CompileRequest, file: Path) -> CompileResult:
+    from ..api import entry_points as api
+    from ..targets.selection import DEFAULT
+
+    return api.compile(
+        file,
+        [name for names in request.targets for name in names.split(",")] or DEFAULT,
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=request.search_path,
+        hoist=request.hoist,
+        flip_y=request.flip_y,
+        single_file=request.single_file,
+        line_directives=request.line_directives,
+        native_stages=request.native_stages,
+    )
+
+
+def _complaints(result: CompileResult) -> tuple[Diagnostic, ...]:
+    """The warnings of the downstream compilers; raises ``CompileError`` if one refuses a text."""
+    from ..compiler.diagnostics.diagnostic import CompileError
+    from .validate import validate
+
+    found = validate(file for material in result.materials for file in material.files)
+    if any(diagnostic.severity == "error" for diagnostic in found):
+        raise CompileError(found)
+    return tuple(found)
+
+
+def _written(
+    request: CompileRequest, result: CompileResult, warnings: tuple[Diagnostic, ...]
+) -> Compiled:
+    texts = {file.name: file.text for material in result.materials for file in material.files}
+    reflections: dict[str, str] = {}
+    plans: dict[str, str] = {}
+    lines = []
+    if request.prints:
+        return Compiled(texts, {}, {}, (), (), warnings, result.inputs)
+    for material in result.materials:
+        reflection = f"{material.name}.json"
+        reflections[reflection] = _as_json(material.reflection)
+        shaders = f"{len(material.files)} shaders and {reflection}"
+        lines.append(f"{material.name}: {shaders} in {request.output}\n")
+    for frame in result.frames:
+        plan = f"{frame.name}.plan.json"
+        plans[plan] = _as_json(frame.plan)
+        count = len(frame.plan.steps)
+        steps = "1 step" if count == 1 else f"{count} steps"
+        lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
+    remarks = tuple(_remarks_on_languages(result))
+    return Compiled(texts, reflections, plans, tuple(lines), remarks, warnings, result.inputs)
+
+
+def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
+    """A line for each language of the texts that is marked as unproven."""
+    from ..targets import registry
+
+    names = (file.target for material in result.materials for file in material.files)
+    for target in map(registry.load, dict.fromkeys(names)):
+        if target.unproven:
+            yield f"texts in {target.title}: {target.unproven}\n"
+
+
+def _as_json(document: Reflection | FramePlan) -> str:
+    import json
+
+    from ..compiler.documents.writing import to_json
+
+    return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"
+
+
+# --- in several processes ------------------------------------------------------------------------
+
+
+def _compiled_in_processes(requests: Sequence[CompileRequest], count: int) -> Iterator[Compiled]:
+    from concurrent.futures import ThreadPoolExecutor
+
+    from ..targets.toolchain.limits import WORKERS
+    from ..targets.toolchain.surroundings import python_worker
+    from ..targets.toolchain.workers import Pool, Worker
+
+    here = os.getcwd()  # noqa: PTH109 - Processes start elsewhere, and paths may be relative.
+    workers = Pool(count, lambda: Worker(lambda: python_worker(_PROCESS), WORKERS))
+    threads = ThreadPoolExecutor(count)  # Each waits for one of the processes.
+
+    def ask(request: CompileRequest) -> Compiled:
+        with workers.borrow() as worker:
+            answer = worker.ask({}, TIME_LIMIT, pickle.dumps((here, request)))
+        if not answer.data:
+            return compiled(request)  # Whatever ended the process, there is one more way.
+        found: Compiled = pickle.loads(answer.data)
+        return found
+
+    try:
+        yield from threads.map(ask, requests)
+    finally:
+        workers.close()
+        threads.shutdown(wait=False, cancel_futures=True)
