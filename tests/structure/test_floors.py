@@ -215,4 +215,4 @@ def test_imports_inside_functions_and_for_types_are_seen() -> None:
         "burnish.targets.runner.textures.files" in graph["burnish.targets.runner.textures.texture"]
     )
     assert "burnish.compiler.ir.shader" in graph["burnish.compiler.layout"]
-    assert "burnish.api.entry_points" in graph["burnish.commands.compilation"]
+    assert "burnish.api.entry_points" in graph["burnish.commands.compiled_files"]
