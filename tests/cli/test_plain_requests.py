@@ -58,7 +58,7 @@ def test_each_option_can_be_plain(row: Option) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "", "--help", "m.burnish", "-o out", "m.burnish -o", "m.burnish n.burnish -o out",
+        "", "--help", "m.burnish", "-o out", "m.burnish -o",
         "m.burnish -o out --watch", "m.burnish -o out --wach", "m.burnish -oout",
         "m.burnish -o out -t --rig", "m.burnish -o out --flip-y=1", "-- m.burnish -o out",
     ],
