@@ -124,5 +124,5 @@ def test_a_buffer_that_the_next_frame_reads_is_read_back(count: int) -> None:
     job = frame_job(host, ROUTES["lavapipe:glsl"], texts, ["places", "others"], count)
     written = [step.draws[0].buffers[-1] for step in job.steps if step.draws]
     read = [step.read_buffers for step in job.steps if step.read_buffers]
-    begun, *moved = written
-    assert read == [(each, begun) for each in moved]
+    assert read == list(zip(written[1::2], written[::2], strict=True))
+    assert len(read) == count
