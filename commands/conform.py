@@ -60,8 +60,9 @@ COLORS = {
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME",
-    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`, or `blended` if the pass "
-    "blends, or the output of a frame; by default the one where it is the least certain.",
+    help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`, or `declared` if the "
+    "pass blends, masks lanes or has several samples; or the output of a frame. By default, the "
+    "one where the pixel is the least certain.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,

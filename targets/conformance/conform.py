@@ -97,7 +97,7 @@ def rows_of(
 ) -> list[Row]:
     """A row for each trial and each route, in this order.
 
-    Plans keep the reference's pictures for further routes. Rows that are ``brief`` end with the
+    Trials keep the reference's pictures for further routes. Rows that are ``brief`` end with the
     first picture that differs.
     """
     rows: dict[tuple[int, int], Row] = {}

@@ -61,7 +61,8 @@ class Content:
     """The results of shaders, as far as they are compared."""
 
     answers: Callable[[Subject, Sequence[SceneState], Route, Pipeline, Runner], Sequence[Any]]
-    """Has a route do all cases of a series: an answer for each. Raises ``DriverError``."""
+    """Has a route do all cases of a series: an answer for each. Raises ``BudgetError``,
+    ``DriverError`` and ``PlanError``."""
     evaluated: Callable[[Shader], Shader]
     """Makes the shader that the reference evaluates."""
     found: Finds

@@ -58,7 +58,8 @@ class Trial(ABC):
     ) -> Iterator[Answer]:
         """An answer of a route for each case.
 
-        Raises ``CodeError``, ``DriverError``, ``PlanError`` and ``UndrawableError``.
+        Raises ``BudgetError``, ``CodeError``, ``DriverError``, ``MissingValuesError``,
+        ``PlanError`` and ``UndrawableError``.
         """
 
     @abstractmethod

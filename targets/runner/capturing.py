@@ -85,7 +85,7 @@ def captured_by(
 ) -> list[Vertices]:
     """The vertices that a route captures for each state, by a stream output or by a kernel.
 
-    Raises ``DriverError``, and ``BudgetError`` for jobs that are too large.
+    Raises ``DriverError``, ``PlanError``, and ``BudgetError`` for jobs that are too large.
     """
     if _capture(subject.reflection).buffer is None:
         job = capture_job(bound, states)

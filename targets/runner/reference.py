@@ -224,7 +224,8 @@ def _digest(
     """A digest of everything that the picture depends on; but for the rare rules, if it is not the
     ``own`` one of these rules."""
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
-    draws = [to_json(each.draw()) for each in (state, *state.layers)]
+    first, *others = state.draws()
+    draws = [to_json(first), *(to_json(each.blocks) for each in others)]
     drawn = json.dumps([draws, state.clear, state.blend_constant, kinds])
     by = rules if own else sorted(rules.common)
     allowed, values = repr((by, errors)), repr(state.instance.values())

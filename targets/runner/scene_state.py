@@ -59,7 +59,6 @@ class SceneState:
         These are vertex inputs, blocks, textures and buffers.
         """
         reflection = self.instance.reflection
-        blocks = self.instance.blocks()
         textures, buffers = self.instance.textures(), self.instance.buffers()
         return Draw(
             width=self.width,
@@ -71,11 +70,20 @@ class SceneState:
                 if row.buffer is None
             ),
             indices=self.triangles.astype("<u4").tobytes(),
-            blocks=tuple(blocks[row.name] for row in reflection.blocks),
+            blocks=_blocks(self.instance),
             textures=tuple(textures[row.name].image() for row in reflection.textures if row.stages),
             buffers=tuple(buffers[row.name].bound for row in reflection.buffers if row.stages),
             instance_count=self.instance_count,
         )
+
+    def draws(self) -> tuple[Draw, ...]:
+        """The draw of each layer, if every layer is a draw of its own, or else the only one.
+
+        Draws of layers share everything but their blocks.
+        """
+        whole = self.draw()
+        layers = (replace(whole, blocks=_blocks(each.instance)) for each in self.layers)
+        return tuple(layers) or (whole,)
 
     @property
     def layers(self) -> tuple[SceneState, ...]:
@@ -127,6 +135,12 @@ def drawn_state(
     return SceneState(
         width, height, drawn.attributes, drawn.corners, instance, cleared, drawn.instance_count
     )
+
+
+def _blocks(instance: Instance) -> tuple[bytes, ...]:
+    """The bytes of the uniform blocks, in the order of the reflection."""
+    blocks = instance.blocks()
+    return tuple(blocks[row.name] for row in instance.reflection.blocks)
 
 
 def _bytes(representation: str, values: NDArray[Any]) -> bytes:

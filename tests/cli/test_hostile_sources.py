@@ -105,7 +105,7 @@ CASES = {
     "loops in loops": Hostile(LOOPS, RENDER, "`M` takes "),
     "loops in loops by a route": Hostile(LOOPS, f"{RENDER} --on lavapipe:glsl", "`M` takes "),
     "loops in loops that are compared": Hostile(LOOPS, CONFORM, "`M` takes "),
-    "a large image": Hostile(IMAGE, CONFORM, "what a driver is sent and sends back needs "),
+    "a large image": Hostile(IMAGE, CONFORM, "the buffers and textures of K take "),
 }  # fmt: skip
 
 

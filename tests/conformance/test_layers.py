@@ -22,9 +22,7 @@ from burnish.compiler.semantics.shading import elaborate
 from burnish.compiler.semantics.shading.passes.layers import layer_of
 from burnish.support.frozen import changed
 from burnish.targets.runner import binding
-from burnish.targets.runner.drivers.frame_job import FrameDraw
-from burnish.targets.runner.frames.by_route import HostSteps
-from burnish.targets.runner.frames.step_draws import StepDraw
+from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -146,25 +144,25 @@ def test_a_host_draws_the_layers_one_by_one() -> None:
     assert state_of(native).layers == ()
 
 
-_draw = HostSteps._draw
+_draws = SceneState.draws
 
 
-def _turned(steps: HostSteps, draw: StepDraw, layer: int) -> FrameDraw:
+def _turned(state: SceneState) -> tuple[Draw, ...]:
     """The draws of the layers, the last one first."""
-    return _draw(steps, draw, COUNT - 1 - layer)
+    return _draws(state)[::-1]
 
 
-def _first_only(steps: HostSteps, draw: StepDraw, _layer: int) -> FrameDraw:
+def _first_only(state: SceneState) -> tuple[Draw, ...]:
     """The first layer in place of all."""
-    return _draw(steps, draw, 0)
+    return (_draws(state)[0],) * COUNT
 
 
 PLANTED = {
     "all strips in the first layer": form("glsl", deliver_layer="gl_Layer = 0;"),
     "layers count from one": form("glsl", deliver_layer="gl_Layer = min({value} + 1, 4);"),
     "the layer is not told": form("glsl", deliver_layer="// {value}"),
-    "layers in another order": replaced(HostSteps, "_draw", _turned),
-    "one layer for all": replaced(HostSteps, "_draw", _first_only),
+    "layers in another order": replaced(SceneState, "draws", _turned),
+    "one layer for all": replaced(SceneState, "draws", _first_only),
     "strips of all layers in each": replaced(
         lower_expansion._Lowering, "_is_drawn",
         lambda lowering, _layer: build.constant(lowering._graph, BOOL, True),

@@ -1,8 +1,9 @@
 """Frame jobs: many draws and kernels over textures and buffers that stay on the device.
 
 They are the only work for a driver. ``targets/runner/frames`` makes a job of a plan: of a frame's,
-or of that of a single shader. A job has any number of pipelines, and its steps draw into textures
-that later steps read. Only requested results are read back.
+or of that of a single shader. ``capturing.py`` makes one that captures vertices. A job has any
+number of pipelines, and its steps draw into textures that later steps read. Only requested results
+are read back.
 """
 
 from __future__ import annotations
@@ -226,8 +227,8 @@ class FrameTexels:
     height: int
     layers: int
     texels: bytes
-    """float32 RGBA, layer by layer and row by row from the top; lanes that the format lacks are 0,
-    0, 1. Depths are in the first lane."""
+    """float32 RGBA, layer by layer, in the order of the texture's rows; lanes that the format lacks
+    are 0, 0, 1. Depths are in the first lane."""
 
 
 @dataclass(frozen=True, slots=True)

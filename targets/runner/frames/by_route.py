@@ -94,13 +94,21 @@ def upright(job: FrameJob, found: Found) -> Iterator[Floats]:
 class HostSteps:
     """Adds the steps of a host's frames to a job."""
 
-    def __init__(self, host: FrameHost, draws: StepDraws, parts: JobParts) -> None:
+    def __init__(
+        self, host: FrameHost, draws: StepDraws, parts: JobParts, *, writes_to_black: bool = False
+    ) -> None:
+        """``writes_to_black`` is that of ``JobResources``."""
         self._host = host
         self._draws = draws
         self._plan = host.plan
         self._pipelines = parts.pipelines
         self._steps = parts.steps
-        self._resources = JobResources(host, parts, _use_of_written_images(host, parts.pipelines))
+        self._resources = JobResources(
+            host,
+            parts,
+            _use_of_written_images(host, parts.pipelines),
+            writes_to_black=writes_to_black,
+        )
 
     def add_frame(self, number: int) -> None:
         """Add the steps of one frame; ``number`` is that of the frames before it."""
@@ -121,14 +129,15 @@ class HostSteps:
         read = tuple(self._resources.texture(each) for each in textures if each is not None)
         results = {row.name: row.result for row in self._plan.outputs if row.texture is None}
         buffers = tuple(
-            self._resources.buffer(results[each]) for each in outputs if each in results
+            self._resources.left_buffer(results[each]) for each in outputs if each in results
         )
         there = dict.fromkeys(read)
         barriers = tuple(Barrier(number, "sampled", "copied_from") for number in there)
         name = f"the outputs of {self._plan.frame}"
         self._steps.append(FrameStep(barriers, read=read, read_buffers=buffers, name=name))
-        again = tuple(Barrier(number, "copied_from", "sampled") for number in there)
-        self._steps.append(FrameStep(again, name=name))
+        if there:
+            again = tuple(Barrier(number, "copied_from", "sampled") for number in there)
+            self._steps.append(FrameStep(again, name=name))
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -164,6 +173,8 @@ class HostSteps:
         draws = list(self._draws.of(step, is_first=is_first))
         for draw in draws:
             self._tell_counts(draw)
+        # The draw of each layer, for shaders that draw to one layer at a time, or the only one.
+        given = [draw.state.draws() for draw in draws]
         found, state = [], self._host.state_of(step)
         buffers = self._resources.buffer_barriers(step, is_first=is_first)
         # A geometry stage reaches all layers in one draw; otherwise, each has draws of its own.
@@ -177,7 +188,10 @@ class HostSteps:
                     barriers if layer == 0 else (),
                     tuple(self._attachment(target, layer, at_once) for target in step.targets),
                     depth,
-                    tuple(self._draw(draw, layer) for draw in draws),
+                    tuple(
+                        self._draw(draw, each[layer if len(each) > 1 else 0])
+                        for draw, each in zip(draws, given, strict=True)
+                    ),
                     state.viewport,
                     state.scissor,
                     state.blend_constant,
@@ -204,11 +218,9 @@ class HostSteps:
             return None
         return changed(row, texture=self._resources.texture(row.texture))
 
-    def _draw(self, draw: HostDraw, layer: int) -> FrameDraw:
-        state = draw.state.layers[layer] if draw.state.layers else draw.state
+    def _draw(self, draw: HostDraw, given: Draw) -> FrameDraw:
         textures, buffers = self._bound(draw)
-        carried = _carried(state.draw(), textures, buffers)
-        return FrameDraw(draw.shader, textures, buffers, carried)
+        return FrameDraw(draw.shader, textures, buffers, _carried(given, textures, buffers))
 
     def _textures_of(self, shader: int) -> list[str]:
         """The names of the textures that a shader reads."""
@@ -253,7 +265,7 @@ class HostSteps:
         images = tuple(self._resources.texture(row.texture) for row in step.images)
         described = self._pipelines[draw.shader]
         if has_images(reflection):
-            given = full_screen_state(instance)
+            given = self._draws.given or full_screen_state(instance)
             if not described.images:
                 return replace(
                     self._run_as_pass(replace(draw, state=given), barriers, images),
@@ -277,8 +289,9 @@ class HostSteps:
         self, draw: HostDraw, barriers: tuple[Barrier, ...], images: tuple[int, ...]
     ) -> FrameStep:
         """A kernel over images, on routes that draw these."""
-        targets = tuple(Attachment(number) for number in images)
-        return FrameStep(barriers, targets, None, (self._draw(draw, 0),))
+        cleared = zip(images, draw.state.clear, strict=True)
+        targets = tuple(Attachment(number, clear=clear) for number, clear in cleared)
+        return FrameStep(barriers, targets, None, (self._draw(draw, draw.state.draw()),))
 
 
 def _carried(given: Given, textures: Sequence[int], buffers: Sequence[int]) -> Given:

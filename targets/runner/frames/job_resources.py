@@ -31,7 +31,11 @@ WORD = 4
 
 @dataclass(frozen=True, slots=True)
 class JobParts:
-    """The parts of a job that is being made; several hosts may add to it."""
+    """The parts of a job that is being made.
+
+    Several hosts may add to it, if their plans have the same shaders, in whose order the pipelines
+    are, and no textures that share memory.
+    """
 
     pipelines: tuple[Pipeline, ...]
     textures: list[FrameTexture] = field(default_factory=list)
@@ -44,21 +48,25 @@ class JobParts:
             tuple(self.textures), tuple(self.buffers), self.pipelines, tuple(self.steps)
         )
 
-    @property
-    def memories(self) -> int:
-        """The number of memories that textures share in turn."""
-        return len({each.memory for each in self.textures if each.memory is not None})
-
 
 class JobResources:
     """The resources of one host: made where a step needs them first, and kept for later frames."""
 
-    def __init__(self, host: FrameHost, parts: JobParts, written_as: TextureState) -> None:
-        """``written_as`` is the use of the images that kernels write, which some routes draw."""
+    def __init__(
+        self,
+        host: FrameHost,
+        parts: JobParts,
+        written_as: TextureState,
+        *,
+        writes_to_black: bool = False,
+    ) -> None:
+        """``written_as`` is the use of the images that kernels write, which some routes draw. With
+        ``writes_to_black``, those that a kernel writes itself start transparent black."""
         self._parts = parts
         self._host = host
         self._plan = host.plan
         self._written_as = written_as
+        self._writes_to_black = writes_to_black
         self._uses: dict[int, TextureState] = {}
         """The present use of each texture of the job."""
         self._at: dict[int, int] = {}
@@ -74,10 +82,7 @@ class JobResources:
     def begin(self, *, is_first: bool) -> None:
         """Make the textures that a frame reads of the last one, before its first step."""
         if is_first:
-            first = self._parts.memories
-            self._memory = {
-                texture: first + number for texture, number in _shared_memory(self._host).items()
-            }
+            self._memory = _shared_memory(self._host)
         for row in self._plan.kept:
             for texture in (row.texture, row.previous):
                 if texture is not None and texture not in self._at:
@@ -108,6 +113,7 @@ class JobResources:
         if row.size.value is None:
             self._bytes.add(bytes_of(row, (width, height)))
         name: Any = DEPTH_WORDS.get(row.format) or FORMATS[row.format]
+        is_black = is_black or (self._writes_to_black and "image" in row.uses)
         found = len(self._parts.textures)
         self._parts.textures.append(
             FrameTexture(
@@ -132,7 +138,13 @@ class JobResources:
 
     def buffer_size(self, result: str) -> int:
         """The size of such a buffer, in bytes."""
-        return self._parts.buffers[self.buffer(result)].words * WORD
+        return self._parts.buffers[self.buffer(result)].size
+
+    def left_buffer(self, result: str) -> int:
+        """The number in the job of a buffer behind the end of a frame: the next one may call it
+        what the last one has left."""
+        kept = self._buffer_of.get(f"previous({result})")
+        return self.buffer(result) if kept is None else kept
 
     def written(self, step: PlanStep, contents: Sequence[bytes]) -> list[int]:
         """The numbers of the buffers for a kernel's results; each run has new ones.

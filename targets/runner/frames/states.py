@@ -1,7 +1,9 @@
 """Draws a single shader in several states: each is a frame of one step, and all are one job.
 
-``conform`` and tests draw materials and run kernels by it. States with targets of one size share
-these.
+``conform`` and tests draw materials and run kernels by it. States with targets of one size, and
+with the same clear values and blend constant, share their targets. But each run of a kernel that
+writes images has images of its own, which start black: so texels that it leaves out are the same
+in each run, whatever was drawn before.
 """
 
 from __future__ import annotations
@@ -62,7 +64,8 @@ def states_job(subject: Subject, states: Sequence[SceneState], bound: Pipeline) 
     parts = JobParts((bound,))
     stages: dict[object, _Stage] = {}
     for number, state in enumerate(states):
-        settings = state.width, state.height, state.clear, state.blend_constant
+        run = number if bound.images else None
+        settings = state.width, state.height, state.clear, state.blend_constant, run
         if settings not in stages:
             stages[settings] = _Stage.of(subject, state, parts)
         first = len(parts.steps)
@@ -88,7 +91,7 @@ def outcomes(job: FrameJob, found: Found, states: Sequence[SceneState]) -> Itera
 
 @dataclass(slots=True)
 class _Stage:
-    """A host with targets of one size and with one set of clear values."""
+    """A host with targets of one size, with one set of clear values, and one blend constant."""
 
     draws: StepDraws
     steps: HostSteps
@@ -110,7 +113,8 @@ class _Stage:
         size = (1, 1) if reflection.extent is not None else (state.width, state.height)
         host = FrameHost(frame, Scenery(()), size)
         draws = StepDraws(host)
-        return cls(draws, HostSteps(host, draws, parts), [row.name for row in plan.outputs])
+        steps = HostSteps(host, draws, parts, writes_to_black=True)
+        return cls(draws, steps, [row.name for row in plan.outputs])
 
     def add(self, state: SceneState) -> None:
         """Draw a state, and read everything back."""

@@ -131,8 +131,8 @@ class _Frame:
 
     @contextmanager
     def _within(self, step: FrameStep, width: int, height: int) -> Iterator[None]:
-        """Draw to the viewport and the scissor of a step. The first row is the top one, as texts
-        of frames have it."""
+        """Draw to the viewport and the scissor of a step, which count from the first row: texts
+        of frames have the top one there."""
         viewport, drawn_to = step.areas(width, height)
         self._functions.glViewport(*viewport)
         self._functions.glScissor(*drawn_to)
