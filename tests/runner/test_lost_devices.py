@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import gc
+
 import pytest
 
 from burnish.targets.runner.drivers.device import DriverError
 from burnish.targets.runner.drivers.frame_job import FrameJob
 from burnish.targets.runner.drivers.opengl.driver import OpenGL
+from burnish.targets.runner.drivers.opengl.frame import NO_ERROR
+from burnish.targets.runner.drivers.opengl.renderer import Renderer
 from burnish.targets.runner.drivers.wgpu.driver import Wgpu
 
 from .frame_kit import back, job, texture
@@ -40,6 +44,21 @@ def test_opengl_makes_its_context_again(cleared: FrameJob, monkeypatch: pytest.M
     assert str(error.value) == "OpenGL reports GL_INVALID_ENUM"
     assert driver.draw_frame(cleared) == expected
     assert driver._renderer is not lost
+
+
+def test_what_is_left_of_a_lost_context_does_no_harm() -> None:
+    """Python drops it whenever it likes, and numbers of objects are the same in each context."""
+    lost = Renderer(None)
+    left = [lost._context.buffer(b"lost") for _ in range(8)]
+    lost.release()
+    renderer = Renderer(None)
+    kept = [renderer._context.buffer(b"kept") for _ in range(8)]
+    assert {each.glo for each in left} & {each.glo for each in kept}
+    del left
+    gc.collect()
+    assert [each.read() for each in kept] == [b"kept"] * 8
+    assert renderer._context.error == NO_ERROR
+    renderer.release()
 
 
 class _Failing:

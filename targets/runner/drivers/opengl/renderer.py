@@ -47,5 +47,10 @@ class Renderer:
             self._nowhere.use()
 
     def release(self) -> None:
-        """Give the context up; nothing is done with it afterwards."""
+        """Give the context up; nothing is done with it afterwards.
+
+        All of its objects end with it. Python may drop some of them only later, when moderngl would
+        delete what the next context has under their numbers: now it only notes them.
+        """
+        self._context.gc_mode = "context_gc"
         self._context.release()
