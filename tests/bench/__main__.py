@@ -7,6 +7,9 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from burnish.api import entry_points
+from burnish.api.remembered import Remembered
+
 from . import (
     aims,
     chains,
@@ -51,6 +54,8 @@ PARTS: dict[str, Part] = {
 
 def main() -> None:
     """Print every section as soon as it is measured, then write them all."""
+    # Each compile is to do its work: otherwise, the same again returns what was made before.
+    entry_points._REMEMBERED = Remembered(results=0)
     asked = _parser().parse_args()
     sections: list[Section] = []
     for name, measure in PARTS.items():
