@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
@@ -15,9 +14,6 @@ from .compiled_files import Compiled, compiled_files
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
-
-if TYPE_CHECKING:
-    pass
 
 
 def succeeds(request: CompileRequest, question: Question | None) -> bool:
@@ -31,9 +27,10 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     found = list(_told(request))
     diagnostics = [one for each in found for one in each.diagnostics]
     inputs = [each.inputs for each in found if each.inputs is not None]
+    if len(inputs) < len(found):
+        show(diagnostics)
+        return False
     try:
-        if len(inputs) < len(found):
-            raise CompileError(())
         output = _output(request, found, rendered(diagnostics))
         _deliver(output)
     except CompileError as error:

@@ -65,8 +65,8 @@ def capture(
 ) -> Vertices:
     """The vertices that a pass captures of a mesh, by a route.
 
-    Raises ``CodeError`` if the route's compiler refuses the texts, and ``DriverError``, also for a
-    pass that captures nothing.
+    Raises ``CodeError`` if the route's compiler refuses the texts, ``DriverError``, also for a pass
+    that captures nothing, ``PlanError``, and ``BudgetError`` for what is too large.
     """
     reflection = subject.reflection
     if reflection.capture is None:
