@@ -42,8 +42,8 @@ def open_body(
 ) -> Node:
     """``body`` with its binder's variables replaced by ``arguments``.
 
-    The arguments themselves have no free bound variables (they may contain formals). Variables of
-    binders further out stay, one binder nearer.
+    The arguments may use variables of the binders around ``body``. Variables of binders further out
+    stay, one binder nearer.
     """
 
     def leaf(node: Node, depth: int) -> Node | None:
@@ -51,10 +51,23 @@ def open_body(
             return None
         position = BOUND.data(node) - depth
         if position < len(arguments):
-            return arguments[position]
+            return lifted(graph, arguments[position], depth)
         return graph.node("bound", node.type, (), BOUND.data(node) - len(arguments))
 
     return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0, moved)
+
+
+def lifted(graph: Graph, root: Node, binders_: int) -> Node:
+    """A node as it is under further binders: variables of those around it are that much further."""
+    if not root.free or not binders_:
+        return root
+
+    def leaf(node: Node, depth: int) -> Node | None:
+        if node.op != "bound" or BOUND.data(node) < depth:
+            return None
+        return graph.node("bound", node.type, (), BOUND.data(node) + binders_)
+
+    return _transform(graph, root, leaf, lambda node, depth: node.free >> depth != 0, None)
 
 
 def freed(graph: Graph, roots: Sequence[Node]) -> list[Node]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ...stdlib.builtins.facts import LARGEST_FLOAT
 from .leaves import Leaf
-from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op
+from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op, bare
 from .stages import CORNER, Crossing
 from .types import (
     FLOAT,
@@ -120,6 +120,21 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
     if operand.op == "struct":
         return operand.operands[[member for member, _ in operand.type.members].index(name)]
     return graph.node("member", operand.type.member(name), (operand,), name)
+
+
+def in_body(node: Node) -> Node | None:
+    """A member of a call's result as the function's body computes it, if it puts a struct together.
+
+    Such facts as hold for the body's variables hold for the member.
+    """
+    if node.op != "member":
+        return node.operands[0] if node.op == "apply" else None
+    whole = in_body(node.operands[0])
+    built = None if whole is None else bare(whole)
+    if built is None or built.op != "struct":
+        return None
+    assert isinstance(built.type, Struct)
+    return built.operands[[name for name, _ in built.type.members].index(str(node.data))]
 
 
 def part(graph: Graph, operand: Node, position: int) -> Node:

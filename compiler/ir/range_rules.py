@@ -17,6 +17,7 @@ from ...stdlib.builtins.intervals import product
 from ...stdlib.builtins.weakest import ROUNDING
 from ...support.frozen import frozen
 from . import rulebook
+from .build import in_body
 from .leaves import Buffer, Parameter
 from .node import Formal, Node
 from .operations import (
@@ -131,12 +132,12 @@ def _index(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
 
 
 def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
-    """The fact of a member of a light of many, or of a buffer's element, or of a loop's state.
+    """The fact of a member of a light of many, or of a buffer's element, a loop's state, or a call.
 
     Lights and elements carry a fact for each member.
     """
     source = node.operands[0]
-    if source.op == "iterate":
+    if source.op == "iterate" or in_body(node) is not None:
         return _union(known)
     while source.op in ("index", "as"):
         source = source.operands[0]

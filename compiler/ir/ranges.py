@@ -13,6 +13,7 @@ from functools import lru_cache
 
 from ...stdlib.builtins.facts import UNKNOWN, Fact, Kind
 from . import rulebook
+from .build import in_body
 from .invariants import invariants, parts_of
 from .node import Formal, Node, Op, formals_of, reachable
 from .operations import FOLD, FORMAL, ITERATE, MEMBER
@@ -117,7 +118,8 @@ class Ranges:
             return self._sources.get(formal, ())
         if node.op == "member" and node.operands[0].op == "iterate":
             return _start_and_next(node.operands[0], MEMBER.data(node))
-        return node.operands
+        inside = in_body(node) if node.op == "member" else None
+        return node.operands if inside is None else (inside,)
 
     def _needs_of_state(self, loop: Node) -> Sequence[Node]:
         """The initial states, and the values that are the same in every iteration."""

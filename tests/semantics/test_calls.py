@@ -29,6 +29,22 @@ RIGHT = {
         "c = f(place, vec3(uv.x)).x + f(place, uv.xyx).y"
     ),
     "a bare splat": "fn f(a: vec3, b: vec3) -> vec3 = a + b\n c = f(vec3(place), vec3(uv.x)).x",
+    "splats of other numbers": (
+        "fn f(a: vec3, b: vec3) -> vec3 = a.zyx * b + a\n"
+        "c = f(vec3(uv.x), uv.xyx).x + f(vec3(uv.y), vec3(uv.x)).y + f(vec3(1), uv.xyx).z"
+    ),
+    "a splat in a structure": (
+        "struct S { a : vec2, b : float }\nfn f(s: S) -> vec2 = s.a * s.b + s.a.y\n"
+        "c = f(S(vec2(uv.x), uv.y)).x + f(S(vec2(2), uv.y)).y + f(S(uv, 2)).x"
+    ),
+    "vectors of constants": (
+        "fn f(a: vec3, b: float) -> vec3 = a / length(a) * b\n"
+        "c = f(vec3(1, 2, 3), uv.x).x + f(vec3(1, 2, 3), uv.y).y + f(vec3(2) * 3, uv.x).z"
+    ),
+    "a long constant": (
+        "fn f(a: float, b: float) -> float = a / b\n"
+        "c = f(uv.x, 1.0 + 2 + 3 + 4 + 5 + 6) + f(uv.y, 1.0 + 2 + 3 + 4 + 5 + 6)"
+    ),
     "a choice": (
         "fn f(a: int) -> float = float(a) * 0.5\n"
         "c = f(if uv.x > 0.5 then 1 else 2) + f(if uv.x > 0.5 then 1 else 2)"
@@ -104,6 +120,12 @@ WRONG = {
     "a generic body": "fn f<T: floats>(a: T) -> float = a\n c = f(uv.x) + f(uv) + f(uv.yx)",
     "a zero": (
         "fn f(a: float, b: float) -> float = a / b\nc = f(uv.x, 0) + f(uv.y, 0) + f(uv.x, 2)"
+    ),
+    "a zero in all lanes": (
+        "fn f(a: vec2, b: vec2) -> vec2 = a / b\nc = f(uv, vec2(0)).x + f(uv, vec2(2)).x"
+    ),
+    "a difference that is zero": (
+        "fn f(a: float, b: float) -> float = a / b\nc = f(uv.x, 2 - 2.0) + f(uv.y, 3 - 2.0)"
     ),
     "a bound": (
         "fn f(n: int) -> float = sum i in 0..n : float(i)\nc = f(few) + f(int(uv.x * 9000))"

@@ -24,6 +24,8 @@ def marked(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], value: Nod
         return value
     kinds = kinds_of(ctx, arguments)
     if kinds is None:
+        # With arguments of its own, the body around this call may have one that can be marked.
+        ctx.progress.unproven += any(argument.variables for argument in arguments)
         return value
     given, parts = kinds
     return ctx.tree.node("called", value.type, (value, *parts), Callee(symbol, given))

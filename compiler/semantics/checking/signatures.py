@@ -3,10 +3,10 @@
 ``applications`` asks this module for every call of a function. The first call with a signature has
 the body checked with variables in the place of its arguments; then each call with that signature is
 this body with its own arguments. A signature is what checks may ask of arguments: the type and the
-meaning of each, and which literal it is, if it is one. That of a term also has the surface whose
-slots the term reads. Some calls have no signature, and each of them is checked by itself: where a
-body depends on more (as where the range of an argument bounds a loop), and where checks look into
-an argument (a constant expression, a splat).
+meaning of each, its form if it is constant, and if it has one number in all lanes. That of a term
+also has the surface whose slots the term reads. Some calls have no signature, and each of them is
+checked by itself: where a body depends on more (as where the range of an argument bounds a loop),
+and where checks look into an argument (a choice between literals, a large constant expression).
 
 A call in a body is the called body once more. If each function calls the one before it twice, the
 number of bodies doubles with every function. So a call that would come to more than ``MOST_BODIES``
@@ -29,12 +29,19 @@ from ...ir import build
 from ...ir.binding import close
 from ...ir.node import Formal, Node, bare, reachable
 from ...ir.operations import ASCRIBE, CONSTANT
-from ...ir.types import Matrix, Scalar, Type, Vector
+from ...ir.types import (
+    Matrix,
+    Scalar,
+    Struct,
+    Type,
+    Vector,
+    width,
+)
 from ...syntax import ast
 from ..names.modules import Symbol
-from ..state.context import Context, Given, SharedBody, Signature
+from ..state.context import Context, Form, Given, Shape, SharedBody, Signature
 from ..state.scope import FAILURE, Failure, Instance
-from ..types.coercion import is_constant
+from ..types.coercion import is_constant, is_negated_literal
 from .bodies import settle_body
 from .call_marks import kinds_of
 from .call_sizes import bodies_of
@@ -42,7 +49,7 @@ from .functions import fit_result, scope_of_body, used
 from .loop_contents import changing, needs_others
 from .surfaces import shaded, slots_given
 
-MOST_BODIES = 64
+MOST_BODIES = 96
 """A call that comes to more bodies than this applies its body instead of repeating it."""
 
 
@@ -52,7 +59,10 @@ class SharedCall:
 
     signature: Signature
     parts: tuple[Node, ...]
-    """The numbers, vectors and matrices of its arguments, and then of the replaced slots."""
+    """The numbers, vectors and matrices of its arguments, and then of the replaced slots.
+
+    Of a vector with one number in all lanes, this is the number.
+    """
 
 
 def shared_call(
@@ -69,12 +79,12 @@ def shared_call(
     if kinds is None or len(values) < len(slots):
         return None
     given, parts = kinds
-    if repeated and any(_adapts_to_its_use(ctx, part) for part in parts):
+    shapes = tuple(_shape(ctx, part) if repeated else _literal(part) for part in parts)
+    if Form.ADAPTS in shapes:
         return None
-    constants = tuple(_literal(part) for part in parts)
     units = () if repeated else tuple(_is_unit(ctx, part) for part in parts)
-    signature = Signature(symbol, given, constants, units, base, tuple(slots), repeated)
-    return SharedCall(signature, parts)
+    signature = Signature(symbol, given, shapes, units, base, tuple(slots), repeated)
+    return SharedCall(signature, tuple(map(_varying, parts, shapes)))
 
 
 def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
@@ -89,8 +99,9 @@ def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None
         return _repeated(ctx, body, call.parts)
     if not body.formals:
         return body.value
-    pairs = zip(call.parts, signature.constants, strict=True)
-    return build.apply(ctx.tree, body.value, tuple(part for part, fixed in pairs if fixed is None))
+    pairs = zip(call.parts, signature.shapes, strict=True)
+    arguments = tuple(part for part, shape in pairs if not _is_fixed(shape))
+    return _parted(ctx, body.value, build.apply(ctx.tree, body.value, arguments))
 
 
 def failed(ctx: Context, signature: Signature, before: int) -> None:
@@ -106,26 +117,54 @@ def failed(ctx: Context, signature: Signature, before: int) -> None:
 # --- arguments in a signature --------------------------------------------------------------------
 
 
-def _literal(part: Node) -> tuple[str, bool] | None:
-    """A literal as its text and whether it has a sign; ``None`` for any other value.
-
-    Two literals that compare equal, such as ``1`` and ``true``, have different texts or types.
-    """
-    node, negative = bare(part), False
-    if node.op == "call" and node.data == "neg":
-        node, negative = bare(node.operands[0]), True
-    return (repr(node.data), negative) if node.op == "constant" else None
+LARGEST_CONSTANT = 8
+"""The largest number of operations of a constant expression that is part of a signature."""
 
 
-def _adapts_to_its_use(ctx: Context, part: Node) -> bool:
-    """True if checks may look into a value that is no literal.
+def _shape(ctx: Context, part: Node) -> Shape:
+    """What checks of a repeated body may see in a value, besides its type and meaning.
 
     Constant expressions are computed, choices between literals adapt where they are used, and all
     lanes of a splat are equal.
     """
-    if _literal(part) is not None:
-        return False
-    return bare(part).op == "splat" or is_constant(part) or ctx.constants.is_known(part)
+    node = bare(part)
+    if ctx.constants.is_known(node):
+        return _written(node)
+    if is_constant(node):
+        return Form.ADAPTS
+    return Form.SPLAT if node.op == "splat" else None
+
+
+def _literal(part: Node) -> Shape:
+    """A literal as it is written; ``None`` for any other value."""
+    node = bare(part)
+    return _written(node) if node.op == "constant" or is_negated_literal(node) else None
+
+
+def _written(root: Node) -> Shape:
+    """A constant expression as a text: literals that compare equal, as ``1`` and ``true``, differ.
+
+    That of a large one would be as large, so it is said to adapt.
+    """
+    written: list[str] = []
+    pending = [root]
+    while pending:
+        node = bare(pending.pop())
+        if len(written) == LARGEST_CONSTANT:
+            return Form.ADAPTS
+        written.append(f"{node.op} {node.type} {node.data!r}")
+        pending += node.operands
+    return "; ".join(written)
+
+
+def _is_fixed(shape: Shape) -> bool:
+    """True if a body is checked with the very value of an argument of this shape."""
+    return isinstance(shape, str)
+
+
+def _varying(part: Node, shape: Shape) -> Node:
+    """The part of a value for which bodies have a variable, or the value if it is constant."""
+    return bare(part).operands[0] if shape is Form.SPLAT else part
 
 
 def _is_unit(ctx: Context, part: Node) -> bool:
@@ -140,8 +179,8 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
     signature = call.signature
     function = signature.symbol.declaration
     assert isinstance(function, ast.Function)
-    pairs = zip(call.parts, signature.constants, strict=True)
-    fixed = [None if literal is None else part for part, literal in pairs]
+    pairs = zip(call.parts, signature.shapes, strict=True)
+    fixed = [part if _is_fixed(shape) else shape for part, shape in pairs]
     first = len(ctx.tree)
     names = (*(a.name.text for a in function.arguments), *signature.slots)
     stand_in = stand_ins(ctx, names, signature.given, fixed, signature.units)
@@ -153,8 +192,9 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
     scope = scope_of_body(ctx, signature.symbol, arguments, surface)
     around = ctx.report.count, len(ctx.deferred), ctx.progress.unproven
     ctx.progress.unproven = 0
-    is_fixed = any(literal is not None for literal in signature.constants)
-    in_use = used(signature.symbol, scope, span) if is_fixed else None
+    in_use = None
+    if any(map(_is_fixed, signature.shapes)):
+        in_use = used(signature.symbol, scope, span)
     finish = partial(_finish, ctx, signature, stand_in, arguments, first, around, in_use)
     settle_body(ctx, signature.symbol, span, scope, finish)
 
@@ -177,23 +217,30 @@ def stand_ins(
     ctx: Context,
     names: Sequence[str],
     given: Sequence[Given],
-    fixed: Sequence[Node | None],
+    fixed: Sequence[Node | Shape],
     units: Sequence[bool] = (),
 ) -> StandIns:
-    """Variables for the parts of values that are not ``fixed``, and the values made of these."""
+    """Variables for the parts of values that are not ``fixed``, and the values made of these.
+
+    Where a shape stands in ``fixed``, there is a variable for what varies in a part of this shape.
+    """
     parts: list[Node] = []
     formals: list[Formal] = []
     constants, unit = iter(fixed), iter(units)
 
     def leaf(name: str, type_: Type) -> Node:
         constant, is_unit = next(constants), next(unit, False)
-        if constant is None:
-            formals.append(Formal(name))
-            constant = ctx.tree.node("formal", type_, (), formals[-1])
-            if is_unit:
-                ctx.ranges.assume(constant, UNIT)
-        parts.append(constant)
-        return constant
+        if isinstance(constant, Node):
+            parts.append(constant)
+            return constant
+        is_splat = constant is Form.SPLAT
+        formals.append(Formal(name))
+        varying = Scalar(type_.kind) if is_splat and isinstance(type_, Vector) else type_
+        variable = ctx.tree.node("formal", varying, (), formals[-1])
+        if is_unit:
+            ctx.ranges.assume(variable, UNIT)
+        parts.append(variable)
+        return build.splat(ctx.tree, variable, width(type_)) if is_splat else variable
 
     values: list[Node] = []
     for name, kind in zip(names, given, strict=True):
@@ -298,16 +345,37 @@ def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
 # --- a body to apply -----------------------------------------------------------------------------
 
 
+def _parted(ctx: Context, body: Node, call: Node) -> Node:
+    """The value of a call: of a structure, its members, which are the body's if they are constant.
+
+    So checks see the constants of a structure, as they do where a body is repeated.
+    """
+    if build.parts_of(call.type) is None or bare(body).op != "struct":
+        return call
+    pairs = zip(build.flattened(ctx.tree, bare(body)), build.flattened(ctx.tree, call), strict=True)
+    leaves = (own if not own.free else part for own, part in pairs)
+    whole = build.assembled(ctx.tree, call.type, leaves)
+    return ctx.meanings.ascribed(whole, ctx.meanings.of(call))
+
+
 def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool:
     """True if a body means the same as where it is called.
 
     Choices between constants adapt to their use, and crossings and reads that depend on arguments
     are checked in the loop in which the call stands.
     """
-    if not isinstance(body.type, Scalar | Vector | Matrix) or is_constant(body):
+    if not _is_delivered(body.type) or is_constant(body):
         return False
     inside = changing((body,), set(formals), ctx.applicable)
     return not any(node.op == "cross" or needs_others(node) for node in inside)
+
+
+def _is_delivered(type_: Type) -> bool:
+    """True if a function's result may be of this type: numbers, or a structure of them."""
+    parts = build.parts_of(type_) if isinstance(type_, Struct) else None
+    if parts is not None:
+        return all(map(_is_delivered, parts))
+    return isinstance(type_, Scalar | Vector | Matrix)
 
 
 def _closed(ctx: Context, symbol: Symbol, body: Node, formals: tuple[Formal, ...]) -> Node:

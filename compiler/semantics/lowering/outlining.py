@@ -27,6 +27,7 @@ from ..checking.call_marks import Callee
 from ..state.context import Context
 from ..types.meanings import erased
 from .interning import Interning
+from .structures import Structures
 
 Fixed: TypeAlias = tuple[Node | None, ...]
 """For each argument of a call, its constant value in the body, if it has one there."""
@@ -38,7 +39,8 @@ _Candidate: TypeAlias = tuple[Callee, Fixed, tuple[Node, Formals]]
 def lowered(ctx: Context, roots: Iterable[Node]) -> tuple[list[Node], Graph, Notes]:
     """Checked trees as bare numbers in a graph, where functions called repeatedly are applied."""
     graph = Interning(ctx.notes)
-    return _Sharing(ctx, graph).roots(graph.interned(roots)), graph.graph, graph.notes
+    sharing = _Sharing(ctx, graph)
+    return sharing.roots(sharing.lowered(roots)), graph.graph, graph.notes
 
 
 @record
@@ -64,11 +66,16 @@ class _Sharing:
         self._interning = graph
         self._graph, self._notes = graph.graph, graph.notes
         self._moved = graph.notes.follow
+        self._structures = Structures(graph.graph, graph.notes)
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
         self._group_of: dict[int, _Group] = {}
         """The groups, by the ids of the annotations of calls."""
         self._names: set[str] = set()
+
+    def lowered(self, trees: Iterable[Node]) -> list[Node]:
+        """The graph's nodes for these trees, where no call delivers a structure."""
+        return self._structures.taken_apart(self._interning.interned(trees))
 
     def roots(self, roots: list[Node]) -> list[Node]:
         """Lowers the roots as ``lowered`` says."""
@@ -94,7 +101,7 @@ class _Sharing:
             if len(marks) > 1
             for candidate in self._candidates(callee, marks)
         ]
-        bodies = self._interning.interned([value for *_, (value, _) in found])
+        bodies = self.lowered(value for *_, (value, _) in found)
         for (callee, fixed, (_, formals)), body in zip(found, bodies, strict=True):
             self._groups[callee, fixed] = _Group(callee, fixed, formals, body)
 

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 
 from ....stdlib.builtins import BUILTINS
 from ....support.frozen import changed
+from ...ir.build import in_body
 from ...ir.leaves import Texture
 from ...ir.meaning import COLORS, Meaning
 from ...ir.node import Node, reachable
@@ -88,6 +89,9 @@ def _whole_texels_of(node: Node) -> Texture | None:
 
 def _made_of(node: Node) -> tuple[Node, ...]:
     """The operands that are colours if the node is one."""
+    if node.op == "member":
+        inside = in_body(node)
+        return () if inside is None else (inside,)
     if node.op == "swizzle":
         return node.operands if {0, 1, 2} <= set(SWIZZLE.data(node)) else ()
     if node.op == "call":

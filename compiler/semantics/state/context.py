@@ -7,6 +7,7 @@ the modules in which they stand can import this one.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from enum import Enum
 from typing import Any, TypeAlias
 
 from ....support.frozen import fresh, frozen, record
@@ -200,6 +201,17 @@ wrong, or is defined by its own override.
 """
 
 
+class Form(Enum):
+    """A form of values that are not constant."""
+
+    SPLAT = "one number in all lanes"
+    ADAPTS = "a choice between literals, or a large constant expression"
+
+
+Shape: TypeAlias = "str | Form | None"
+"""What checks may see in an argument besides its type: of a constant, the expression as a text."""
+
+
 @frozen
 class Signature:
     """The key of calls of a function that share a body."""
@@ -207,11 +219,8 @@ class Signature:
     symbol: Symbol
     given: tuple[Given, ...]
     """The kind, or the value, of each argument, and then of each replaced slot."""
-    constants: tuple[tuple[str, bool] | None, ...]
-    """For each number, vector and matrix among these, its literal, if it is one.
-
-    The literal is a text and whether it has a sign.
-    """
+    shapes: tuple[Shape, ...]
+    """For each number, vector and matrix among these, what checks may see in it."""
     units: tuple[bool, ...]
     """For each of them, does it have length one? Empty, if the body is ``repeated``."""
     surface: Instance | None

@@ -204,6 +204,35 @@ def call_dag_of_terms(size: int) -> str:
     return f"{head}{terms}\n" + material(f"color = t{size}(vec3(0.5))")
 
 
+CLOSURES = """
+struct Closure { response : vec3, throughput : vec3 }
+fn over(top: Closure, base: Closure) -> Closure =
+    Closure(top.response + base.response * top.throughput, top.throughput * base.throughput)
+term layer0(k: vec3) -> Closure = Closure(k * saturate(dot(normal, to_eye)), vec3(0.5))
+"""
+"""Reflection as closures: what comes back from a layer, and what passes through it."""
+
+
+def _layers(size: int, body: str) -> str:
+    """Terms that each put a layer on the one before."""
+    terms = lines(
+        f"term layer{i + 1}(k: vec3) -> Closure = "
+        + body.format(below=f"layer{i}", i=i + 1, top=f"Closure(k * {i}.5, vec3(1) / (k + {i}.5))")
+        for i in range(size)
+    )
+    return f"{CLOSURES}{terms}\n" + material(f"color = rgb(layer{size}(vec3(uv, 0.5)).response)")
+
+
+@shape(8, 512)
+def closures_in_closures(size: int) -> str:
+    return _layers(size, "over({top}, {below}(0.5 * k))")
+
+
+@shape(8, 512)
+def closure_dag(size: int) -> str:
+    return _layers(size, "over({top}, over({below}(0.5 * k), {below}(k)))")
+
+
 @shape(8, 512)
 def with_twice(size: int) -> str:
     """Terms that each apply the one before with another slot, and once more as it is."""
