@@ -57,7 +57,8 @@ CHOSEN = (
 NESTED = (
     "struct S { a : float, b : vec2 }\nstruct T { s : S, n : int }\n"
     "fn g0(x: float) -> T = T(S(sin(x), vec2(x)), 1)",
-    "fn g{i}(x: float) -> T = T(S(first.s.a - second.s.b.y, second.s.b), max(first.n, second.n) + 1) "
+    "fn g{i}(x: float) -> T = "
+    "T(S(first.s.a - second.s.b.y, second.s.b), max(first.n, second.n) + 1) "
     "where {{ first = g{before}(x * {i}.5)\n second = g{before}(first.s.a) }}",
 )
 SHADED = (
