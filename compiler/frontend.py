@@ -18,6 +18,7 @@ from .inputs import Inputs
 from .ir.frame import Frame
 from .ir.shader import Shader
 from .library import FOLDER, standard_library
+from .passes.checkpoint import is_watched
 from .semantics.frames.frames import Surroundings, frame_of
 from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.loader import Loader
@@ -26,6 +27,7 @@ from .semantics.names.standard_library import StandardLibrary
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
 from .semantics.shading.kernels.kernel import kernel_shader
+from .semantics.shading.known_right import KNOWN_RIGHT
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
@@ -278,7 +280,10 @@ class Frontend:
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
             drawn=tuple(drawn),
         )
-        unused = UnusedDeclarations(module, around, settings, reached, self._report, self._records)
+        known = None if is_watched() else KNOWN_RIGHT
+        unused = UnusedDeclarations(
+            module, around, settings, reached, self._report, self._records, known
+        )
         unused.check()
 
     def _materials(self, module: Module, wanted: str | None) -> list[Symbol]:

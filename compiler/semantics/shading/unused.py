@@ -7,7 +7,7 @@ the setting with the fewest errors are reported.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
@@ -39,6 +39,7 @@ from .assembly import (
 )
 from .elaborate import delivers_vertices, results_of, written_results
 from .instances import instance_of
+from .known_right import Keys, KnownRight, Outcome
 from .placeholders import some, stand_in
 from .rigs import light_entry
 from .room import has_room
@@ -93,6 +94,11 @@ class CandidateContexts:
     drawn: tuple[tuple[Symbol, Symbol], ...]
     """Rigs and passes with one of which a concrete material has to agree."""
 
+    @property
+    def every(self) -> Iterator[Symbol]:
+        """All declarations of these contexts."""
+        return chain(self.materials, self.lights, self.rigs, self.passes)
+
 
 class _TooMuchError(Exception):
     """More would be tried than may be, which has been reported."""
@@ -109,8 +115,12 @@ class UnusedDeclarations:
         reached: set[Symbol],
         report: Report,
         records: Records,
+        known: KnownRight | None,
     ) -> None:
-        """Declarations that have been checked in ``settings`` already are not checked once more."""
+        """Declarations that have been checked in ``settings`` already are not checked once more.
+
+        Neither are those that ``known`` remembers as right, and it learns of others.
+        """
         self._module = module
         self._around = around
         self._reached = reached
@@ -118,6 +128,10 @@ class UnusedDeclarations:
         self._records = records
         self._tried_length = 0
         self._trials = {setting.parts: _Trial(setting) for setting in settings}
+        self._known = known
+        self._keys = Keys(module, around.every, around.drawn)
+        self._right: list[tuple[Hashable, Outcome]] = []
+        """The outcomes for declarations that were tried, if nothing else is found at all."""
 
     def check(self) -> None:
         """Reports the errors in declarations; those that records use count as checked with them."""
@@ -125,13 +139,41 @@ class UnusedDeclarations:
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
             self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+        if self._known is not None and not self._report.count:
+            self._known.keep(self._right, self._module.prelude)
 
     def _check(self, *kinds: type) -> None:
         for symbol in self._declared:
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
                 if not has_room(symbol, self._records, self._report):
                     raise _TooMuchError
-                self._tell(self._counted(symbol))
+                if not self._is_known_right(symbol):
+                    self._try(symbol)
+
+    def _is_known_right(self, symbol: Symbol) -> bool:
+        """True if a declaration was right before; then all is as if it had been checked now."""
+        if self._known is None:
+            return False
+        outcome = self._known.find(self._keys.of(symbol), self._module.prelude)
+        if outcome is None:
+            return False
+        self._records.work.nodes += outcome.nodes
+        self._tried_length += outcome.length
+        self._reached.update(self._module.declared[name][at] for name, at in outcome.reached)
+        return True
+
+    def _try(self, symbol: Symbol) -> None:
+        """Report what is wrong with a declaration."""
+        nodes, length = self._records.work.nodes, self._tried_length
+        reached = self._tell(self._counted(symbol))
+        if self._known is not None:
+            own = [each for each in reached if each.module is self._module]
+            outcome = Outcome(
+                frozenset((s.name, self._module.declared[s.name].index(s)) for s in own),
+                self._records.work.nodes - nodes,
+                self._tried_length - length,
+            )
+            self._right.append((self._keys.of(symbol), outcome))
 
     def _counted(self, symbol: Symbol) -> Iterator[Attempt]:
         """The attempts for a declaration, as long as not too much has been tried.
@@ -182,8 +224,10 @@ class UnusedDeclarations:
         found = [symbol for symbols in self._module.declared.values() for symbol in symbols]
         return sorted(found, key=lambda symbol: not _is_material(symbol))
 
-    def _tell(self, attempts: Iterable[Attempt]) -> None:
+    def _tell(self, attempts: Iterable[Attempt]) -> frozenset[Symbol]:
         """Takes over the findings of the first right attempt, or of that with the fewest errors.
+
+        Returns the declarations that it has reached.
 
         Only errors count that have not been reported before, of other declarations. A wrong attempt
         without such errors is ignored; its cause has been reported elsewhere.
@@ -196,9 +240,11 @@ class UnusedDeclarations:
                 break
             if attempt.errors and (best is None or attempt.errors < best.errors):
                 best = attempt
-        if best is not None:
-            self._report.extend(best.found)
-            self._reached.update(best.reached)
+        if best is None:
+            return frozenset()
+        self._report.extend(best.found)
+        self._reached.update(best.reached)
+        return best.reached
 
     def _attempts(self, symbol: Symbol) -> Iterator[Attempt]:
         """Tries a declaration in one setting after the other."""
