@@ -16,7 +16,7 @@ from collections import OrderedDict
 from collections.abc import Hashable
 from typing import NamedTuple
 
-from ..compiler.passes.checkpoint import is_watched
+from ..compiler.watching import is_watched
 from ..support.locks import lock
 from .compiled import CompileResult
 

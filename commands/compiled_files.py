@@ -48,7 +48,7 @@ class Compiled(NamedTuple):
 
 def compiled_files(request: CompileRequest) -> Iterator[Compiled]:
     """What each file of a request becomes, in their order; files with errors become nothing."""
-    from ..compiler.passes.checkpoint import is_watched
+    from ..compiler.watching import is_watched
 
     requests = [changed(request, files=(file,)) for file in request.files]
     count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))

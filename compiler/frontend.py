@@ -18,7 +18,6 @@ from .inputs import Inputs
 from .ir.frame import Frame
 from .ir.shader import Shader
 from .library import FOLDER, standard_library
-from .passes.checkpoint import is_watched
 from .semantics.frames.frames import Surroundings, frame_of
 from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.loader import Loader
@@ -33,6 +32,7 @@ from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
 from .syntax.load import TOTAL_LIMIT, check_text, load_source
 from .syntax.parser import parse
+from .watching import is_watched
 
 
 def current_library() -> StandardLibrary:

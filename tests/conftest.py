@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.compiler.watching import VARIABLE
 from burnish.targets.toolchain import places
 
 from .suite.processes import run

@@ -13,15 +13,11 @@ from functools import cache
 from typing import TYPE_CHECKING, Literal, get_args
 
 from ..ir.node import Roots
+from ..watching import SHOWN, VARIABLE
 
 if TYPE_CHECKING:
     from ..ir.operations import Form
     from ..ir.shader import Result, Shader
-
-VARIABLE = "BURNISH_VERIFY"
-"""Set to ``1`` in all tests; off for users, since verifying costs as much as a pass."""
-SHOWN = "BURNISH_SHOW"
-"""Names of passes, with commas between them, or ``all``."""
 
 Checkpoint = Literal[
     "semantics", "open_binders", "replace_aggregates", "simplify", "fuse", "inline",
@@ -44,11 +40,6 @@ def verified(name: Checkpoint, form: Form, roots: Roots) -> Roots:
     if shown := os.environ.get(SHOWN):
         _show(name, roots, _wanted(shown))
     return roots
-
-
-def is_watched() -> bool:
-    """True if passes are verified or printed, so that each compile has to run them."""
-    return os.environ.get(VARIABLE) == "1" or bool(os.environ.get(SHOWN))
 
 
 def announce(shader: Shader) -> None:

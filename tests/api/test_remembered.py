@@ -15,7 +15,7 @@ import pytest
 import burnish
 from burnish.api import entry_points
 from burnish.api.remembered import Remembered
-from burnish.compiler.passes.checkpoint import SHOWN, VARIABLE
+from burnish.compiler.watching import SHOWN, VARIABLE
 
 from ..suite.processes import at_once, run
 

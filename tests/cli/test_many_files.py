@@ -11,7 +11,7 @@ import pytest
 
 from burnish.commands import compiled_files
 from burnish.commands.compiled_files import SEVERAL
-from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.compiler.watching import VARIABLE
 
 from ..suite.processes import started, until
 from .kit import invoke, shell, tree

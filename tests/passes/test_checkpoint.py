@@ -10,7 +10,7 @@ import burnish
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.node import Graph
 from burnish.compiler.ir.types import FLOAT, VEC2
-from burnish.compiler.passes.checkpoint import SHOWN
+from burnish.compiler.watching import SHOWN
 
 SOURCE = "material M { param k : float = 2\n color = vec3(uv.y / k) }\n"
 

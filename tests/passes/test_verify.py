@@ -15,6 +15,7 @@ from burnish.compiler.ir.stages import FLAT, FRAGMENT, RASTERISED, SMOOTH, TARGE
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
 from burnish.compiler.ir.verify import InvalidGraphError, verify, verify_results
 from burnish.compiler.passes import checkpoint
+from burnish.compiler.watching import VARIABLE
 
 
 def one(graph: Graph) -> Node:
@@ -154,5 +155,5 @@ def test_the_error_names_the_pass(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InvalidGraphError) as caught:
         checkpoint.verified("fuse", "opened", Roots([free(Graph())]))
     assert caught.value.__notes__ == ["after fuse"]
-    monkeypatch.delenv(checkpoint.VARIABLE)
+    monkeypatch.delenv(VARIABLE)
     checkpoint.verified("fuse", "opened", Roots([free(Graph())]))

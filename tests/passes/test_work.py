@@ -14,8 +14,8 @@ from unittest.mock import patch
 
 import pytest
 
-from burnish.compiler.passes import checkpoint
 from burnish.compiler.passes.pipeline import Options, stage
+from burnish.compiler.watching import VARIABLE
 
 from .kit import shader
 from .test_scale import SHAPES, chain, long_sum, nested
@@ -31,7 +31,7 @@ def work(program: str) -> int:
         lines += event == "line"
         return trace
 
-    with patch.dict("os.environ", {checkpoint.VARIABLE: "0"}):
+    with patch.dict("os.environ", {VARIABLE: "0"}):
         before = sys.gettrace()
         sys.settrace(trace)
         try:

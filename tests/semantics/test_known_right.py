@@ -11,9 +11,10 @@ import pytest
 import burnish
 from burnish.compiler import frontend
 from burnish.compiler.diagnostics.render import render_all
-from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.compiler.semantics.names.modules import Symbol
 from burnish.compiler.semantics.shading import unused
 from burnish.compiler.semantics.shading.known_right import KnownRight
+from burnish.compiler.watching import VARIABLE
 
 PARTS = (
     ("import std.lights.{Directional}\n", "import std.lights.{Directional, Point}\n", ""),
@@ -68,7 +69,7 @@ def tries(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     tried: list[str] = []
     attempts = unused.UnusedDeclarations._attempts
 
-    def noted(self: unused.UnusedDeclarations, symbol: unused.Symbol) -> object:
+    def noted(self: unused.UnusedDeclarations, symbol: Symbol) -> object:
         tried.append(symbol.name)
         return attempts(self, symbol)
 

@@ -30,6 +30,7 @@ FLOORS: dict[str, str] = {
     "compiler.precomputed": "cache",
     "compiler.inputs": "",
     "compiler.srgb": "",
+    "compiler.watching": "",
     "compiler.diagnostics": "frozen",
     "compiler.syntax": "frozen stdlib precomputed diagnostics",
     "compiler.constraints": "frozen",
@@ -60,20 +61,24 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen stdlib diagnostics syntax ir library work types names inheritance state hints "
-        "declarations checking lowering"
+        "frozen locks stdlib diagnostics syntax ir library work types names inheritance state "
+        "hints declarations checking lowering"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
         "lowering shading"
     ),
-    "compiler.frontend": "inputs diagnostics syntax ir library names inheritance shading frames",
+    "compiler.frontend": (
+        "watching inputs diagnostics syntax ir library names inheritance shading frames"
+    ),
     "compiler.planning": "frozen diagnostics ir documents",
     "compiler.expansion_templates": (
         "frozen stdlib diagnostics syntax ir library types names inheritance state checking "
         "lowering"
     ),
-    "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
+    "compiler.passes": (
+        "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
+    ),
     "compiler.reflection": (
         "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
     ),
@@ -102,15 +107,15 @@ FLOORS: dict[str, str] = {
         "frozen garbage inputs diagnostics ir documents passes planning reflection description "
         "legalise emit selection runner"
     ),
-    "api.remembered": "locks passes compiled",
+    "api.remembered": "locks watching compiled",
     "api.entry_points": (
         "frozen arguments garbage diagnostics ir documents passes source_map names reflection "
         "frontend description emit legalise availability selection runner compiled remembered"
     ),
     "commands": (
-        "frozen garbage stack cache inputs diagnostics syntax ir documents passes frontend formula "
-        "budget closing description emit registry availability selection runner web_host web_view "
-        "conformance toolchain serving compiled entry_points"
+        "frozen garbage stack cache watching inputs diagnostics syntax ir documents passes "
+        "frontend formula budget closing description emit registry availability selection runner "
+        "web_host web_view conformance toolchain serving compiled entry_points"
     ),
     "generate": "precomputed library syntax emit registry web_host serving",
     "__main__": "commands",

@@ -13,7 +13,7 @@ import pytest
 
 import burnish
 from burnish.api import entry_points as api
-from burnish.compiler.passes.checkpoint import VARIABLE
+from burnish.compiler.watching import VARIABLE
 from burnish.targets import registry
 from burnish.targets.emit.own_words import taken_words
 from burnish.targets.toolchain import Job, Toolchain, Verdict
