@@ -21,6 +21,7 @@ from time import perf_counter
 from .chains import LONGEST, equations
 from .checkout import Checkout, Worker
 from .clock import PATIENCE
+from .closures import LAYERED, layers
 from .table import Row, Section
 
 HERE = Path(__file__).parent
@@ -34,8 +35,11 @@ WARM = (
     (EXAMPLES / "plastic.burnish", 8.0),
     (HERE / "street.burnish", 16.0),
     (EXAMPLES / "principled.burnish", 18.0),
+    (LAYERED, 300.0),
 )
 """The files that a running process compiles to three targets, and the milliseconds to aim at."""
+LAYERS, LAYERS_AIM = 200, 300.0
+"""The depth of the deepest surface of closures, and the milliseconds to aim at."""
 COLD_AIM, UNCHANGED_AIM = 130.0, 50.0
 CHAIN_AIM = 15_000.0
 
@@ -84,6 +88,12 @@ def _rows(
     for path, aim in WARM:
         what = f"{path.stem}, three targets, warm"
         yield Number(what, aim, ROUNDS, {k: _warm(w, path) for k, w in workers.items()})
+    deep = folder / "layers.burnish"
+    deep.write_text(layers(LAYERS), encoding="utf-8")
+    yield Number(
+        f"{LAYERS} closures, each under the next, three targets, warm", LAYERS_AIM, 3,
+        {name: _warm(worker, deep) for name, worker in workers.items()},
+    )  # fmt: skip
     yield Number("python, nothing else", None, ROUNDS, {k: s.python for k, s in starts.items()})
     yield Number("burnish --help", None, ROUNDS, {k: s.help for k, s in starts.items()})
     yield Number(
