@@ -29,7 +29,7 @@ from .semantics.shading.kernels.kernel import kernel_shader
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
-from .syntax.load import TOTAL_LIMIT, check_text, load_source
+from .syntax.load import TOTAL_LIMIT, check_text, decoded, load_source
 from .syntax.parser import parse
 
 
@@ -57,12 +57,15 @@ Each of them is put together with all that it extends.
 class Frontend:
     """Reads one file with its imports and elaborates its materials."""
 
-    def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
-        self.inputs = Inputs()
+    def __init__(
+        self, report: Report, search_path: Sequence[Path] = (), inputs: Inputs | None = None
+    ) -> None:
+        """``inputs`` has a note of everything that is read, or has it all from an earlier time."""
+        self._inputs = inputs or Inputs()
         folders = []
         for folder in search_path:
-            if os.path.isdir(folder):  # noqa: PTH112 (it answers whatever the name is)
-                self.inputs.searched(folder)
+            if self._inputs.is_folder(folder):
+                self._inputs.searched(folder)
                 folders.append(folder)
             else:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
@@ -74,7 +77,7 @@ class Frontend:
         self._report = report
         self._records = Records(report)
         self._library = current_library()
-        self._loader = Loader(report, self._library, folders, parse, self._read, self.inputs.looked)
+        self._loader = Loader(report, self._library, folders, parse, self._read, self._inputs)
 
     def open_file(self, path: Path) -> Module | None:
         """The module in a file; ``None`` after reporting that it cannot be read, or is too much."""
@@ -89,7 +92,11 @@ class Frontend:
         """The text of a file, and a note that it was read."""
         if self._size > TOTAL_LIMIT:
             return None  # This has been reported of the file that was too much.
-        source = load_source(path, report, name, span, partial(self.inputs.read, path))
+        known = self._inputs.content(path)
+        if known is None:
+            source = load_source(path, report, name, span, partial(self._inputs.read, path))
+        else:
+            source = decoded(known, readable(name or str(path)), report, span)
         if source is None:
             return None
         source.portable = self._portable(path)

@@ -1,6 +1,6 @@
 """Rewrites geometry, tessellation and stream-output stages as stages that every target has.
 
-These are vertex, fragment and compute stages. ``entry_points.py`` calls ``lower_stages`` before all
+These are vertex, fragment and compute stages. ``compiling.py`` calls ``lower_stages`` before all
 passes or, if the stages themselves are wanted, ``keep_stages``.
 """
 

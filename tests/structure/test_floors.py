@@ -98,14 +98,19 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # The door.
+    "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
         "frozen garbage inputs diagnostics ir documents passes planning reflection description "
-        "legalise emit selection runner"
+        "legalise emit selection graphs runner"
     ),
     "api.remembered": "locks passes compiled",
+    "api.compiling": (
+        "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
+        "description emit legalise availability selection graphs compiled"
+    ),
     "api.entry_points": (
-        "frozen arguments garbage diagnostics ir documents passes source_map names reflection "
-        "frontend description emit legalise availability selection runner compiled remembered"
+        "arguments garbage diagnostics documents passes names frontend emit selection runner "
+        "compiled remembered compiling"
     ),
     "commands": (
         "frozen garbage stack cache inputs diagnostics syntax ir documents passes frontend formula "
