@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 from ..compiler.diagnostics.diagnostic import Diagnostic
 from ..compiler.diagnostics.source import Source, Span
 from ..compiler.inputs import Inputs
-from ..compiler.ir.frame import Frame
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.guard import Guard
 from ..compiler.passes.pipeline import Staged
@@ -27,6 +26,7 @@ from .graphs import KeptGraphs, PlaceOfGraphs
 if TYPE_CHECKING:
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
+    from ..compiler.ir.frame import Frame
     from ..compiler.ir.program import StageName
     from ..compiler.passes.proofs import Proof
     from ..targets.runner.instances.instance import Instance

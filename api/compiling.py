@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain, islice
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..compiler.cache import digest
 from ..compiler.diagnostics import rules
@@ -18,7 +18,6 @@ from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from ..compiler.diagnostics.source import Span
 from ..compiler.frontend import Frontend
 from ..compiler.inputs import Inputs, Recorded
-from ..compiler.ir.frame import Frame, FrameShader
 from ..compiler.ir.program import Program
 from ..compiler.ir.shader import Shader
 from ..compiler.ir.stages import COMPUTED, TARGET
@@ -42,6 +41,9 @@ from ..targets.legalise.limits import excesses
 from ..targets.selection import full_name, select_targets
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, SpansOfText
+
+if TYPE_CHECKING:
+    from ..compiler.ir.frame import Frame, FrameShader
 
 
 class Asked(NamedTuple):

@@ -10,11 +10,10 @@ again from the same inputs, for whoever asks. That is also how a result is pickl
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 from ..compiler.diagnostics.source import Span
-from ..compiler.ir.frame import Frame
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.pipeline import Staged
 from ..compiler.source_map import located
@@ -23,6 +22,9 @@ from ..support.locks import lock
 from ..targets.emit.emitter import Emission, EmittedFile
 from ..targets.legalise.legal import Legal
 from ..targets.selection import full_name
+
+if TYPE_CHECKING:
+    from ..compiler.ir.frame import Frame
 
 MOST_CHARACTERS = 1 << 17
 """The number of characters of the texts of those results whose graphs stay: 3 MB or so of graphs.

@@ -75,7 +75,8 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.passes": "frozen stdlib diagnostics ir layout formula reference expansion_templates",
     "compiler.reflection": (
-        "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
+        "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
+        "passes"
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
@@ -117,7 +118,7 @@ FLOORS: dict[str, str] = {
         "budget closing description emit registry availability selection runner web_host web_view "
         "conformance toolchain serving compiled entry_points"
     ),
-    "generate": "precomputed library syntax emit registry web_host serving",
+    "generate": "precomputed library syntax reflection emit registry web_host serving",
     "__main__": "commands",
 }
 """The modules that each folder or module may import, by their last names; lowest first.
