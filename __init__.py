@@ -51,13 +51,19 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Load the compiler on first use only: ``burnish --help`` and subpackages start without it."""
+    """Load the compiler on first use only: ``burnish --help`` and subpackages start without it.
+
+    What has been found stays an attribute of the package, for which Python does not ask here again.
+    """
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name in ("CompileError", "Diagnostic"):
         from .compiler.diagnostics import diagnostic
 
-        return getattr(diagnostic, name)
-    if name in __all__:
+        found = getattr(diagnostic, name)
+    else:
         from .api import entry_points as api
 
-        return getattr(api, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        found = getattr(api, name)
+    globals()[name] = found
+    return found

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from .compiler.library import trees_to_generate
 from .compiler.precomputed import Precomputations, precomputed
+from .compiler.reflection.roles import scene_names_to_generate
 from .compiler.syntax.lalr_tables import tables_to_generate
 from .targets import registry
 from .targets.emit.templates import functions_to_generate
@@ -49,6 +50,7 @@ def _modules() -> dict[str, Precomputations]:
     return {
         "grammar": tables_to_generate(),
         "library": trees_to_generate(),
+        "scene": scene_names_to_generate(),
         "skeletons": functions_to_generate(dict.fromkeys(skeletons)),
         "builtin_table": module_to_generate(),
     }

@@ -1,18 +1,17 @@
 """The results of compiling a file: its materials, with their texts, reflection and proofs.
 
-``api.compile`` makes these records, and users of the library and the commands read them. Values
+``compiling.py`` makes these records, and users of the library and the commands read them. Values
 that many users never need are computed when they are first read.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..compiler.diagnostics.diagnostic import Diagnostic
 from ..compiler.diagnostics.source import Source, Span
 from ..compiler.inputs import Inputs
-from ..compiler.ir.frame import Frame
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.guard import Guard
 from ..compiler.passes.pipeline import Staged
@@ -20,16 +19,16 @@ from ..support.frozen import EMPTY, cached_property, changed, frozen
 from ..support.garbage import seldom_collected
 from ..targets.description.profile import Profile
 from ..targets.description.shading_language import Language
-from ..targets.emit.emitter import Emission
 from ..targets.emit.reflection import backend_row
 from ..targets.selection import full_name
+from .graphs import KeptGraphs, PlaceOfGraphs
 
 if TYPE_CHECKING:
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
+    from ..compiler.ir.frame import Frame
     from ..compiler.ir.program import StageName
     from ..compiler.passes.proofs import Proof
-    from ..targets.legalise.legal import Legal
     from ..targets.runner.instances.instance import Instance
 
 FileStage = str
@@ -69,15 +68,8 @@ class CompiledMaterial:
     guards: tuple[Guard, ...]
     """Operations that keep a guard in some text, because their operands could not be proven
     safe."""
-    shader: Shader
-    """The shader before any pass, which the reference draws; one with a geometry stage it does not
-    draw, but the same material compiled without. A kernel over images it draws as a full-screen
-    pass."""
-    _staged: Staged
-    _emissions: tuple[tuple[Legal, Emission], ...]
-    """For each profile that has texts: the program in its form, and the texts."""
-    _flipped: frozenset[str]
-    """The profiles whose texts flip the picture vertically."""
+    _place: PlaceOfGraphs
+    """Where the graphs are, which ``graphs.py`` drops, and makes again when they are asked for."""
 
     def __repr__(self) -> str:
         """The material with the names of its files, since the whole shader would fill pages."""
@@ -99,36 +91,46 @@ class CompiledMaterial:
         """The data that a host needs to bind; ``to_json`` makes data for JSON of it."""
         from ..compiler.reflection import reflect
 
+        graphs = self._place.graphs()
         rows = {
             full_name(legal.language, legal.profile): backend_row(
                 legal.program, legal.language, legal.profile, emission,
                 self._files(legal.language, legal.profile),
-                front=self.shader.render_state.front,
-                flip_y=full_name(legal.language, legal.profile) in self._flipped,
+                front=graphs.shader.render_state.front,
+                flip_y=full_name(legal.language, legal.profile) in graphs.flipped,
                 source_maps=self._source_maps(legal.language, legal.profile),
             )
-            for legal, emission in self._emissions
+            for legal, emission in graphs.emissions
         }  # fmt: skip
-        derived = {value.parameter: value.expression for value in self._staged.derived}
+        derived = {value.parameter: value.expression for value in graphs.staged.derived}
         # The vertex inputs that a storage buffer replaces are known after the passes.
-        last = self._staged.program.shader
+        last = graphs.staged.program.shader
         bound = changed(
-            self.shader,
+            graphs.shader,
             parameters=last.parameters, attributes=last.attributes, buffers=last.buffers,
         )  # fmt: skip
-        return reflect(bound, self._staged.program, rows, derived)
+        return reflect(bound, graphs.staged.program, rows, derived)
+
+    @property
+    def shader(self) -> Shader:
+        """The shader before any pass, which the reference draws.
+
+        One with a geometry stage it does not draw, but the same material compiled without. A kernel
+        over images it draws as a full-screen pass.
+        """
+        return self._place.graphs().shader
 
     @property
     def staged(self) -> Staged:
         """The program that is written in each language, with the passes' decision records."""
-        return self._staged
+        return self._place.graphs().staged
 
     @cached_property
     def proofs(self) -> tuple[Proof, ...]:
         """The proofs for operations without a guard, and the reasons for guards that stay."""
         from ..compiler.passes.proofs import Proofs
 
-        evidence = self._staged.evidence
+        evidence = self.staged.evidence
         return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
 
     def emitted(self, profile: str) -> Shader:
@@ -138,10 +140,14 @@ class CompiledMaterial:
         """
         from ..targets.legalise.emitted import emitted
 
-        for legal, _emission in self._emissions:
+        for legal, _emission in self._place.graphs().emissions:
             if full_name(legal.language, legal.profile) == profile:
                 return emitted(legal)
         raise KeyError(f"{self.name} has no texts for {profile}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the record without graphs, but with what has been computed of them."""
+        return CompiledMaterial, tuple(getattr(self, n) for n in self.__match_args__), self.__dict__
 
     def instance(self) -> Instance:
         """An instance with named values to draw the material with; they start as its defaults."""
@@ -172,12 +178,19 @@ class CompiledFrame:
     shaders: tuple[CompiledMaterial, ...]
     """The shaders, in the order of the plan's ``shaders``: one for each pass with each material and
     its lights, and one for each kernel."""
-    frame: Frame
-    """The checked frame, which the reference draws."""
+    _graphs: KeptGraphs
+    """The graphs of the result, to which the frame belongs."""
+    _number: int
+    """The position of the frame among those of the result."""
 
     def __repr__(self) -> str:
         """The frame with the names of its shaders."""
         return f"<CompiledFrame {self.name}: {', '.join(shader.name for shader in self.shaders)}>"
+
+    @property
+    def frame(self) -> Frame:
+        """The checked frame, which the reference draws."""
+        return self._graphs.graphs().frames[self._number]
 
     @cached_property
     def plan(self) -> FramePlan:

@@ -1,49 +1,30 @@
 """The library's entry points: from a material to shader texts and their reflection.
 
 Users call ``compile`` and ``check`` as ``burnish.compile`` and ``burnish.check``. The commands call
-them too, and ``variants`` besides. This module runs the compiler's phases in order.
+them too, and ``variants`` besides. ``compiling.py`` runs the compiler's phases.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from importlib import import_module
-from itertools import chain, islice
 from os import PathLike
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
-from ..compiler.diagnostics.source import Span
 from ..compiler.documents.writing import to_json
 from ..compiler.frontend import Frontend, current_library
-from ..compiler.ir.frame import Frame, FrameShader
-from ..compiler.ir.program import Program
-from ..compiler.ir.shader import Shader
-from ..compiler.ir.stages import COMPUTED, TARGET
-from ..compiler.passes.lower_stages import keep_stages, lower_stages
-from ..compiler.passes.pipeline import Options, Staged, stage
+from ..compiler.passes.pipeline import Options
 from ..compiler.semantics.names.modules import Module
-from ..compiler.source_map import located
 from ..support.arguments import expect, expect_all
-from ..support.frozen import changed
 from ..support.garbage import seldom_collected
-from ..targets.availability import way_out, with_as_many
-from ..targets.description.profile import Profile
-from ..targets.description.shading_language import Language
-from ..targets.emit.directives import Directed, directed
-from ..targets.emit.emitter import EmitOptions, EmittedFile, emit
-from ..targets.legalise.forms import form_for
-from ..targets.legalise.guards import keeps
-from ..targets.legalise.lacks import Lack, lacks
-from ..targets.legalise.legal import Legal
-from ..targets.legalise.legalise import legalise
-from ..targets.legalise.limits import excesses
-from ..targets.selection import DEFAULT, full_name, select_targets
+from ..targets.emit.emitter import EmitOptions
+from ..targets.selection import DEFAULT
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
+from .compiling import Asked, check_filtering, opened, program_of, result_of
 from .remembered import Remembered
 
 if TYPE_CHECKING:
@@ -83,6 +64,7 @@ def compile(
     line_directives: bool = False,
     partial: bool = False,
     native_stages: bool = False,
+    keep_graphs: bool = False,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -97,7 +79,9 @@ def compile(
     material needs, this is an error; with ``partial``, that material has no text for this profile,
     and its ``lacking`` says why. With ``native_stages``, a material that expands primitives or
     divides patches has the stages for it that a target provides; otherwise each primitive or patch
-    is drawn as an instance.
+    is drawn as an instance. With ``keep_graphs``, the graphs behind the texts stay as long as the
+    result; otherwise only those of the last results do. Whatever needs the graphs of another one,
+    such as its first ``reflection``, then takes as long as compiling it once more.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -106,73 +90,23 @@ def compile(
     _check_flags(
         hoist=hoist, flip_y=flip_y, single_file=single_file,
         line_directives=line_directives, partial=partial, native_stages=native_stages,
+        keep_graphs=keep_graphs,
     )  # fmt: skip
-    asked = _Asked(
+    asked = Asked(
         tuple(_names_of_targets(targets)), *_sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
+        keep_graphs,
     )  # fmt: skip
     library = current_library()
     result = _REMEMBERED.find(asked, library)
     if result is None:
-        result = _result(asked)
+        result = result_of(asked)
         _REMEMBERED.keep(asked, library, result)
     return result
 
 
-class _Asked(NamedTuple):
-    """Everything that ``compile`` is given."""
-
-    targets: tuple[str, ...]
-    source: str | Path
-    """A text, or a path."""
-    search_path: tuple[Path, ...]
-    material: str | None
-    rig: str | None
-    pass_: str | None
-    options: Options
-    emit: EmitOptions
-    partial: bool
-    native_stages: bool
-
-
 _REMEMBERED = Remembered()
 """The results of the last calls of ``compile``."""
-
-
-@seldom_collected
-def _result(asked: _Asked) -> CompileResult:
-    """Compile a file, or a text. Raises ``CompileError``."""
-    report = Report()
-    chosen = select_targets(asked.targets, report, single_file=asked.emit.single_file)
-    frontend, module = _opened(asked.source, asked.search_path, report)
-    frames: list[Frame] | None = None
-    if module is None:
-        shaders = []
-    elif frontend.has_frames(module, asked.material):
-        frames = frontend.frames(module, asked.material, asked.rig)
-        shaders = [each.shader for frame in frames for each in frame.shaders]
-    else:
-        shaders = frontend.shaders(module, asked.material, asked.rig, asked.pass_)
-    if report.failed:
-        raise CompileError(report.diagnostics)
-    if asked.emit.line_directives:
-        _warn_of_targets_without_lines(chosen, report)
-    compiled = []
-    for elaborated in shaders:
-        shader = keep_stages(elaborated) if asked.native_stages else lower_stages(elaborated)
-        staged = stage(shader, asked.options)
-        lacking = _lacking(shader, staged, chosen)
-        if not asked.partial:
-            report.extend(chain.from_iterable(lacking.values()))
-        to_textures = frames is not None
-        compiled.append(_compiled(shader, staged, lacking, chosen, asked.emit, to_textures))
-    if frames:
-        programs = {each.name: each.staged.program for each in compiled}
-        _check_filtering(frames, lambda shader: programs[shader.name], report)
-    if report.failed:
-        raise CompileError(report.diagnostics)
-    made = _compiled_frames(frames or (), compiled)
-    return CompileResult(tuple(compiled), report.diagnostics, frontend.inputs, made)
 
 
 @seldom_collected
@@ -193,7 +127,7 @@ def check(
     if module is not None:
         frames = frontend.check(module, rig, pass_)
         if not report.failed:
-            _check_filtering(frames, cache(_program_of), report)
+            check_filtering(frames, cache(program_of), report)
     return report.diagnostics
 
 
@@ -246,6 +180,15 @@ def variants(
     return tuple(frontend.variants(module))
 
 
+def _opened(
+    source: str | Path, search_path: Sequence[str | Path], report: Report
+) -> tuple[Frontend, Module | None]:
+    """The module of a path or a text, and its front end; ``None`` if it cannot be read."""
+    given, folders = _sources(source, search_path)
+    frontend = Frontend(report, folders)
+    return frontend, opened(given, frontend)
+
+
 def _names_of_targets(targets: str | Iterable[str]) -> list[str]:
     if isinstance(targets, str):
         return targets.split(",")
@@ -262,17 +205,6 @@ def _check_flags(**flags: bool) -> None:
         expect(argument, flag, bool, "True or False")
 
 
-def _opened(
-    source: str | Path, search_path: Sequence[str | Path], report: Report
-) -> tuple[Frontend, Module | None]:
-    """The module of a path or a text, and its front end; ``None`` if it cannot be read."""
-    given, folders = _sources(source, search_path)
-    frontend = Frontend(report, folders)
-    if isinstance(given, str):
-        return frontend, frontend.open_text(given, "<text>")
-    return frontend, frontend.open_file(given)
-
-
 def _sources(
     source: str | Path, search_path: Sequence[str | Path]
 ) -> tuple[str | Path, tuple[Path, ...]]:
@@ -281,148 +213,6 @@ def _sources(
     folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
     is_text = isinstance(source, str) and ("\n" in source or "{" in source)
     return source if is_text else Path(source), tuple(map(Path, folders))
-
-
-def _program_of(shader: FrameShader) -> Program:
-    """The program of a frame's shader, before it is made legal for any profile."""
-    return stage(lower_stages(shader.shader), Options()).program
-
-
-def _check_filtering(
-    frames: Iterable[Frame], program_of: Callable[[FrameShader], Program], report: Report
-) -> None:
-    """Report results that are filtered and have a format that many devices cannot filter."""
-    from ..compiler.reflection.filtering import filtered_in
-
-    for found in chain.from_iterable(filtered_in(frame, program_of) for frame in frames):
-        report.add(
-            rules.NOT_FILTERED, found.span, name=found.name, step=found.step, format=found.format
-        )
-
-
-def _compiled_frames(
-    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial]
-) -> tuple[CompiledFrame, ...]:
-    """The frames with their shaders, which were compiled in the same order."""
-    shaders = iter(compiled)
-    return tuple(
-        CompiledFrame(frame.name, tuple(islice(shaders, len(frame.shaders))), frame)
-        for frame in frames
-    )
-
-
-def _compiled(
-    shader: Shader,
-    staged: Staged,
-    lacking: Mapping[str, Sequence[Diagnostic]],
-    chosen: list[tuple[Language, Profile]],
-    emit_options: EmitOptions,
-    to_textures: bool = False,
-) -> CompiledMaterial:
-    """Compile one shader for the chosen profiles.
-
-    ``to_textures`` is True if the shader draws textures that others read, so that the first row of
-    the picture lies first in memory.
-    """
-
-    def options(profile: Profile) -> EmitOptions:
-        # The images of a kernel have their first row at the top, also if a pass draws them.
-        turned = emit_options.flip_y and shader.chain != COMPUTED
-        flip_y = profile.framebuffer.rows_up if to_textures else turned
-        return changed(emit_options, flip_y=flip_y)
-
-    forms = (
-        (form_for(staged, profile), target, profile)
-        for target, profile in chosen
-        if full_name(target, profile) not in lacking
-    )
-    legals = (
-        legalise(form.program, target, profile, form.undecided) for form, target, profile in forms
-    )
-    emissions = tuple((legal, emit(legal, options(legal.profile))) for legal in legals)
-    files = tuple(
-        _output(shader, legal, file, emit_options)
-        for legal, emission in emissions
-        for file in emission.files
-    )
-    profiles = [profile for _target, profile in chosen]
-    guards = tuple(g for g in staged.guards if any(keeps(profile, g) for profile in profiles))
-    reasons = {name: "; ".join(each.message for each in found) for name, found in lacking.items()}
-    flipped = frozenset(
-        full_name(legal.language, legal.profile)
-        for legal, _emission in emissions
-        if options(legal.profile).flip_y
-    )
-    return CompiledMaterial(shader.name, files, reasons, guards, shader, staged, emissions, flipped)
-
-
-def _lacking(
-    shader: Shader, staged: Staged, chosen: list[tuple[Language, Profile]]
-) -> dict[str, tuple[Diagnostic, ...]]:
-    """For each profile, the features that it lacks and a shader needs."""
-    found = {}
-    made_of = shader.expansion or shader.tessellation
-    expanded = None if made_of is None else made_of.span
-    places = {extern.place.name: extern.span for extern in shader.externs}
-    for target, profile in chosen:
-        name, report = full_name(target, profile), Report()
-        program = form_for(staged, profile).program
-        for excess in excesses(program, profile):
-            report.add(
-                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
-                count=excess.count,
-                what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
-                hint=excess.instead or with_as_many(excess.limit_name, excess.count),
-            )  # fmt: skip
-        for lack in lacks(program, profile):
-            report.add(
-                rules.UNSUPPORTED,
-                expanded if lack.of_expansion else _place_of(shader, lack),
-                target=name, feature=lack.feature,
-                hint=lack.instead or way_out(lack.feature, profile, lack.needed_for),
-            )  # fmt: skip
-        if report.diagnostics:
-            found[name] = report.diagnostics
-    return found
-
-
-def _place_of(shader: Shader, lack: Lack) -> Span | None:
-    """The place in the source that needs a feature which a profile lacks."""
-    targets = shader.results_of(TARGET)
-    if lack.target is not None and targets:
-        return targets[lack.target].span
-    return shader.notes.spans.get(lack.node)
-
-
-def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], report: Report) -> None:
-    for name in dict.fromkeys(target.name for target, _ in chosen if not target.line_directive):
-        report.add(rules.NO_LINE_DIRECTIVES, None, target=name)
-
-
-def _output(
-    shader: Shader,
-    legal: Legal,
-    file: EmittedFile,
-    options: EmitOptions,
-) -> OutputFile:
-    target, profile = legal.language, legal.profile
-    default = profile is target.profiles[0]
-    parts = (shader.name, file.suffix) if default else (shader.name, profile.name, file.suffix)
-    name, spans = ".".join(parts), located(shader, file.origins, legal.program.shader.notes)
-    shown = Directed(file.text, spans, ())
-    if options.line_directives and target.line_directive:
-        shown = directed(file.text, spans, target.line_directive, name)
-    return OutputFile(
-        name=name,
-        target=target.name,
-        profile=profile.name,
-        stage=file.stage,
-        entry_points=file.entries,
-        text=shown.text,
-        checkers=profile.checkers,
-        spans=shown.spans,
-        sources=shown.sources,
-    )
 
 
 _RUNTIME = {

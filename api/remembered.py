@@ -7,7 +7,7 @@ was looked for in vain is still missing. Results with errors are not kept. Neith
 passes are verified or shown, which asks for more than the result.
 
 What is kept is bounded: the results that were used last stay, up to a number of them and of the
-characters of their texts, by which the graphs behind them grow as well.
+characters of their texts. The graphs behind them are bounded by ``graphs.py``.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from ..compiler.watching import is_watched
 from ..support.locks import lock
 from .compiled import CompileResult
 
-MOST_RESULTS = 64
+MOST_RESULTS = 256
 """The largest number of results that are kept."""
 MOST_CHARACTERS = 2 << 20
-"""The largest number of characters of all kept texts. The graphs of a result take some 25 bytes for
-each of them, so that all results take about 50 MB."""
+"""The largest number of characters of all kept texts. With reflections that were read, results take
+some 5 bytes for each of them; with graphs that somebody wanted to stay, 25, which is 50 MB."""
 
 
 class _Kept(NamedTuple):

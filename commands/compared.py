@@ -95,7 +95,7 @@ def _compiled(
         return api.compile(
             path, profiles, material=material, rig=variant[0], pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=True,
-            native_stages=native_stages,
+            native_stages=native_stages, keep_graphs=True,
         )  # fmt: skip
 
     try:

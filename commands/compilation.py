@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
-from .compiled_files import Compiled, compiled_files
+from .compiled_files import Compiled, compiled
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
@@ -24,7 +24,7 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     from ..compiler.diagnostics.diagnostic import CompileError
 
     request = changed(request, files=tuple(dict.fromkeys(request.files)))
-    found = list(_told(request))
+    found = list(_told(request, question))
     diagnostics = [one for each in found for one in each.diagnostics]
     inputs = [each.inputs for each in found if each.inputs is not None]
     if len(inputs) < len(found):
@@ -43,11 +43,13 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     return True
 
 
-def _told(request: CompileRequest) -> Iterable[Compiled]:
+def _told(request: CompileRequest, question: Question | None) -> Iterable[Compiled]:
     """What each file becomes; a terminal shows how far it is with many."""
     if len(request.files) == 1:
-        return compiled_files(request)
-    return _with_progress(compiled_files(request), len(request.files))
+        return [compiled(request)]
+    from .many_files import compiled_files
+
+    return _with_progress(compiled_files(request, question), len(request.files))
 
 
 def _with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:

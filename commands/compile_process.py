@@ -1,4 +1,4 @@
-"""A process that compiles the files which ``compiled_files.py`` hands to it."""
+"""A process that compiles the files which ``many_files.py`` hands to it."""
 
 from __future__ import annotations
 
@@ -7,15 +7,17 @@ import pickle
 
 from ..targets.toolchain.pipe import Packet, serve
 from .compile_options import CompileRequest
-from .compiled_files import TIME_LIMIT, compiled
+from .kept_files import KeptFiles
+from .many_files import TIME_LIMIT, compiled_and_kept
 
 
 def _answer(question: Packet) -> Packet:
     here: str
     request: CompileRequest
-    here, request = pickle.loads(question.data)
+    kept: KeptFiles | None
+    here, request, kept = pickle.loads(question.data)
     os.chdir(here)
-    return Packet({}, pickle.dumps(compiled(request)))
+    return Packet({}, pickle.dumps(compiled_and_kept(request, kept)))
 
 
 if __name__ == "__main__":

@@ -1,18 +1,14 @@
-"""Compiles the files of a command line: each by itself, and many of them in several processes.
+"""Compiles one file of a command line to what is written for it.
 
-``compilation.py`` joins what they become. A file is an input like any other program's: it shares
-nothing with the files beside it but what both import.
+``many_files.py`` calls ``compiled`` for each file, or a process that it has started.
 """
 
 from __future__ import annotations
 
-import os
-import pickle
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..support.frozen import changed
 from .compile_options import CompileRequest
 
 if TYPE_CHECKING:
@@ -21,13 +17,6 @@ if TYPE_CHECKING:
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
     from ..compiler.inputs import Inputs
-
-SEVERAL = 16
-"""The number of files from which on other processes pay: each of them starts as long as eight short
-files take."""
-_PROCESS = f"{__package__}.compile_process"
-TIME_LIMIT = 600.0
-"""The seconds after which a process is given up; its file is then compiled here."""
 
 
 class Compiled(NamedTuple):
@@ -44,17 +33,6 @@ class Compiled(NamedTuple):
     diagnostics: tuple[Diagnostic, ...]
     inputs: Inputs | None
     """The files that were read; ``None`` if there are errors."""
-
-
-def compiled_files(request: CompileRequest) -> Iterator[Compiled]:
-    """What each file of a request becomes, in their order; files with errors become nothing."""
-    from ..compiler.watching import is_watched
-
-    requests = [changed(request, files=(file,)) for file in request.files]
-    count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))
-    if count < 2 or request.validate or is_watched():
-        return map(compiled, requests)
-    return _compiled_in_processes(requests, count)
 
 
 def compiled(request: CompileRequest) -> Compiled:
@@ -143,32 +121,3 @@ def _as_json(document: Reflection | FramePlan) -> str:
     from ..compiler.documents.writing import to_json
 
     return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"
-
-
-# --- in several processes ------------------------------------------------------------------------
-
-
-def _compiled_in_processes(requests: Sequence[CompileRequest], count: int) -> Iterator[Compiled]:
-    from concurrent.futures import ThreadPoolExecutor
-
-    from ..targets.toolchain.limits import WORKERS
-    from ..targets.toolchain.surroundings import python_worker
-    from ..targets.toolchain.workers import Pool, Worker
-
-    here = os.getcwd()  # noqa: PTH109 - Processes start elsewhere, and paths may be relative.
-    workers = Pool(count, lambda: Worker(lambda: python_worker(_PROCESS), WORKERS))
-    threads = ThreadPoolExecutor(count)  # Each waits for one of the processes.
-
-    def ask(request: CompileRequest) -> Compiled:
-        with workers.borrow() as worker:
-            answer = worker.ask({}, TIME_LIMIT, pickle.dumps((here, request)))
-        if not answer.data:
-            return compiled(request)  # Whatever ended the process, there is one more way.
-        found: Compiled = pickle.loads(answer.data)
-        return found
-
-    try:
-        yield from threads.map(ask, requests)
-    finally:
-        workers.close()
-        threads.shutdown(wait=False, cancel_futures=True)

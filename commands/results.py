@@ -45,14 +45,18 @@ _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
 class Question:
     """A command line, with the folder and the program that run it."""
 
-    __slots__ = ("arguments", "circumstances", "key")
+    __slots__ = ("arguments", "circumstances", "key", "place", "program")
 
     def __init__(self, arguments: Sequence[str]) -> None:
         self.arguments = tuple(arguments)
-        here = [os.getcwd(), _ROOT, *arguments]  # noqa: PTH109
-        self.key = digest("\0".join(here).encode("utf-8", "surrogatepass"))
+        self.place = [os.getcwd(), _ROOT]  # noqa: PTH109
+        """The current folder, and that of Burnish."""
+        self.program = [sys.version, installation()]
+        """The texts by which Python and Burnish are the same."""
+        here = [*self.place, *arguments]
+        self.key = key_of(here)
         """The key of the answer; the next answer to the same command line replaces it."""
-        self.circumstances = [*here, sys.version, installation(), str(wants_color(sys.stderr))]
+        self.circumstances = [*here, *self.program, str(wants_color(sys.stderr))]
 
 
 class Output:
@@ -95,7 +99,7 @@ def answer(question: Question) -> bool:
         return False
     try:
         kept = json.loads(stored)
-        if kept["circumstances"] != question.circumstances or not _unchanged(kept):
+        if kept["circumstances"] != question.circumstances or not are_unchanged(kept):
             return False
         output = Output(kept["folder"], kept["texts"], kept["printed"], kept["warnings"])
         if not _is_asked_for(output, question):
@@ -116,15 +120,14 @@ def answer(question: Question) -> bool:
 
 
 def keep(question: Question, output: Output, inputs: Inputs) -> None:
-    """Keep the output for a question."""
+    """Keep the output for a question, unless it is large."""
+    if sum(map(len, output.texts.values())) > LARGEST:
+        return
     import json
 
-    sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
     entry = {
         "circumstances": question.circumstances,
-        "sources": {k: v if v is None else v.decode() for k, v in sources.items()},
-        "links": {k: v for k, v in inputs.links.items() if not v.startswith(_LIBRARY)},
-        "folders": inputs.folders,
+        **noted(inputs),
         "folder": output.folder,
         "texts": dict(output.texts),
         "printed": output.printed,
@@ -133,6 +136,21 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
     payload = json.dumps(entry).encode()
     if len(payload) <= LARGEST:
         store("result", question.key, payload)
+
+
+def noted(inputs: Inputs) -> dict[str, Any]:
+    """What an entry says of the files that a compile has read, but for those of the library."""
+    sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
+    return {
+        "sources": {k: v if v is None else v.decode() for k, v in sources.items()},
+        "links": {k: v for k, v in inputs.links.items() if not v.startswith(_LIBRARY)},
+        "folders": inputs.folders,
+    }
+
+
+def key_of(words: Sequence[str]) -> str:
+    """The key of what depends on these words; paths among them may have any bytes."""
+    return digest("\0".join(words).encode("utf-8", "surrogatepass"))
 
 
 def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
@@ -149,8 +167,8 @@ def _is_asked_for(output: Output, question: Question) -> bool:
     return any(word.endswith(output.folder) for word in question.arguments)
 
 
-def _unchanged(kept: dict[str, Any]) -> bool:
-    """True if everything that a compile depended on is found, and is the same."""
+def are_unchanged(kept: dict[str, Any]) -> bool:
+    """True if everything that an entry says of files is found, and is the same."""
     sources = {k: v if v is None else v.encode() for k, v in kept["sources"].items()}
     return unchanged(sources, kept["links"], kept["folders"])
 

@@ -150,7 +150,7 @@ def _compiled(request: RenderRequest, profiles: Sequence[str]) -> tuple[Frames, 
         api.compile(
             request.file, profiles, material=request.material, rig=rig, pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=request.draws_everything,
-            native_stages=request.native_stages,
+            native_stages=request.native_stages, keep_graphs=True,
         )
         for rig, pass_ in product(rigs, passes)
     ]  # fmt: skip
@@ -197,7 +197,9 @@ def _all_of_file(
 
     if request.material is None or not any(each.reflection.buffers for each in compiled):
         return compiled
-    return api.compile(request.file, (), rig=request.rig, search_path=request.search_path)
+    return api.compile(
+        request.file, (), rig=request.rig, search_path=request.search_path, keep_graphs=True
+    )
 
 
 # --- frames --------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ import click
 
 from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.frontend import Frontend
+from ..compiler.inputs import Inputs
 from .console import remark
 
 _POLL = 1000
@@ -68,9 +69,8 @@ def sources(file: Path, search_path: Sequence[Path]) -> set[Path]:
     They are the file, its imports, the places where imports were looked for in vain, and the
     folders in which all of these lie.
     """
-    frontend = Frontend(Report(), search_path)
-    frontend.open_file(file)
-    inputs = frontend.inputs
+    inputs = Inputs()
+    Frontend(Report(), search_path, inputs).open_file(file)
     return {file, *search_path, *map(Path, inputs.links), *map(Path, inputs.contents)}
 
 

@@ -86,10 +86,14 @@ def load(name: str, key: str) -> bytes | None:
 
 def store(name: str, key: str, payload: bytes) -> None:
     """Keeps ``payload`` under a name and a key, in place of an earlier value, if possible."""
-    path = _path(name, key)
+    store_unpruned(name, key, payload)
+    prune(name, KEPT, key)
+
+
+def store_unpruned(name: str, key: str, payload: bytes) -> None:
+    """Does so for one of many values; whoever stores them calls ``prune`` behind the last one."""
     try:
-        write_private(path, bytes.fromhex(digest(payload)) + payload)
-        _prune(path)
+        write_private(_path(name, key), bytes.fromhex(digest(payload)) + payload)
     except OSError:
         return
 
@@ -171,19 +175,23 @@ def _path(name: str, key: str) -> str:
     return os.path.join(private_folder(), name, key)  # noqa: PTH118
 
 
-def _prune(latest: str) -> None:
+def prune(name: str, most: int, latest: str = "") -> None:
     """Delete the values of a name that were written first, where there are too many of them.
 
-    The latest one stays even if a clock that went backwards says that others are later. Partly
-    written files of killed processes are deleted in the same way. A value that is still in use is
-    computed again, and so is new then.
+    The one with the key ``latest`` stays even if a clock that went backwards says that others are
+    later. Partly written files of killed processes are deleted in the same way. A value that is
+    still in use is computed again, and so is new then.
     """
-    found = private_files(os.path.dirname(latest))  # noqa: PTH120
-    found.sort(key=lambda each: (each[0] == latest, each[1].st_mtime_ns), reverse=True)
+    last = _path(name, latest)
+    try:
+        found = private_files(os.path.dirname(last))  # noqa: PTH120
+    except OSError:
+        return
+    found.sort(key=lambda each: (each[0] == last, each[1].st_mtime_ns), reverse=True)
     taken = 0
     for number, (path, status) in enumerate(found):
         taken += status.st_size
-        if number >= KEPT or taken > ROOM:
+        if number >= most or taken > ROOM:
             _delete(path)
 
 

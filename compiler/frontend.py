@@ -8,6 +8,7 @@ from contextlib import suppress
 from functools import partial
 from itertools import product
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .diagnostics import rules
 from .diagnostics.diagnostic import Report
@@ -15,24 +16,24 @@ from .diagnostics.file_names import readable
 from .diagnostics.nearest import suggestion
 from .diagnostics.source import Compared, Source, Span
 from .inputs import Inputs
-from .ir.frame import Frame
 from .ir.shader import Shader
 from .library import FOLDER, standard_library
-from .semantics.frames.frames import Surroundings, frame_of
 from .semantics.inheritance.flattening import Records, records_of
 from .semantics.names.loader import Loader
 from .semantics.names.modules import Module, Symbol
 from .semantics.names.standard_library import StandardLibrary
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
-from .semantics.shading.kernels.kernel import kernel_shader
 from .semantics.shading.known_right import KNOWN_RIGHT
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
-from .syntax.load import TOTAL_LIMIT, check_text, load_source
+from .syntax.load import TOTAL_LIMIT, check_text, decoded, load_source
 from .syntax.parser import parse
 from .watching import is_watched
+
+if TYPE_CHECKING:
+    from .ir.frame import Frame
 
 
 def current_library() -> StandardLibrary:
@@ -59,12 +60,15 @@ Each of them is put together with all that it extends.
 class Frontend:
     """Reads one file with its imports and elaborates its materials."""
 
-    def __init__(self, report: Report, search_path: Sequence[Path] = ()) -> None:
-        self.inputs = Inputs()
+    def __init__(
+        self, report: Report, search_path: Sequence[Path] = (), inputs: Inputs | None = None
+    ) -> None:
+        """``inputs`` has a note of everything that is read, or has it all from an earlier time."""
+        self._inputs = inputs or Inputs()
         folders = []
         for folder in search_path:
-            if os.path.isdir(folder):  # noqa: PTH112 (it answers whatever the name is)
-                self.inputs.searched(folder)
+            if self._inputs.is_folder(folder):
+                self._inputs.searched(folder)
                 folders.append(folder)
             else:
                 report.add(rules.MISSING_FOLDER, None, path=folder)
@@ -76,7 +80,7 @@ class Frontend:
         self._report = report
         self._records = Records(report)
         self._library = current_library()
-        self._loader = Loader(report, self._library, folders, parse, self._read, self.inputs.looked)
+        self._loader = Loader(report, self._library, folders, parse, self._read, self._inputs)
 
     def open_file(self, path: Path) -> Module | None:
         """The module in a file; ``None`` after reporting that it cannot be read, or is too much."""
@@ -91,7 +95,11 @@ class Frontend:
         """The text of a file, and a note that it was read."""
         if self._size > TOTAL_LIMIT:
             return None  # This has been reported of the file that was too much.
-        source = load_source(path, report, name, span, partial(self.inputs.read, path))
+        known = self._inputs.content(path)
+        if known is None:
+            source = load_source(path, report, name, span, partial(self._inputs.read, path))
+        else:
+            source = decoded(known, readable(name or str(path)), report, span)
         if source is None:
             return None
         source.portable = self._portable(path)
@@ -199,10 +207,21 @@ class Frontend:
         if lights is None:
             return []
         reached: set[Symbol] = set()
-        around = Surroundings(module, lights, self._report, self._records, reached)
-        found = [frame_of(symbol, around) for symbol in _wanted_frames(module, wanted)]
+        found = self._frames(module, _wanted_frames(module, wanted), lights, reached)
         if wanted is None:
             self._check_beside(module, lights, reached)
+        return found
+
+    def _frames(
+        self, module: Module, frames: Sequence[Symbol], lights: Symbol, reached: set[Symbol]
+    ) -> list[Frame]:
+        """The frames that can be made of some declarations; errors are in the report."""
+        if not frames:
+            return []
+        from .semantics.frames.frames import Surroundings, frame_of
+
+        around = Surroundings(module, lights, self._report, self._records, reached)
+        found = [frame_of(symbol, around) for symbol in frames]
         return [frame for frame in found if frame is not None]
 
     def _check_beside(self, module: Module, rig: Symbol, reached: set[Symbol]) -> None:
@@ -213,8 +232,12 @@ class Frontend:
         kernels = records_of(module, "kernel", abstract=False)
         self._kernels(module, [kernel for kernel in kernels if kernel not in reached])
 
-    def _kernels(self, module: Module, kernels: Iterable[Symbol]) -> list[Shader]:
+    def _kernels(self, module: Module, kernels: Sequence[Symbol]) -> list[Shader]:
         """The shaders of kernels."""
+        if not kernels:
+            return []
+        from .semantics.shading.kernels.kernel import kernel_shader
+
         found: list[Shader] = []
         for kernel in kernels:
             report = self._report.apart()
@@ -249,14 +272,13 @@ class Frontend:
         pass_symbol = self._pass(module, pass_)
         drawn = [(symbol, pass_symbol) for symbol in rigs if symbol and pass_symbol]
         reached: set[Symbol] = set()
-        frames: list[Frame | None] = []
+        frames: list[Frame] = []
         if rigs and (lights := rigs[0]) is not None:
-            around = Surroundings(module, lights, self._report, self._records, reached)
-            frames = [frame_of(frame, around) for frame in _wanted_frames(module, None)]
+            frames = self._frames(module, _wanted_frames(module, None), lights, reached)
         if drawn:
             self._check_unused(module, drawn, (), reached)
         self._kernels(module, records_of(module, "kernel", abstract=False))
-        return [frame for frame in frames if frame is not None]
+        return frames
 
     def _check_unused(
         self,

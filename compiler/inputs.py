@@ -2,12 +2,14 @@
 
 The front end fills this record while it reads. As long as all of it is unchanged, compiling the
 same file with the same options gives the same result, which ``api/remembered.py`` relies on within
-a process, and ``commands/results.py`` from one process to the next.
+a process, and ``commands/results.py`` from one process to the next. And whatever changes, the same
+can be compiled once more from the record itself, which ``api/compiling.py`` does.
 """
 
 from __future__ import annotations
 
 import os
+from stat import S_IFREG, S_ISREG
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,6 +31,25 @@ class Inputs:
         """The target of each path, after following links."""
         self.folders: list[str] = []
         """The folders of the search path; each of them is there."""
+
+    def real(self, path: Path) -> str:
+        """The path without links; one that goes round in links stays as it is."""
+        return os.path.realpath(path)
+
+    def mode(self, path: Path) -> int | None:
+        """The kind of file at a path; ``None`` if there is none. Raises ``OSError``."""
+        try:
+            return path.stat().st_mode
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+
+    def is_folder(self, path: Path) -> bool:
+        """True if there is a folder, whatever the path looks like."""
+        return os.path.isdir(path)  # noqa: PTH112
+
+    def content(self, path: Path) -> bytes | None:  # noqa: ARG002 - of the disk, nothing is known
+        """The content of a file, if it need not be read."""
+        return None
 
     def read(self, path: Path, content: bytes) -> None:
         """Notes that the file at ``path`` was read, and its content."""
@@ -67,6 +88,40 @@ class Inputs:
         return unchanged(self.contents, self.links, self.folders)
 
 
+class Recorded(Inputs):
+    """Files as they were when a compile noted them, whatever has become of them since.
+
+    A compile that reads from here, of the same file with the same options, asks for the same again.
+    """
+
+    def __init__(self, noted: Inputs) -> None:
+        super().__init__()
+        self._noted = noted
+
+    def real(self, path: Path) -> str:
+        """The path without links, as it was; the library's files were not noted."""
+        return self._noted.links.get(str(path)) or super().real(path)
+
+    def mode(self, path: Path) -> int | None:
+        """The kind of a regular file, unless one was looked for in vain."""
+        is_missing = self._noted.contents.get(self.real(path), b"") is None
+        return None if is_missing else S_IFREG
+
+    def is_folder(self, path: Path) -> bool:
+        """True for the folders of the search path, which were all there."""
+        return str(path) in self._noted.folders
+
+    def content(self, path: Path) -> bytes | None:
+        """The content that was read; ``None`` for a file of the library."""
+        return self._noted.contents.get(self.real(path))
+
+    def read(self, path: Path, content: bytes) -> None:
+        """Note nothing: it is known."""
+
+    def looked(self, root: Path, path: Path, *, found: bool) -> None:
+        """Note nothing, likewise."""
+
+
 def unchanged(
     contents: Mapping[str, bytes | None], links: Mapping[str, str], folders: Iterable[str]
 ) -> bool:
@@ -86,13 +141,20 @@ def _holds(path: str, content: bytes | None) -> bool:
 
     A pipe or a device can be read only once, which is left to the compile.
     """
-    from stat import S_ISREG
-
     try:
-        is_file = S_ISREG(os.stat(path).st_mode)  # noqa: PTH116
+        status = os.stat(path)  # noqa: PTH116
     except (FileNotFoundError, NotADirectoryError):
         return content is None
+    is_file = S_ISREG(status.st_mode)
     if content is None or not is_file:
         return content is None and not is_file
-    with open(path, "rb") as file:  # noqa: PTH123
-        return file.read(len(content) + 1) == content
+    return status.st_size == len(content) and _read(path, len(content) + 1) == content
+
+
+def _read(path: str, most: int) -> bytes:
+    """Up to so many bytes of a file: at once, since a stream takes longer to make than to read."""
+    file = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+    try:
+        return os.read(file, most)
+    finally:
+        os.close(file)

@@ -1,10 +1,10 @@
 """Finds values that were computed when the package was built.
 
-The parser's tables, the syntax trees of the standard library, the skeletons as Python functions and
-the host's table of builtins take longer to compute than a material takes to compile.
-``generate.py`` writes them as modules into the package ``generated``, when a wheel is built or a
-checkout is installed. They are loaded like all other code of the installation, and from nowhere
-else.
+The parser's tables, the syntax trees of the standard library, the words of scenes, the skeletons as
+Python functions and the host's table of builtins take longer to compute than a material takes to
+compile. ``generate.py`` writes them as modules into the package ``generated``, when a wheel is
+built or a checkout is installed. They are loaded like all other code of the installation, and from
+nowhere else.
 
 The functions that need such a value ask for it by ``precomputed``, with a key that is the digest of
 everything that the value depends on. If somebody has changed one of these files since, or if

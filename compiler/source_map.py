@@ -1,6 +1,6 @@
 """Finds the place in Burnish text that each statement of an emitted text comes from.
 
-``entry_points.py`` calls ``located`` for source maps, line directives and ``--validate``.
+``located`` is called for source maps, line directives and ``--validate``, each when it is wanted.
 """
 
 from __future__ import annotations
@@ -13,18 +13,14 @@ from .ir.node import Node, reachable
 from .ir.shader import Notes, Shader
 
 
-def located(shader: Shader, origins: Callable[[], Mapping[int, Node]], notes: Notes) -> SourceMap:
+def located(shader: Shader, origins: Mapping[int, Node], notes: Notes) -> dict[int, Span]:
     """The place of the value that each emitted line computes, by line number.
 
-    ``origins`` finds these values, and ``notes`` are about them.
+    ``origins`` are these values, and ``notes`` are about them.
     """
-
-    def spans() -> dict[int, Span]:
-        places = _Places(shader, notes)
-        found = ((line, places.of(node)) for line, node in origins().items())
-        return {line: span for line, span in found if span is not None}
-
-    return SourceMap(spans)
+    places = _Places(shader, notes)
+    found = ((line, places.of(node)) for line, node in origins.items())
+    return {line: span for line, span in found if span is not None}
 
 
 class SourceMap(Mapping[int, Span]):

@@ -3,8 +3,8 @@
 Python counts how many objects are made, and looks through them for circles of dropped ones after
 every 700. A compile makes many objects, keeps most of them until it ends, and hardly ever drops a
 circle: a quarter of the time of a long compile would go into looking in vain. So the command line
-sets ``SELDOM`` for the whole process, and ``entry_points.py`` and ``compiled.py`` mark the
-functions that users call with ``seldom_collected``, which also gives them room on Python's stack.
+sets ``SELDOM`` for the whole process, and the modules of ``api`` mark the functions that users call
+with ``seldom_collected``, which also gives them room on Python's stack.
 
 That is too seldom for a server. A picture of many megabytes is one object for Python, and a circle
 that holds it, such as that of an exception and what it was raised in, stays for hours. So whoever

@@ -1,6 +1,6 @@
 """Capabilities of each profile, and the advice that is given where a profile lacks one.
 
-``entry_points.py`` and ``selection.py`` ask for the way out that is shown below an error, and
+``compiling.py`` and ``selection.py`` ask for the way out that is shown below an error, and
 ``burnish targets`` for the cells of the table of capabilities.
 """
 

@@ -238,6 +238,7 @@ class Documents:
         result = api.compile(
             request.file, (chosen.profile,), material=chosen.subject, rig=chosen.rig,
             pass_=chosen.pass_, search_path=request.search_path, hoist=request.hoist,
+            keep_graphs=True,
         )  # fmt: skip
         self._tell(result.diagnostics)
         if chosen.subject in declared.frames:
@@ -293,7 +294,9 @@ class Documents:
         if not any(row.stages for row in rows):
             return []
         request = self._request
-        compiled = api.compile(request.file, (), rig=chosen.rig, search_path=request.search_path)
+        compiled = api.compile(
+            request.file, (), rig=chosen.rig, search_path=request.search_path, keep_graphs=True
+        )
         return [kernel for kernel in kernels_of(compiled) if kernel.name != chosen.subject]
 
 

@@ -1,24 +1,31 @@
 """Rewrites geometry, tessellation and stream-output stages as stages that every target has.
 
-These are vertex, fragment and compute stages. ``entry_points.py`` calls ``lower_stages`` before all
+These are vertex, fragment and compute stages. ``compiling.py`` calls ``lower_stages`` before all
 passes or, if the stages themselves are wanted, ``keep_stages``.
 """
 
 from __future__ import annotations
 
 from ..ir.shader import Shader
-from .emit_strips import count_strips
-from .lower_capture import lower_capture
-from .lower_expansion import lower_expansion
-from .lower_tessellation import lower_tessellation
-from .patch_vertices import count_captured
 
 
 def lower_stages(shader: Shader) -> Shader:
-    """The shader without the stages that not every target has, where that can be."""
+    """The shader without the stages that not every target has, where that can be.
+
+    Most shaders have none of these, and then nothing is loaded that rewrites them.
+    """
+    if shader.expansion is None and shader.tessellation is None and shader.capture is None:
+        return shader
+    from .lower_capture import lower_capture
+    from .lower_expansion import lower_expansion
+    from .lower_tessellation import lower_tessellation
+
     return lower_capture(lower_tessellation(lower_expansion(shader)))
 
 
 def keep_stages(shader: Shader) -> Shader:
     """The shader with its stages, and with the ranges of the numbers of their vertices."""
+    from .emit_strips import count_strips
+    from .patch_vertices import count_captured
+
     return count_captured(count_strips(shader))

@@ -1,6 +1,6 @@
 """Runs every pass in order, from the shader that semantics made to a program.
 
-``entry_points.py`` calls ``stage`` once for each shader. The architecture page has a table of the
+``compiling.py`` calls ``stage`` once for each shader. The architecture page has a table of the
 passes.
 """
 

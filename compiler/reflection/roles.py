@@ -12,6 +12,7 @@ from pathlib import Path
 
 from ..ir.node import Node
 from ..ir.shader import ParameterInfo
+from ..precomputed import Precomputations, key, precomputed
 from .well_known import well_known
 
 _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
@@ -20,9 +21,21 @@ _NAMES = Path(__file__).parents[2] / "stdlib" / "scene.toml"
 @cache
 def scene_names() -> Mapping[str, Mapping[str, str]]:
     """The meanings of the library's declarations in a scene, by kind."""
+    text = _NAMES.read_text(encoding="utf-8")
+    found: Mapping[str, Mapping[str, str]] | None = precomputed("scene", key(text))
+    return _read(text) if found is None else found
+
+
+def scene_names_to_generate() -> Precomputations:
+    """The meanings that ``scene_names`` looks for: to load ``tomllib`` takes milliseconds."""
+    text = _NAMES.read_text(encoding="utf-8")
+    return {key(text): lambda: _read(text)}
+
+
+def _read(text: str) -> Mapping[str, Mapping[str, str]]:
     import tomllib
 
-    return tomllib.loads(_NAMES.read_text(encoding="utf-8"))
+    return tomllib.loads(text)
 
 
 def role_of_derived(value: Node, roles: Mapping[str, str | None]) -> str | None:

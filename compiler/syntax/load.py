@@ -42,6 +42,11 @@ def load_source(
         return None
     if seen is not None:
         seen(content)
+    return decoded(content, name, report, span)
+
+
+def decoded(content: bytes, name: str, report: Report, span: Span | None) -> Source | None:
+    """The text of a file that has been read; ``None`` if it is no text, which ``report`` says."""
     if b"\0" in content:
         encoded = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
         reason = "it is UTF-16" if encoded else "it contains NUL bytes"

@@ -1,6 +1,6 @@
 """Puts ``#line`` directives into texts, so that downstream compilers name lines of the material.
 
-``entry_points.py`` calls ``directed`` for each finished text if the user wants directives. Where a
+``compiling.py`` calls ``directed`` for each finished text if the user wants directives. Where a
 language numbers its files, 0 is the text itself, and a comment at its end lists the others.
 """
 

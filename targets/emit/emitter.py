@@ -1,4 +1,4 @@
-"""Prints a program in one language: ``entry_points.py`` calls ``emit`` after ``legalise``.
+"""Prints a program in one language: ``compiling.py`` calls ``emit`` after ``legalise``.
 
 The rows of the ``Language`` and its skeleton have everything that is particular to a language. The
 passes and ``legalise`` have decided where each value is computed.

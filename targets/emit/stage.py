@@ -39,7 +39,6 @@ from .natives import EmittedFunction, Natives
 from .origins import Mark, Marks
 from .precedence import NAME
 from .statements import INDENT, Statements
-from .strips import Strips
 from .views import EntryView, ExpansionView, FunctionView, InputView, StoreView
 
 LEVELS = (EDGE_LEVEL, INNER_LEVEL)
@@ -90,6 +89,8 @@ class StagePrinter:
         guard = "" if self._groups else self._guard(expressions, extent)
         group = self._context.program.shader.work_group
         if stage.emitted:
+            from .strips import Strips
+
             strips = Strips(self._context, expressions, namer, self._marks.mark)
             lines = strips.emitted(stage, self._delivered)
         else:

@@ -1,6 +1,6 @@
 """Chooses the form of a program that a profile can have, if there are several.
 
-``entry_points.py`` asks before anything is legalised: a kernel over images is a compute shader
+``compiling.py`` asks before anything is legalised: a kernel over images is a compute shader
 where the profile can write these images, and a full-screen pass elsewhere, if vertices have numbers
 there.
 """

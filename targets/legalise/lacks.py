@@ -1,6 +1,6 @@
 """Finds the features that a program uses and a profile lacks altogether.
 
-``entry_points.py`` asks before anything is printed, and makes errors of the answers.
+``compiling.py`` asks before anything is printed, and makes errors of the answers.
 ``availability.py`` adds the way out, which follows from the table of capabilities. ``limits.py``
 finds features that a profile has, but not as often as a program needs them.
 """

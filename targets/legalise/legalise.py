@@ -3,7 +3,7 @@
 The passes know no language: they leave operations with Burnish's meaning, globals that any function
 reads, and blocks, textures and samplers without bindings. A difference of a profile is a row in its
 ``Profile``, and each step here reads some of these rows. ``emit`` prints the result.
-``entry_points.py`` calls this once for every profile that a material is compiled for. A step that
+``compiling.py`` calls this once for every profile that a material is compiled for. A step that
 has nothing to do in a profile or a program returns its input.
 """
 

@@ -1,6 +1,6 @@
 """Finds the limits of a profile that a program exceeds.
 
-``entry_points.py`` asks before anything is printed, and makes errors of the answers.
+``compiling.py`` asks before anything is printed, and makes errors of the answers.
 ``availability.py`` adds the way out where it follows from other profiles. ``lacks.py`` finds
 features that a profile lacks altogether.
 """

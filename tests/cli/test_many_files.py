@@ -8,9 +8,14 @@ import sys
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner, Result
 
-from burnish.commands import compiled_files
-from burnish.commands.compiled_files import SEVERAL
+from burnish.commands import compiled_files, kept_files, many_files, results
+from burnish.commands.compile_options import CompileRequest
+from burnish.commands.compiled_files import Compiled
+from burnish.commands.group import burnish
+from burnish.commands.many_files import SEVERAL
+from burnish.compiler import cache
 from burnish.compiler.watching import VARIABLE
 
 from ..suite.processes import started, until
@@ -119,8 +124,113 @@ def test_the_same_again_is_not_compiled() -> None:
     assert changed.stdout == first.stdout.replace("M1", "M77")
 
 
+def compiles(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The names of the files that are compiled from now on, by this process."""
+    seen: list[str] = []
+    compile_one = compiled_files.compiled
+
+    def compiled(request: CompileRequest) -> Compiled:
+        seen.extend(map(str, request.files))
+        return compile_one(request)
+
+    monkeypatch.setattr(many_files, "compiled", compiled)
+    return seen
+
+
+def ask(*words: str) -> Result:
+    """Run a command line, whose output as a whole is not kept."""
+    question = results.ask(list(words))
+    assert question is not None or "--no-cache" in words
+    return CliRunner().invoke(burnish, words, obj=question, catch_exceptions=False)
+
+
+def test_only_what_has_changed_is_compiled_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = compiles(monkeypatch)
+    Path("tints.burnish").write_text("fn tint(at: float) = at + 0.25")
+    tinted = 'import "tints.burnish".{{tint}}\nmaterial T{0} {{ color = vec3(tint(0.{0})) }}\n'
+    names = write(3)
+    for number in (7, 8):
+        Path(f"t{number}.burnish").write_text(tinted.format(number))
+        names.append(f"t{number}.burnish")
+    warns = "material Warns { colour = vec3(1)\n color = vec3(1) }"
+    line = ("compile", *names, "-t", "wgsl", "-o", "out")
+    first = ask(*line)
+    assert (first.exit_code, seen) == (0, names)
+    before = contents("out")
+    del seen[:]
+    assert ask(*line).stdout == first.stdout
+    assert (seen, contents("out")) == ([], before)
+    Path("tints.burnish").write_text("fn tint(at: float) = at + 0.75")
+    assert ask(*line).stdout == first.stdout
+    assert seen == ["t7.burnish", "t8.burnish"]
+    assert {name for name, text in contents("out").items() if before[name] != text} == {
+        "T7.frag.wgsl", "T8.frag.wgsl"
+    }  # fmt: skip
+    del seen[:]
+    Path(names[1]).write_text(WRONG)
+    assert ask(*line).exit_code == 1
+    Path(names[1]).write_text(warns)
+    for _ in range(2):
+        assert "nothing reads `colour`" in ask(*line).stderr
+    assert seen == [names[1]] * 3
+    del seen[:]
+    assert ask(*line[:-3], "glsl", "-o", "out").exit_code == 0
+    assert seen == names
+    del seen[:]
+    assert ask(*line, "--no-cache").exit_code == 0
+    assert seen == names
+
+
+def test_what_processes_make_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "cpu_count", lambda: 2)
+    names = write(COUNT)
+    line = ("compile", *names, "-t", "wgsl", "-o", "out")
+    first, before = ask(*line), contents("out")
+    seen = compiles(monkeypatch)
+    Path(names[3]).write_text(MATERIAL.format(77))
+    again = ask(*line)
+    assert again.stdout == first.stdout.replace("M3:", "M77:").replace("M3.json", "M77.json")
+    assert seen == [names[3]]
+    assert before.items() <= contents("out").items()
+
+
+def test_entries_are_pruned_once_behind_all(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept_files, "MOST", 4)
+    looked: list[str] = []
+    files = cache.private_files
+
+    def counted(place: str) -> list[tuple[str, os.stat_result]]:
+        looked.append(Path(place).name)
+        return files(place)
+
+    monkeypatch.setattr(cache, "private_files", counted)
+    seen = compiles(monkeypatch)
+    line = ("compile", *write(6), "-t", "wgsl", "-o", "out")
+    assert ask(*line).exit_code == 0
+    assert looked.count("file") == 1
+    assert len(list(Path(os.environ["BURNISH_CACHE"]).rglob("file/*"))) == 4
+    del seen[:]
+    assert ask(*line).exit_code == 0
+    assert len(seen) == 2
+
+
+def test_damaged_entries_are_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = compiles(monkeypatch)
+    names = write(4)
+    line = ("compile", *names, "-t", "wgsl", "-o", "out")
+    first = ask(*line)
+    entries = sorted(Path(os.environ["BURNISH_CACHE"]).rglob("file/*"))
+    entries[0].write_bytes(b"short")
+    cache.store("file", entries[1].name, b"[]")
+    cache.store("file", entries[2].name, b"{}")
+    entries[3].chmod(0o644)  # Others could have written there.
+    del seen[:]
+    assert ask(*line).stdout == first.stdout
+    assert seen == names
+
+
 def test_processes_that_die_cost_only_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled_files, "_PROCESS", "burnish.no_such_module")
+    monkeypatch.setattr(many_files, "_PROCESS", "burnish.no_such_module")
     monkeypatch.setattr(os, "cpu_count", lambda: 2)
     done = invoke("compile", *write(COUNT), "-t", "wgsl", "-o", "out")
     assert (done.exit_code, len(contents("out"))) == (0, 3 * COUNT)

@@ -17,7 +17,6 @@ import numpy as np
 import pytest
 
 from burnish.api.compiled import CompiledMaterial
-from burnish.api.entry_points import _compiled
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.shader import RenderTarget, Result, Shader
@@ -44,10 +43,7 @@ from burnish.compiler.ir.stages import (
 )
 from burnish.compiler.ir.tessellation import PATCH_KINDS, Patch, Spacing, Tessellation
 from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4
-from burnish.compiler.passes.pipeline import Options, stage
 from burnish.compiler.reference import tessellation as reference
-from burnish.targets import registry
-from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
 from burnish.targets.runner.drivers.pipeline import Pipeline, Primitive
@@ -58,6 +54,7 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene_state import SceneState
 
 from ..passes.toy import HERE, Toy
+from ..targets.hand_made import compiled_shader
 from .kit import Floats, Studio
 
 ON = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:hlsl-dxc", "llvmpipe:gl450")
@@ -169,8 +166,7 @@ def compiled(patch: Patch | None, spacing: Spacing = "equal") -> CompiledMateria
     else:
         points = len(CORNERS[patch])
         shader = divided(Tessellation(patch, points, tuple(range(points)), spacing, HERE))
-    chosen = [registry.select(name) for name in PROFILES]
-    return _compiled(shader, stage(shader, Options()), {}, chosen, EmitOptions())
+    return compiled_shader(shader, PROFILES)
 
 
 def patches_of(patch: Patch) -> Floats:

@@ -80,7 +80,8 @@ FLOORS: dict[str, str] = {
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
     "compiler.reflection": (
-        "frozen stdlib diagnostics constraints ir packing documents promises planning passes"
+        "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
+        "passes"
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
@@ -103,21 +104,26 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # The door.
+    "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
         "frozen garbage inputs diagnostics ir documents passes planning reflection description "
-        "legalise emit selection runner"
+        "legalise emit selection graphs runner"
     ),
     "api.remembered": "locks watching compiled",
+    "api.compiling": (
+        "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
+        "description emit legalise availability selection graphs compiled"
+    ),
     "api.entry_points": (
-        "frozen arguments garbage diagnostics ir documents passes source_map names reflection "
-        "frontend description emit legalise availability selection runner compiled remembered"
+        "arguments garbage diagnostics documents passes names frontend emit selection runner "
+        "compiled remembered compiling"
     ),
     "commands": (
         "frozen garbage stack cache watching inputs diagnostics syntax ir documents passes "
         "frontend formula budget closing description emit registry availability selection runner "
         "web_host web_view conformance toolchain serving compiled entry_points"
     ),
-    "generate": "precomputed library syntax emit registry web_host serving",
+    "generate": "precomputed library syntax reflection emit registry web_host serving",
     "__main__": "commands",
 }
 """The modules that each folder or module may import, by their last names; lowest first.

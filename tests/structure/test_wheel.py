@@ -26,7 +26,7 @@ DATA = {
     ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css", ".html", ".svg",
     ".burnish", ".typed",
 }  # fmt: skip
-GENERATED = ("__init__", "builtin_table", "grammar", "library", "skeletons")
+GENERATED = ("__init__", "builtin_table", "grammar", "library", "scene", "skeletons")
 
 
 pytestmark = pytest.mark.xdist_group("wheel")  # One process builds the wheels, for all tests.
@@ -189,11 +189,11 @@ sys.path.insert(0, "/wheel")
 sys.dont_write_bytecode = True
 import burnish
 texts = [
-    {file.name: file.text for file in made.files}
+    [{file.name: file.text for file in made.files}, burnish.to_json(made.reflection)]
     for example in ("plastic", "frames/deferred")
     for made in burnish.compile(f"/examples/{example}.burnish")
 ]
-needed = sorted({"lark", "jinja2"} & sys.modules.keys())
+needed = sorted({"lark", "jinja2", "tomllib"} & sys.modules.keys())
 json.dumps([list(sys.version_info[:2]), texts, needed])
 """
 """A compile by a Python that has the wheel alone, without the packages that it depends on."""
@@ -210,7 +210,7 @@ def test_another_version_of_python_computes_nothing_again(wheel: Path, tmp_path:
     version, texts, needed = json.loads(said)
     assert tuple(version) > sys.version_info[:2]
     assert texts == [
-        {file.name: file.text for file in made.files}
+        [{file.name: file.text for file in made.files}, burnish.to_json(made.reflection)]
         for example in ("plastic", "frames/deferred")
         for made in burnish.compile(ROOT / "examples" / f"{example}.burnish")
     ]

@@ -51,13 +51,13 @@ def has_no_kernel(material: CompiledMaterial) -> bool:
 
 def calls_no_definition(material: CompiledMaterial) -> bool:
     """True if the text has no function in place of a builtin."""
-    ((legal, _),) = material._emissions
+    ((legal, _),) = material._place.graphs().emissions
     return not legal.definitions
 
 
 def writes_images(material: CompiledMaterial) -> bool:
     """True if a kernel writes images, and not render targets."""
-    ((legal, _),) = material._emissions
+    ((legal, _),) = material._place.graphs().emissions
     return bool(legal.program.images)
 
 

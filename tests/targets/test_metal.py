@@ -107,7 +107,7 @@ def test_members_lie_where_the_reflection_says(material: str, toolchain: Toolcha
     for rig, pass_ in api.variants(path):
         result = burnish.compile(path, METAL, rig=rig, pass_=pass_)
         for compiled in result:
-            ((_legal, emission),) = compiled._emissions
+            ((_legal, emission),) = compiled._place.graphs().emissions
             stage = compiled.staged.program.stage("fragment")
             asserted = [line for block in stage.blocks for line in places(block, emission.names)]
             text = "\n".join([compiled.text("msl", "fragment"), *asserted])

@@ -13,15 +13,13 @@ import pytest
 
 import burnish
 from burnish.api.compiled import CompiledMaterial
-from burnish.api.entry_points import _compiled
 from burnish.compiler.diagnostics.render import render
 from burnish.compiler.ir.stages import CONTROL
-from burnish.compiler.passes.pipeline import Options, stage
-from burnish.targets import registry
 from burnish.targets.emit.emitter import EmitOptions
 from burnish.targets.runner.kernels import UndrawableError, drawable
 
 from ..passes.test_tessellated_graphs import divided
+from .hand_made import compiled_shader
 from .test_geometry_stage import complaints
 
 GOLDEN = Path(__file__).parent / "golden" / "tessellation"
@@ -31,7 +29,7 @@ PROFILES = ("glsl:vulkan", "glsl:gl450", "hlsl:sm6")
 def material(profile: str, options: EmitOptions) -> CompiledMaterial:
     """Triangles whose levels are lengths of edges, with one of them handed on to all vertices."""
     _, shader = divided()
-    return _compiled(shader, stage(shader, Options()), {}, [registry.select(profile)], options)
+    return compiled_shader(shader, [profile], options)
 
 
 @pytest.mark.parametrize("profile", PROFILES)

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
-from typing import TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from ....stdlib.builtins import BUILTINS
-from ....stdlib.builtins.elsewhere import Instead
 from ....stdlib.builtins.row import nowhere
 from ....support.frozen import changed
 from ...diagnostics import rules
@@ -36,6 +35,9 @@ from .slots import like_overridden, slot
 from .step_needs import applied, is_drawn, is_frame
 from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
+
+if TYPE_CHECKING:
+    from ....stdlib.builtins.elsewhere import Instead
 
 
 def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:

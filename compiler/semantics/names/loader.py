@@ -7,7 +7,6 @@ imported from ``std`` comes from the ``StandardLibrary``, which is linked alread
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
@@ -64,10 +63,16 @@ LONGEST_CYCLE = 8
 """The number of files of a cycle that a message names."""
 
 
-class Looked(Protocol):
-    """Is told of each place where an imported file was looked for."""
+class Files(Protocol):
+    """Answers what is there, and is told of each place where an imported file was looked for."""
 
-    def __call__(self, root: Path, path: Path, /, *, found: bool) -> None:
+    def real(self, path: Path, /) -> str:
+        """The path without links; one that goes round in links stays as it is."""
+
+    def mode(self, path: Path, /) -> int | None:
+        """The kind of file at a path; ``None`` if there is none. Raises ``OSError``."""
+
+    def looked(self, root: Path, path: Path, /, *, found: bool) -> None:
         """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
 
 
@@ -94,14 +99,14 @@ class Loader:
         search_path: Sequence[Path],
         parse: Parse,
         read: Read,
-        looked: Looked,
+        files: Files,
     ) -> None:
         self._report = report
         self._library = library
         self._search_path = tuple(search_path)
         self._parse = parse
         self._read = read
-        self._looked = looked
+        self._files = files
         self._modules: dict[Path, Module] = {}
         self._loading: dict[Path, str] = {}
         """The files whose imports are being read, with their names in messages.
@@ -123,7 +128,7 @@ class Loader:
     def main(self, source: Source, path: Path | None) -> Module:
         """The module that a user compiles."""
         if path is not None:
-            self._loading[_real(path)] = source.name
+            self._loading[self._without_links(path)] = source.name
         module = Module(
             self._parse(source, self._report), path, prelude=self._library.prelude,
             offered=self._library.offering,
@@ -170,17 +175,17 @@ class Loader:
         for root in self._roots(module):
             try:
                 found = root / relative
-                path = _real(found)
+                path = self._without_links(found)
                 if not path.is_relative_to(self._resolved(root)):
                     self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
                     return None
-                mode = _mode(found)
+                mode = self._files.mode(found)
             except (OSError, ValueError) as error:
                 self._report.add(
                     rules.UNREADABLE_FILE, wanted.span, path=relative, reason=why_unreadable(error)
                 )
                 return None
-            self._looked(root, found, found=mode is not None)
+            self._files.looked(root, found, found=mode is not None)
             if mode is not None and self._is_file(mode, wanted, found):
                 return self._load(found, path, wanted)
             if mode is not None:
@@ -211,8 +216,11 @@ class Loader:
     def _resolved(self, folder: Path) -> Path:
         """A folder that files are looked for in, without links."""
         if folder not in self._real:
-            self._real[folder] = _real(folder)
+            self._real[folder] = self._without_links(folder)
         return self._real[folder]
+
+    def _without_links(self, path: Path) -> Path:
+        return Path(self._files.real(path))
 
     def _roots(self, module: Module) -> Iterator[Path]:
         if module.path is not None:
@@ -247,16 +255,3 @@ class Loader:
             half = LONGEST_CYCLE // 2
             names = [*names[:half], f"{left_out} more", *names[-half:]]
         return " → ".join([*names, names[0]])
-
-
-def _real(path: Path) -> Path:
-    """A path without links; one that goes round in links stays as it is."""
-    return Path(os.path.realpath(path))
-
-
-def _mode(path: Path) -> int | None:
-    """The kind of file at a path; ``None`` if there is none. Raises ``OSError``."""
-    try:
-        return path.stat().st_mode
-    except (FileNotFoundError, NotADirectoryError):
-        return None

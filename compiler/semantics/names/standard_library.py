@@ -8,6 +8,7 @@ library. Symbols are compared by identity, so all compiles see the same ones.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Protocol
@@ -138,5 +139,5 @@ def in_library(path: Sequence[str]) -> str:
 
 
 def _stamp(path: Path) -> tuple[int, int]:
-    status = path.stat()
+    status = os.stat(path)  # noqa: PTH116 - Each compile asks; a path's own method takes twice as long.
     return status.st_mtime_ns, status.st_size

@@ -1,0 +1,297 @@
+"""Compiles a file or a text: runs the compiler's phases in order, and makes the records of results.
+
+``entry_points.py`` calls ``result_of`` with everything that its caller has asked for. The graphs of
+an earlier result are made again by the same phases, from the inputs that were noted then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import chain, islice
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from ..compiler.cache import digest
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
+from ..compiler.diagnostics.source import Span
+from ..compiler.frontend import Frontend
+from ..compiler.inputs import Inputs, Recorded
+from ..compiler.ir.program import Program
+from ..compiler.ir.shader import Shader
+from ..compiler.ir.stages import COMPUTED, TARGET
+from ..compiler.passes.lower_stages import keep_stages, lower_stages
+from ..compiler.passes.pipeline import Options, Staged, stage
+from ..compiler.semantics.names.modules import Module
+from ..compiler.source_map import SourceMap
+from ..support.frozen import changed
+from ..support.garbage import seldom_collected
+from ..targets.availability import way_out, with_as_many
+from ..targets.description.profile import Profile
+from ..targets.description.shading_language import Language
+from ..targets.emit.directives import Directed, directed
+from ..targets.emit.emitter import EmitOptions, EmittedFile, emit
+from ..targets.legalise.forms import form_for
+from ..targets.legalise.guards import keeps
+from ..targets.legalise.lacks import Lack, lacks
+from ..targets.legalise.legal import Legal
+from ..targets.legalise.legalise import legalise
+from ..targets.legalise.limits import excesses
+from ..targets.selection import full_name, select_targets
+from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
+from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, SpansOfText
+
+if TYPE_CHECKING:
+    from ..compiler.ir.frame import Frame, FrameShader
+
+
+class Asked(NamedTuple):
+    """Everything that ``compile`` is given."""
+
+    targets: tuple[str, ...]
+    source: str | Path
+    """A text, or a path."""
+    search_path: tuple[Path, ...]
+    material: str | None
+    rig: str | None
+    pass_: str | None
+    options: Options
+    emit: EmitOptions
+    partial: bool
+    native_stages: bool
+    keep_graphs: bool
+
+
+@seldom_collected
+def result_of(asked: Asked) -> CompileResult:
+    """Compile a file, or a text. Raises ``CompileError``."""
+    report, inputs = Report(), Inputs()
+    found = _computed(asked, inputs, report)
+    again = partial(_made_again, asked, inputs, _digest(found.graphs))
+    kept = KeptGraphs(again, found.graphs, stay=asked.keep_graphs)
+    materials = [
+        _material(each, reasons, found.chosen, asked.emit, PlaceOfGraphs(kept, number))
+        for number, (each, reasons) in enumerate(
+            zip(found.graphs.shaders, found.lacking, strict=True)
+        )
+    ]
+    frames = _frames(found.graphs.frames, materials, kept)
+    return CompileResult(tuple(materials), report.diagnostics, inputs, tuple(frames))
+
+
+class _Computed(NamedTuple):
+    """Everything that a compile computes before it makes the records of a result."""
+
+    graphs: ResultGraphs
+    lacking: tuple[Mapping[str, Sequence[Diagnostic]], ...]
+    """What each shader needs and profiles lack."""
+    chosen: Sequence[tuple[Language, Profile]]
+
+
+def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
+    """Run all phases, from reading to printing. Raises ``CompileError``."""
+    chosen = select_targets(asked.targets, report, single_file=asked.emit.single_file)
+    frontend = Frontend(report, asked.search_path, inputs)
+    module = opened(asked.source, frontend)
+    frames: list[Frame] | None = None
+    if module is None:
+        shaders = []
+    elif frontend.has_frames(module, asked.material):
+        frames = frontend.frames(module, asked.material, asked.rig)
+        shaders = [each.shader for frame in frames for each in frame.shaders]
+    else:
+        shaders = frontend.shaders(module, asked.material, asked.rig, asked.pass_)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    if asked.emit.line_directives:
+        _warn_of_targets_without_lines(chosen, report)
+    made, lacking = [], []
+    for elaborated in shaders:
+        shader = keep_stages(elaborated) if asked.native_stages else lower_stages(elaborated)
+        staged = stage(shader, asked.options)
+        lacking.append(_lacking(shader, staged, chosen))
+        if not asked.partial:
+            report.extend(chain.from_iterable(lacking[-1].values()))
+        printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
+        made.append(_printed(shader, staged, printed, asked.emit, to_textures=frames is not None))
+    if frames:
+        programs = {each.shader.name: each.staged.program for each in made}
+        check_filtering(frames, lambda shader: programs[shader.name], report)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    return _Computed(ResultGraphs(tuple(made), tuple(frames or ())), tuple(lacking), chosen)
+
+
+@seldom_collected
+def _made_again(asked: Asked, inputs: Inputs, texts: str) -> ResultGraphs:
+    """The graphs of a result whose inputs were noted, and whose texts have this digest.
+
+    Raises ``RuntimeError`` if this Burnish makes other texts of them.
+    """
+    try:
+        found = _computed(asked, Recorded(inputs), Report())
+    except CompileError:
+        found = None
+    if found is None or _digest(found.graphs) != texts:
+        raise RuntimeError(
+            "the graphs of this result cannot be made again, because another Burnish has compiled "
+            "it, or with another library: compile its source again"
+        )
+    return found.graphs
+
+
+def _digest(graphs: ResultGraphs) -> str:
+    """A digest of all texts."""
+    texts = (file.text for each in graphs.shaders for _legal, file in each.files())
+    return digest("\0".join(texts).encode())
+
+
+def opened(source: str | Path, frontend: Frontend) -> Module | None:
+    """The module of a text or of a file; ``None`` if it cannot be read, which is reported."""
+    if isinstance(source, str):
+        return frontend.open_text(source, "<text>")
+    return frontend.open_file(source)
+
+
+def program_of(shader: FrameShader) -> Program:
+    """The program of a frame's shader, before it is made legal for any profile."""
+    return stage(lower_stages(shader.shader), Options()).program
+
+
+def check_filtering(
+    frames: Iterable[Frame], program_of: Callable[[FrameShader], Program], report: Report
+) -> None:
+    """Report results that are filtered and have a format that many devices cannot filter."""
+    from ..compiler.reflection.filtering import filtered_in
+
+    for found in chain.from_iterable(filtered_in(frame, program_of) for frame in frames):
+        report.add(
+            rules.NOT_FILTERED, found.span, name=found.name, step=found.step, format=found.format
+        )
+
+
+def _frames(
+    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial], kept: KeptGraphs
+) -> Iterator[CompiledFrame]:
+    """The records of frames, with their shaders, which were compiled in the same order."""
+    shaders = iter(compiled)
+    for number, frame in enumerate(frames):
+        own = tuple(islice(shaders, len(frame.shaders)))
+        yield CompiledFrame(frame.name, own, kept, number)
+
+
+def _printed(
+    shader: Shader,
+    staged: Staged,
+    chosen: Iterable[tuple[Language, Profile]],
+    options: EmitOptions,
+    *,
+    to_textures: bool = False,
+) -> ShaderGraphs:
+    """The texts of a shader for some profiles, with what they were printed from.
+
+    ``to_textures`` is True if the shader draws textures that others read, so that the first row of
+    the picture lies first in memory.
+    """
+    # The images of a kernel have their first row at the top, also if a pass draws them.
+    turned = options.flip_y and shader.chain != COMPUTED
+    emissions = []
+    flipped = set()
+    for target, profile in chosen:
+        flip_y = profile.framebuffer.rows_up if to_textures else turned
+        form = form_for(staged, profile)
+        legal = legalise(form.program, target, profile, form.undecided)
+        emissions.append((legal, emit(legal, changed(options, flip_y=flip_y))))
+        if flip_y:
+            flipped.add(full_name(target, profile))
+    return ShaderGraphs(shader, staged, tuple(emissions), frozenset(flipped))
+
+
+def _material(
+    graphs: ShaderGraphs,
+    lacking: Mapping[str, Sequence[Diagnostic]],
+    chosen: Iterable[tuple[Language, Profile]],
+    options: EmitOptions,
+    place: PlaceOfGraphs,
+) -> CompiledMaterial:
+    """The record of a shader, from whose graphs it has the texts."""
+    files = tuple(_output(graphs, legal, file, options, place) for legal, file in graphs.files())
+    profiles = [profile for _target, profile in chosen]
+    found = (g for g in graphs.staged.guards if any(keeps(profile, g) for profile in profiles))
+    reasons = {name: "; ".join(each.message for each in told) for name, told in lacking.items()}
+    return CompiledMaterial(graphs.shader.name, files, reasons, tuple(found), place)
+
+
+def _lacking(
+    shader: Shader, staged: Staged, chosen: list[tuple[Language, Profile]]
+) -> dict[str, tuple[Diagnostic, ...]]:
+    """For each profile, the features that it lacks and a shader needs."""
+    found = {}
+    made_of = shader.expansion or shader.tessellation
+    expanded = None if made_of is None else made_of.span
+    places = {extern.place.name: extern.span for extern in shader.externs}
+    for target, profile in chosen:
+        name, report = full_name(target, profile), Report()
+        program = form_for(staged, profile).program
+        for excess in excesses(program, profile):
+            report.add(
+                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
+                count=excess.count,
+                what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
+                hint=excess.instead or with_as_many(excess.limit_name, excess.count),
+            )  # fmt: skip
+        for lack in lacks(program, profile):
+            report.add(
+                rules.UNSUPPORTED,
+                expanded if lack.of_expansion else _place_of(shader, lack),
+                target=name, feature=lack.feature,
+                hint=lack.instead or way_out(lack.feature, profile, lack.needed_for),
+            )  # fmt: skip
+        if report.diagnostics:
+            found[name] = report.diagnostics
+    return found
+
+
+def _place_of(shader: Shader, lack: Lack) -> Span | None:
+    """The place in the source that needs a feature which a profile lacks."""
+    targets = shader.results_of(TARGET)
+    if lack.target is not None and targets:
+        return targets[lack.target].span
+    return shader.notes.spans.get(lack.node)
+
+
+def _warn_of_targets_without_lines(chosen: list[tuple[Language, Profile]], report: Report) -> None:
+    for name in dict.fromkeys(target.name for target, _ in chosen if not target.line_directive):
+        report.add(rules.NO_LINE_DIRECTIVES, None, target=name)
+
+
+def _output(
+    graphs: ShaderGraphs,
+    legal: Legal,
+    file: EmittedFile,
+    options: EmitOptions,
+    place: PlaceOfGraphs,
+) -> OutputFile:
+    """The record of a text. Its source map is found when asked for, unless the text shows it."""
+    target, profile = legal.language, legal.profile
+    default = profile is target.profiles[0]
+    name = graphs.shader.name
+    parts = (name, file.suffix) if default else (name, profile.name, file.suffix)
+    if options.line_directives and target.line_directive:
+        spans = graphs.spans(full_name(target, profile), file.stage)
+        shown = directed(file.text, spans, target.line_directive, ".".join(parts))
+    else:
+        find = SpansOfText(place, full_name(target, profile), file.stage)
+        shown = Directed(file.text, SourceMap(find), ())
+    return OutputFile(
+        name=".".join(parts),
+        target=target.name,
+        profile=profile.name,
+        stage=file.stage,
+        entry_points=file.entries,
+        text=shown.text,
+        checkers=profile.checkers,
+        spans=shown.spans,
+        sources=shown.sources,
+    )
