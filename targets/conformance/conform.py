@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from threading import Event
 
@@ -30,12 +30,9 @@ from .cases import SIZE, Size
 from .compare import Comparison, proves_little
 from .contents import content_of
 from .frames import FrameTrial
+from .gathering import Done, Stop, Told, gathered
 from .rows import CaseResult, Row, Status
 from .trials import ShaderTrial, Trial
-
-Done = Callable[[int, int], None]
-"""Called with the number of finished rows and the number of all rows."""
-
 
 Tried = Trial | tuple[str, str]
 """The trial of a subject; or its label, and the reason why nothing can draw it."""
@@ -49,6 +46,8 @@ def conform(
     *,
     seed: int = 0,
     done: Done | None = None,
+    told: Told | None = None,
+    stop: Stop | None = None,
     size: Size = SIZE,
     keep: bool = True,
     draw: Draw = expected,
@@ -60,7 +59,7 @@ def conform(
     Arguments are those of ``trials_of`` and of ``rows_of``.
     """
     trials = trials_of(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
-    return rows_of(trials, routes, runner, toolchain, done=done, brief=brief)
+    return rows_of(trials, routes, runner, toolchain, done=done, told=told, stop=stop, brief=brief)
 
 
 def trials_of(
@@ -93,34 +92,31 @@ def rows_of(
     toolchain: Toolchain,
     *,
     done: Done | None = None,
+    told: Told | None = None,
+    stop: Stop | None = None,
     brief: bool = False,
 ) -> list[Row]:
-    """A row for each trial and each route, in this order.
+    """A row for each trial and each route, in this order; fewer if ``stop`` is asked for.
 
-    Trials keep the reference's pictures for further routes. Rows that are ``brief`` end with the
-    first picture that differs.
+    Trials keep the reference's pictures for further routes. ``told`` gets each row as soon as all
+    rows before it are known. Rows that are ``brief`` end with the first picture that differs.
     """
-    rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
     pool = ThreadPoolExecutor(2 * (os.cpu_count() or 1))
     try:
-        pending = {
-            pool.submit(_row, trial, route, runner, toolchain, interrupted, brief=brief): (i, j)
-            for j, route in enumerate(routes)
-            for i, trial in enumerate(trials)
-        }
-        for number, future in enumerate(as_completed(pending), 1):
-            rows[pending[future]] = future.result()
-            if done is not None:
-                done(number, len(pending))
+        works = [
+            pool.submit(_rows, trial, route, runner, toolchain, interrupted, brief=brief)
+            for trial in trials
+            for route in routes
+        ]
+        return gathered(works, len(works), stop=stop or Stop(), done=done, told=told)
     finally:
         # After Ctrl-C, the threads end with the processes for which they wait: whoever has opened
         # the runner and the toolchain, closes them.
         interrupted.set()
         pool.shutdown(wait=False, cancel_futures=True)
-    return [rows[place] for place in sorted(rows)]
 
 
 def _trial(
@@ -141,6 +137,18 @@ def _trial(
         return ShaderTrial(label, subject, content, seed, size, meant)
     except ValueError as error:
         return label, str(error)
+
+
+def _rows(
+    trial: Tried,
+    route: Route,
+    runner: Runner,
+    toolchain: Toolchain,
+    interrupted: Event,
+    *,
+    brief: bool,
+) -> Sequence[Row]:
+    return (_row(trial, route, runner, toolchain, interrupted, brief=brief),)
 
 
 def _row(

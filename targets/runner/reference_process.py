@@ -20,6 +20,7 @@ from ..toolchain.limits import WORKERS
 from ..toolchain.pipe import Packet, serve
 from ..toolchain.surroundings import python_worker
 from ..toolchain.workers import Pool, Worker
+from .drivers.device import DriverError
 from .reference import dumped, expected, loaded
 from .scene_state import SceneState
 
@@ -33,15 +34,20 @@ class References(Closing):
     def __init__(self, size: int) -> None:
         """``size`` is the number of processes; without any, the caller draws everything."""
         self._size = size
+        self._closed = False
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(__name__), WORKERS))
 
     def close(self) -> None:
+        self._closed = True
         self._pool.close()
 
     def expected(
         self, shader: Shader, state: SceneState, rules: RasterRules, errors: Errors | None = None
     ) -> Expected:
-        """Draw like ``reference.expected``: the same result, and the same errors."""
+        """Draw like ``reference.expected``: the same result, and the same errors.
+
+        Raises ``DriverError`` if the processes were closed meanwhile.
+        """
         question = self._size and _question(shader, state, rules, errors)
         if question:
             with self._pool.borrow() as worker:
@@ -52,6 +58,8 @@ class References(Closing):
                 raise BudgetError(answer.reply["refused"])
             if "lacks_memory" in answer.reply:
                 raise MemoryError
+        if self._closed:
+            raise DriverError("the run has ended")
         return expected(shader, state, rules, errors)
 
 

@@ -23,6 +23,7 @@ LEFT_OUT: Mapping[str, str] = {
     "builtins/test_properties.py": _LARGE,
     "cli/test_commands.py": _COMMANDS,
     "cli/test_conform.py": _DRAW,
+    "cli/test_conform_ended.py": _DRAW,
     "cli/test_conform_explain.py": _DRAW,
     "cli/test_endings.py": _COMMANDS,
     "cli/test_gallery.py": _DRAW,
