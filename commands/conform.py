@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .compared import ConformRequest, Subjects, subjects_of
+from .compared import ConformRequest, Subjects
 from .console import Styled, remark, say
 from .failures import told
 from .options import (
@@ -29,13 +27,8 @@ from .terminal import FAILED
 from .verdicts import Table, passed, tell, write_report
 
 if TYPE_CHECKING:
-    from ..targets.conformance.gathering import Told
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
-    from ..targets.runner.runner import Runner
-
-SEVERAL = 4
-"""The number of materials from which on the reference draws in processes of its own."""
 
 
 @click.command()
@@ -106,8 +99,10 @@ def conform(**chosen: Any) -> None:
         _check_report(request.report)
         routes = _routes(request)
         if request.explain is not None:
-            run = _Run(request, routes)
-            run.draw(Stopping(), told=None)
+            from .conform_run import Run
+
+            run = Run(request, routes, Stopping())
+            run.draw()
             _explain(run.subjects, run.rows, request)
         else:
             _judge(request, routes)
@@ -149,21 +144,23 @@ def _judge(request: ConformRequest, routes: Sequence[Route]) -> None:
 
     Raises ``KeyboardInterrupt`` after a signal.
     """
-    run, table, strict = _Run(request, routes), Table(routes), request.strict
+    from ..targets.conformance.summary import Unfinished
+    from .conform_run import Run
+
+    table, strict = Table(routes), request.strict
     is_complete = False
     with Stopping() as stopping:
+        run = Run(request, routes, stopping, table.add)
         try:
-            run.draw(stopping, table.add)
+            run.draw()
             is_complete = not stopping.asked
-            if is_complete:
+            if is_complete and run.subjects:
                 run.rows = _with_reasons(run.subjects, run.rows, request.seed)
         except BaseException:
             # Some libraries raise another exception in the place of ``KeyboardInterrupt``.
             if not stopping.asked:
                 raise
             is_complete = False
-        from ..targets.conformance.summary import Unfinished
-
         unfinished = None if is_complete else Unfinished(len(run.rows), run.total)
         # A signal that comes now has no effect before all is written.
         with stopping.by(lambda: None):
@@ -177,77 +174,6 @@ def _judge(request: ConformRequest, routes: Sequence[Route]) -> None:
         raise KeyboardInterrupt
     if not passed(run.rows, asked=request.routes != "all", strict=strict):
         click.get_current_context().exit(FAILED)
-
-
-class _Run:
-    """The comparison of all subjects with the reference, as far as it has come."""
-
-    def __init__(self, request: ConformRequest, routes: Sequence[Route]) -> None:
-        self._request, self._routes = request, routes
-        self.subjects: Subjects = []
-        self.total: int | None = None
-        """The number of rows, once it is known."""
-        self.rows: list[Row] = []
-
-    def draw(self, stopping: Stopping, told: Told | None) -> None:
-        """Compile and draw everything, or as much as there is time for until a signal comes.
-
-        The rows of a material follow each other; ``told`` gets each as soon as it is known.
-        """
-        from ..targets.conformance.conform import conform as run
-        from ..targets.conformance.gathering import Stop
-        from ..targets.runner.reference_process import References
-        from ..targets.runner.runner import Runner
-        from ..targets.toolchain import Toolchain
-        from .progress import Progress
-
-        request, routes = self._request, self._routes
-        with (
-            Runner(routes, device=request.device) as runner,
-            Toolchain() as toolchain,
-            Progress("comparing") as progress,
-        ):
-            if request.device:
-                _check_named_device(runner, routes)
-            self.subjects = subjects_of(request, routes, native_stages=False)
-            _check_pixel(request, self.subjects)
-            drawn = self.subjects
-            if request.native_stages:
-                drawn = subjects_of(request, routes, native_stages=True)
-            self.total = len(drawn) * len(routes)
-            # Processes take a while to start, which pays off for several materials.
-            size = os.cpu_count() or 1 if len(drawn) >= SEVERAL else 0
-            stop = Stop()
-            with References(size) as references, stopping.by(stop.ask):
-                self.rows = run(
-                    drawn, routes, runner, toolchain, seed=request.seed, draw=references.expected,
-                    meant=dict(self.subjects), stop=stop,
-                    done=lambda done, total: progress.tell(done / total),
-                    told=told and (lambda row: progress.aside(partial(told, row))),
-                )  # fmt: skip
-
-
-def _check_pixel(request: ConformRequest, subjects: Subjects) -> None:
-    """Raise ``BadParameter`` for a pixel that no picture has, before long drawing.
-
-    Pictures of frames may be larger: their size is known when they are drawn.
-    """
-    from ..targets.conformance.explaining import check_pixel
-    from ..targets.conformance.seen import PixelError
-    from ..targets.runner.frames.subjects import is_shader
-
-    if request.explain is not None and all(is_shader(subject) for _, subject in subjects):
-        try:
-            check_pixel(request.explain)
-        except PixelError as error:
-            raise click.BadParameter(str(error), param_hint="--explain") from error
-
-
-def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
-    """Raise ``DriverError`` if there is no such device, instead of once for each material."""
-    for route in routes:
-        if runner.problem(route) is None:
-            runner.device(route)
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: ConformRequest) -> None:

@@ -17,7 +17,7 @@ from ..ir.node import Node, binders, bodies_of, formals_of, reachable
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import TextureType, numbers
 
-_CALL = 1 << 12
+CALL = 1 << 12
 """The cost of calling an operation of NumPy beside its work, in numbers that it computes with."""
 _STEP = 2
 """The cost of an operation beside the numbers that it reads and makes."""
@@ -43,7 +43,7 @@ def check_operations(roots: Sequence[Node], lanes: int, name: str) -> None:
 
     Raises ``BudgetError`` before anybody is told how far the work is.
     """
-    check("operations", operations(roots) * (_CALL + lanes) // 2, f"`{name}` takes")
+    check("operations", operations(roots) * (CALL + lanes) // 2, f"`{name}` takes")
 
 
 def operations(roots: Sequence[Node]) -> int:

@@ -20,7 +20,7 @@ from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
 from ..runner.instances.host_values import MissingValuesError
 from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError
-from ..runner.reference import STORE, Draw, expected
+from ..runner.reference import STORE
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.store import Store
@@ -50,7 +50,6 @@ def conform(
     stop: Stop | None = None,
     size: Size = SIZE,
     keep: bool = True,
-    draw: Draw = expected,
     brief: bool = False,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
@@ -58,7 +57,7 @@ def conform(
 
     Arguments are those of ``trials_of`` and of ``rows_of``.
     """
-    trials = trials_of(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
+    trials = trials_of(subjects, seed=seed, size=size, keep=keep, meant=meant)
     return rows_of(trials, routes, runner, toolchain, done=done, told=told, stop=stop, brief=brief)
 
 
@@ -68,20 +67,17 @@ def trials_of(
     seed: int = 0,
     size: Size = SIZE,
     keep: bool = True,
-    draw: Draw = expected,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Tried]:
     """The trial of each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
-    programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
-    use of several processors.
+    programs are drawn only once.
     """
-    store = Store(STORE) if keep else Store(STORE, limit=0)
+    store = Store(STORE) if keep else None
     return [
-        _trial(label, subject, seed, store, size, draw, meant.get(label))
-        for label, subject in subjects
+        _trial(label, subject, seed, store, size, meant.get(label)) for label, subject in subjects
     ]
 
 
@@ -95,16 +91,18 @@ def rows_of(
     told: Told | None = None,
     stop: Stop | None = None,
     brief: bool = False,
+    threads: int | None = None,
 ) -> list[Row]:
     """A row for each trial and each route, in this order; fewer if ``stop`` is asked for.
 
     Trials keep the reference's pictures for further routes. ``told`` gets each row as soon as all
     rows before it are known. Rows that are ``brief`` end with the first picture that differs.
+    ``threads`` work at once, by default more than there are processors.
     """
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
-    pool = ThreadPoolExecutor(2 * (os.cpu_count() or 1))
+    pool = ThreadPoolExecutor(threads or 2 * (os.cpu_count() or 1))
     try:
         works = [
             pool.submit(_rows, trial, route, runner, toolchain, interrupted, brief=brief)
@@ -123,16 +121,15 @@ def _trial(
     label: str,
     subject: Subject | FrameSubject,
     seed: int,
-    store: Store,
+    store: Store | None,
     size: Size,
-    draw: Draw,
     meant: Subject | FrameSubject | None,
 ) -> Tried:
     if is_frame(subject):
-        return FrameTrial(label, subject, size)
+        return FrameTrial(label, subject, size, store)
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
-    content = content_of(subject.reflection, store, draw)
+    content = content_of(subject.reflection, store or Store(STORE, limit=0))
     try:
         return ShaderTrial(label, subject, content, seed, size, meant)
     except ValueError as error:

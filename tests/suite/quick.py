@@ -31,6 +31,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_graph.py": _LARGE,
     "cli/test_hostile_outputs.py": _COMMANDS,
     "cli/test_hostile_sources.py": _COMMANDS,
+    "cli/test_judges.py": _DRAW,
     "cli/test_kills.py": _COMMANDS,
     "cli/test_names.py": _COMPILERS,
     "cli/test_odd_environments.py": _COMMANDS,
