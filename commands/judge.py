@@ -55,12 +55,13 @@ class Judge:
     ) -> None:
         self._request, self._routes = request, routes
         self._runner, self._toolchain = runner, toolchain
+        self._compiled: dict[Path, Forms] = {}
 
     def contents(self, file: Path) -> Contents:
-        """Compile a file."""
+        """Compile a file; its subjects are kept, as this judge may have to judge them later."""
         from ..targets.conformance.costs import cost_of
 
-        found = self.subjects(file)
+        found = self._compiled[file] = self.subjects(file)
         units = (Unit(file, label, cost_of(subject)) for label, subject in found.meant)
         return Contents(tuple(units), found.said)
 
@@ -76,14 +77,15 @@ class Judge:
     def rows(self, unit: Unit) -> Sequence[Row]:
         """A row for each route, with reasons in the source where it differs or proves little.
 
-        Raises ``CompileError`` if the file has changed, and is wrong now.
+        If another judge has compiled the file, it is compiled again. Raises ``CompileError`` if it
+        has changed meanwhile, and is wrong now.
         """
         from ..compiler.diagnostics.diagnostic import CompileError
         from ..targets.conformance.conform import rows_of, trials_of
         from ..targets.conformance.explaining import with_reasons
         from ..targets.conformance.rows import Row
 
-        drawn, meant, said = self.subjects(unit.file)
+        drawn, meant, said = self._compiled.get(unit.file) or self.subjects(unit.file)
         if said.errors:
             raise CompileError(said.errors)
         mine = [pair for pair in drawn if pair[0] == unit.label]

@@ -10,35 +10,45 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from ...compiler.documents.plan import DrawStep, PlanStep
+from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.shader import Shader
 from ...compiler.reference.cost import CALL, operations
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameHost
 from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
+from ..runner.kernels import has_images, is_over_buffers
 from ..runner.subject import Subject
-from .cases import SIZE, Size
+from .cases import DRAWN_CASES, ELEMENT_CASES, IMAGE_CASES, SIZE, Size
 from .frames import frames_of, judged_host
 
-_CASES = 5
-"""The number of pictures of a material."""
-_BESIDE = 100 * CALL
-"""The cost of what every picture or step takes beside evaluation."""
+_SUBJECT = 8000 * CALL
+"""The cost of what every subject takes beside evaluation: compilers, drivers and comparisons."""
+_USUAL_TURNS = 16
+"""The number of turns that loops usually have whose number is not known before they run."""
 
 
 def cost_of(subject: Subject | FrameSubject) -> float:
     """The estimated cost of a subject."""
     if is_shader(subject):
-        return _CASES * _cost(subject.shader, SIZE)
+        return _SUBJECT + _cases_of(subject.reflection) * _cost(subject.shader, SIZE)
     assert is_frame(subject)
     host = judged_host(subject, SIZE)
     steps = [step for step in host.plan.steps if step.uses]
-    return frames_of(host.plan) * sum(cost for step in steps for cost in _costs_of(step, host))
+    costs = (cost for step in steps for cost in _costs_of(step, host))
+    return _SUBJECT + frames_of(host.plan) * sum(costs)
+
+
+def _cases_of(reflection: Reflection) -> int:
+    """The number of pictures of a single shader."""
+    if has_images(reflection):
+        return len(IMAGE_CASES)
+    return len(ELEMENT_CASES) if is_over_buffers(reflection) else DRAWN_CASES
 
 
 def _cost(shader: Shader, size: Size) -> float:
     """The cost of one picture."""
     roots = [result.value for result in shader.results]
-    return _BESIDE + operations(roots) * (CALL + size[0] * size[1])
+    return operations(roots, _USUAL_TURNS) * (CALL + size[0] * size[1])
 
 
 def _costs_of(step: PlanStep, host: FrameHost) -> Iterator[float]:

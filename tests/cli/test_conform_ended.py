@@ -140,7 +140,10 @@ def test_on_a_terminal(how: str, place: Path) -> None:
 
 
 def test_many_signals(place: Path) -> None:
-    """A terminal sends one, and a parent process another: the report is whole."""
+    """A terminal sends one, and a parent process another: the report is whole.
+
+    Python may handle another one first than has come first.
+    """
     with started(command("abcd"), cwd=place, env=environment(place)) as program:
         for _ in range(10):
             program.line()
@@ -148,7 +151,7 @@ def test_many_signals(place: Path) -> None:
             program.signal(number, everybody=True)
         ended = program.ended()
         until(lambda: not program.family(), "the end of all that was started", limit=20)
-    assert (ended.returncode, ended.stderr) == (143, "")
+    assert (ended.returncode in (130, 143), ended.stderr) == (True, "")
     check_report(place, 6, 8)
 
 

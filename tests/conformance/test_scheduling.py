@@ -59,6 +59,11 @@ def test_all_examples(off: float, processes: int, costs: list[float]) -> None:
         assert share(real, order, processes) <= 1.12 * ideal
 
 
+def test_the_longest_example(costs: list[float]) -> None:
+    """No more processes than this help, as a subject is judged by one process."""
+    assert max(costs) <= 0.12 * sum(costs)
+
+
 def test_the_order_of_files() -> None:
     """Only what is long comes earlier than in the order of the files, the longest first."""
     costs = [1.0, 2.0, 1.0, 300.0, 1.0, 500.0, *[1.0] * 60]
