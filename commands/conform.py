@@ -95,17 +95,17 @@ def conform(**chosen: Any) -> None:
     """
     request = ConformRequest(**chosen)
     _check_options(request)
-    with told():
+    with Stopping() as stopping, told():
         _check_report(request.report)
         routes = _routes(request)
         if request.explain is not None:
             from .conform_run import Run
 
-            run = Run(request, routes, Stopping())
+            run = Run(request, routes, stopping)
             run.draw()
             _explain(run.subjects, run.rows, request)
         else:
-            _judge(request, routes)
+            _judge(request, routes, stopping)
 
 
 def _check_options(request: ConformRequest) -> None:
@@ -139,7 +139,7 @@ def _routes(request: ConformRequest) -> Sequence[Route]:
     return routes
 
 
-def _judge(request: ConformRequest, routes: Sequence[Route]) -> None:
+def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:
     """Draw everything, and print and write the verdicts: of what is known, if a signal comes.
 
     Raises ``KeyboardInterrupt`` after a signal.
@@ -148,28 +148,23 @@ def _judge(request: ConformRequest, routes: Sequence[Route]) -> None:
     from .conform_run import Run
 
     table, strict = Table(routes), request.strict
-    is_complete = False
-    with Stopping() as stopping:
-        run = Run(request, routes, stopping, table.add)
+    run = Run(request, routes, stopping, table.add)
+    try:
+        run.draw()
+        if run.subjects and not stopping.asked:
+            run.rows = _with_reasons(run.subjects, run.rows, request.seed)
+    except BaseException:
+        # Some libraries raise another exception in the place of ``KeyboardInterrupt``.
+        if not stopping.asked:
+            raise
+    unfinished = Unfinished(len(run.rows), run.total) if stopping.asked else None
+    with stopping.later():
         try:
-            run.draw()
-            is_complete = not stopping.asked
-            if is_complete and run.subjects:
-                run.rows = _with_reasons(run.subjects, run.rows, request.seed)
-        except BaseException:
-            # Some libraries raise another exception in the place of ``KeyboardInterrupt``.
-            if not stopping.asked:
-                raise
-            is_complete = False
-        unfinished = None if is_complete else Unfinished(len(run.rows), run.total)
-        # A signal that comes now has no effect before all is written.
-        with stopping.by(lambda: None):
-            try:
-                table.end(run.rows)
-                tell(run.rows, unfinished, strict=strict)
-            finally:
-                if request.report is not None:
-                    write_report(request.report, run.rows, unfinished, strict=strict)
+            table.end(run.rows)
+            tell(run.rows, unfinished, strict=strict)
+        finally:
+            if request.report is not None:
+                write_report(request.report, run.rows, unfinished, strict=strict)
     if stopping.asked:
         raise KeyboardInterrupt
     if not passed(run.rows, asked=request.routes != "all", strict=strict):

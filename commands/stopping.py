@@ -21,7 +21,8 @@ NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 class Stopping:
     """A context manager that heeds the first signal that asks the command to end.
 
-    Such a signal raises ``KeyboardInterrupt``, or calls a function where ``by`` names one. Further
+    Such a signal raises ``KeyboardInterrupt``, or calls a function where ``by`` names one, or does
+    nothing yet within ``later``. Further
     signals do nothing: a terminal and a parent process often both send one, and the command is
     about to end anyway. Signals that the process ignores stay ignored.
     """
@@ -54,7 +55,23 @@ class Stopping:
     @contextmanager
     def by(self, act: Callable[[], None]) -> Iterator[None]:
         """Within the ``with`` block, the first signal calls ``act``, in the main thread, between
-        any two of its instructions."""
+        any two of its instructions.
+
+        Raises ``KeyboardInterrupt`` if a signal has come before: some libraries swallow that.
+        """
+        with self._acting(act):
+            if self.asked:
+                raise KeyboardInterrupt
+            yield
+
+    @contextmanager
+    def later(self) -> Iterator[None]:
+        """Within the ``with`` block, a signal is only remembered."""
+        with self._acting(lambda: None):
+            yield
+
+    @contextmanager
+    def _acting(self, act: Callable[[], None]) -> Iterator[None]:
         self._act = act
         try:
             yield
