@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -37,6 +37,15 @@ Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]
 """Materials, kernels and frames, each with the label that the table shows."""
 
 
+class Said(NamedTuple):
+    """Whatever the compiler has to say about one file."""
+
+    warnings: tuple[Diagnostic, ...] = ()
+    errors: tuple[Diagnostic, ...] = ()
+    remarks: tuple[str, ...] = ()
+    """Warnings that belong to no place in the file."""
+
+
 def subjects_of(
     request: ConformRequest,
     routes: Sequence[Route],
@@ -51,28 +60,59 @@ def subjects_of(
     profiles for which texts are needed besides those of the routes. ``read`` is called with the
     inputs of each compile. Raises ``CompileError`` with the errors of all files.
     """
+    profiles = profiles_of(routes) | set(further)
+    found = [
+        subjects_in(path, request, profiles, native_stages=native_stages, read=read)
+        for path in request.files
+    ]
+    tell([said for _subjects, said in found])
+    return [each for subjects, _said in found for each in subjects]
+
+
+def profiles_of(routes: Sequence[Route]) -> set[str]:
+    """The profiles whose texts some routes draw."""
+    return {route.profile for route in routes}
+
+
+def subjects_in(
+    path: Path,
+    request: ConformRequest,
+    profiles: Iterable[str],
+    *,
+    native_stages: bool,
+    read: Callable[[Inputs], None] = lambda _inputs: None,
+) -> tuple[Subjects, Said]:
+    """The subjects of one file of a request; there are none if there are errors in it."""
     from ..compiler.diagnostics.diagnostic import CompileError
 
-    profiles = sorted({route.profile for route in routes} | set(further))
     found: Subjects = []
     warnings: list[Diagnostic] = []
-    errors: list[Diagnostic] = []
-    for path in request.files:
-        try:
-            for variant in _variants(path, request):
-                for result in _compiled(path, variant, request, profiles, native_stages):
-                    warnings += result.diagnostics
-                    read(result.inputs)
-                    for subject in result.frames or result.materials:
-                        label = _label(path, request.files, subject.name, variant)
-                        found.append((label, subject))
-        except CompileError as error:
-            errors += error.diagnostics
-    if errors:
+    remarks: list[str] = []
+    wanted = sorted(profiles)
+    try:
+        for variant in _variants(path, request):
+            for result in _compiled(path, variant, request, wanted, native_stages, remarks):
+                warnings += result.diagnostics
+                read(result.inputs)
+                for subject in result.frames or result.materials:
+                    label = _label(path, request.files, subject.name, variant)
+                    found.append((label, subject))
+    except CompileError as error:
+        return [], Said(errors=tuple(error.diagnostics), remarks=tuple(remarks))
+    # The same is said of both forms.
+    return found, Said() if native_stages else Said(tuple(warnings), (), tuple(remarks))
+
+
+def tell(about: Sequence[Said]) -> None:
+    """Print the warnings about all files; or raise ``CompileError`` with the errors in them."""
+    from ..compiler.diagnostics.diagnostic import CompileError
+
+    for said in about:
+        for text in said.remarks:
+            remark("warning", text)
+    if errors := [error for said in about for error in said.errors]:
         raise CompileError(errors)
-    if not native_stages:  # The same is said of both forms.
-        show(warnings)
-    return found
+    show(warning for said in about for warning in said.warnings)
 
 
 def _compiled(
@@ -81,11 +121,12 @@ def _compiled(
     request: ConformRequest,
     profiles: Sequence[str],
     native_stages: bool,
+    remarks: list[str],
 ) -> list[CompileResult]:
     """The materials of a file with a rig and a pass.
 
-    Materials that lack a slot for the pass are left out, with a remark. Raises ``CompileError``,
-    also if no material has the slot.
+    Materials that lack a slot for the pass are left out, and ``remarks`` say so. Raises
+    ``CompileError``, also if no material has the slot.
     """
     from ..api import entry_points as api
     from ..compiler.diagnostics import rules
@@ -114,7 +155,7 @@ def _compiled(
             raise
         for name, message in lacking.items():
             label = _label(path, request.files, name, variant)
-            remark("warning", f"{label}: not drawn, as it does not fit this pass: {message}")
+            remarks.append(f"{label}: not drawn, as it does not fit this pass: {message}")
         return fitting
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from .compared import ConformRequest, Subjects, subjects_of
+from .compared import ConformRequest, Subjects
 from .console import Styled, remark, say
 from .failures import told
 from .options import (
@@ -23,20 +22,13 @@ from .options import (
     rig_option,
     search_option,
 )
+from .stopping import Stopping
 from .terminal import FAILED
+from .verdicts import Table, passed, tell, write_report
 
 if TYPE_CHECKING:
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
-    from ..targets.runner.runner import Runner
-
-SEVERAL = 4
-"""The number of materials from which on the reference draws in processes of its own."""
-
-COLORS = {
-    "agrees": "green", "differs": "red", "proves little": "yellow", "overflows": "red",
-    "failed": "red", "not run": "yellow",
-}  # fmt: skip
 
 
 @click.command()
@@ -103,19 +95,17 @@ def conform(**chosen: Any) -> None:
     """
     request = ConformRequest(**chosen)
     _check_options(request)
-    with told():
+    with Stopping() as stopping, told():
         _check_report(request.report)
         routes = _routes(request)
-        subjects, rows = _run(request, routes)
         if request.explain is not None:
-            _explain(subjects, rows, request)
-            return
-        rows = _with_reasons(subjects, rows, request.seed)
-        _tell(rows, strict=request.strict)
-        if request.report is not None:
-            _write(request.report, rows, strict=request.strict)
-        if not _passed(rows, asked=request.routes != "all", strict=request.strict):
-            click.get_current_context().exit(FAILED)
+            from .conform_run import Run
+
+            run = Run(request, routes, stopping)
+            run.draw()
+            _explain(run.subjects, run.rows, request)
+        else:
+            _judge(request, routes, stopping)
 
 
 def _check_options(request: ConformRequest) -> None:
@@ -149,57 +139,36 @@ def _routes(request: ConformRequest) -> Sequence[Route]:
     return routes
 
 
-def _run(request: ConformRequest, routes: Sequence[Route]) -> tuple[Subjects, list[Row]]:
-    """Compile and draw everything; the rows of a material follow each other."""
-    from ..targets.conformance.conform import conform as run
-    from ..targets.runner.reference_process import References
-    from ..targets.runner.runner import Runner
-    from ..targets.toolchain import Toolchain
-    from .progress import Progress
+def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:
+    """Draw everything, and print and write the verdicts: of what is known, if a signal comes.
 
-    with (
-        Runner(routes, device=request.device) as runner,
-        Toolchain() as toolchain,
-        Progress("comparing") as progress,
-    ):
-        if request.device:
-            _check_named_device(runner, routes)
-        subjects = subjects_of(request, routes, native_stages=False)
-        _check_pixel(request, subjects)
-        drawn = subjects
-        if request.native_stages:
-            drawn = subjects_of(request, routes, native_stages=True)
-        # Processes take a while to start, which pays off for several materials.
-        with References(os.cpu_count() or 1 if len(subjects) >= SEVERAL else 0) as references:
-            rows = run(
-                drawn, routes, runner, toolchain, seed=request.seed, draw=references.expected,
-                meant=dict(subjects),
-                done=lambda done, total: progress.tell(done / total),
-            )  # fmt: skip
-    return subjects, rows
-
-
-def _check_pixel(request: ConformRequest, subjects: Subjects) -> None:
-    """Raise ``BadParameter`` for a pixel that no picture has, before long drawing.
-
-    Pictures of frames may be larger: their size is known when they are drawn.
+    Raises ``KeyboardInterrupt`` after a signal.
     """
-    from ..targets.conformance.explaining import check_pixel
-    from ..targets.conformance.seen import PixelError
-    from ..targets.runner.frames.subjects import is_shader
+    from ..targets.conformance.summary import Unfinished
+    from .conform_run import Run
 
-    if request.explain is not None and all(is_shader(subject) for _, subject in subjects):
+    table, strict = Table(routes), request.strict
+    run = Run(request, routes, stopping, table.add)
+    try:
+        run.draw()
+        if run.subjects and not stopping.asked:
+            run.rows = _with_reasons(run.subjects, run.rows, request.seed)
+    except BaseException:
+        # Some libraries raise another exception in the place of ``KeyboardInterrupt``.
+        if not stopping.asked:
+            raise
+    unfinished = Unfinished(len(run.rows), run.total) if stopping.asked else None
+    with stopping.later():
         try:
-            check_pixel(request.explain)
-        except PixelError as error:
-            raise click.BadParameter(str(error), param_hint="--explain") from error
-
-
-def _check_named_device(runner: Runner, routes: Sequence[Route]) -> None:
-    """Raise ``DriverError`` if there is no such device, instead of once for each material."""
-    for route in routes:
-        if runner.problem(route) is None:
-            runner.device(route)
+            table.end(run.rows)
+            tell(run.rows, unfinished, strict=strict)
+        finally:
+            if request.report is not None:
+                write_report(request.report, run.rows, unfinished, strict=strict)
+    if stopping.asked:
+        raise KeyboardInterrupt
+    if not passed(run.rows, asked=request.routes != "all", strict=strict):
+        click.get_current_context().exit(FAILED)
 
 
 def _explain(subjects: Subjects, rows: Sequence[Row], request: ConformRequest) -> None:
@@ -237,70 +206,3 @@ def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Ro
     materials = dict(subjects)
     groups = by_material(rows).items()
     return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
-
-
-def _tell(rows: Sequence[Row], *, strict: bool) -> None:
-    from ..targets.conformance.summary import (
-        by_material,
-        counted,
-        devices,
-        is_failure,
-        lacking,
-        messages,
-        tools,
-    )  # fmt: skip
-
-    _print_table(rows)
-    for driver, device in devices(rows).items():
-        say(f"drawn by {driver}: {device}")
-    if versions := tools(rows):
-        say(f"with {', '.join(f'{name} {version}' for name, version in versions.items())}")
-    for problem, names in lacking(rows).items():
-        say(f"not run by {', '.join(names)}: {problem}")
-    for material, own in by_material(rows).items():
-        for said, lines in messages(own):
-            routes = ", ".join(row.route.name for row in said)
-            heading = f"{material}, {routes}: {said[0].status}"
-            failed = is_failure(said[0], strict=strict)
-            remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
-    say(counted(rows))
-
-
-def _print_table(rows: Sequence[Row]) -> None:
-    """Print a heading for each material, and below it a line for each route."""
-    from ..targets.conformance.summary import HEADINGS, by_material, cells
-
-    widths = [max(map(len, column)) for column in zip(HEADINGS, *map(cells, rows), strict=True)]
-
-    def print_line(texts: Sequence[str]) -> None:
-        route, status, *others = (t.ljust(w) for t, w in zip(texts, widths, strict=True))
-        say(f"  {route}  ", Styled(status, COLORS.get(texts[1])), "  ".join(["", *others]).rstrip())
-
-    print_line(HEADINGS)
-    for material, own in by_material(rows).items():
-        say(Styled(material, is_bold=True))
-        for row in own:
-            print_line(cells(row))
-    say()
-
-
-def _passed(rows: Sequence[Row], *, asked: bool, strict: bool) -> bool:
-    from ..targets.conformance.summary import is_failure
-
-    if any(is_failure(row, strict=strict) for row in rows):
-        return False
-    statuses = {row.status for row in rows}
-    return bool(statuses - {"not run"}) and not (asked and "not run" in statuses)
-
-
-def _write(folder: Path, rows: Sequence[Row], *, strict: bool) -> None:
-    import json
-
-    from ..targets.conformance.junit import as_junit
-    from ..targets.conformance.report import as_json, page
-    from .output import write_all
-
-    data = json.dumps(as_json(rows, strict=strict), indent=2, ensure_ascii=False) + "\n"
-    tests = as_junit(rows, strict=strict)
-    write_all(folder, {"report.json": data, "junit.xml": tests, "index.html": page(rows)})
-    say(f"report: {folder / 'index.html'}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from threading import Lock, Timer
 from types import TracebackType
 from typing import Any, Self
@@ -13,6 +14,8 @@ PATIENCE = 1.0
 """The seconds after which the bar appears."""
 
 _STEPS = 1000
+_CLEARED = "\r\x1b[K"
+"""Deletes the line of a terminal in which the bar stands."""
 
 
 class Progress:
@@ -51,6 +54,18 @@ class Progress:
         with self._lock:
             self._reached = round(share * _STEPS)
             self._draw()
+
+    def aside(self, write: Callable[[], None]) -> None:
+        """Call ``write``, which prints lines, so that they stand above the bar."""
+        with self._lock:
+            if self._bar is None or not self._bar.entered:
+                write()
+                return
+            self._bar.file.write(_CLEARED)
+            self._bar.file.flush()
+            write()
+            self._bar._last_line = None  # click draws a line only if it has changed.
+            self._bar.render_progress()
 
     def _appear(self) -> None:
         with self._lock:

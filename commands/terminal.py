@@ -33,8 +33,13 @@ def wants_color(stream: IO[Any] | None) -> bool:
 
 def asked_to_end(number: int, _frame: object) -> NoReturn:
     """Treat a signal like Ctrl-C."""
-    _asked.append(number)
+    remember_signal(number)
     raise KeyboardInterrupt
+
+
+def remember_signal(number: int) -> None:
+    """Let the exit code say that this signal has ended the process, unless another came before."""
+    _asked.append(number)
 
 
 def interrupted() -> int:

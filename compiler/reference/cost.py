@@ -17,7 +17,7 @@ from ..ir.node import Node, binders, bodies_of, formals_of, reachable
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import TextureType, numbers
 
-_CALL = 1 << 12
+CALL = 1 << 12
 """The cost of calling an operation of NumPy beside its work, in numbers that it computes with."""
 _STEP = 2
 """The cost of an operation beside the numbers that it reads and makes."""
@@ -43,22 +43,29 @@ def check_operations(roots: Sequence[Node], lanes: int, name: str) -> None:
 
     Raises ``BudgetError`` before anybody is told how far the work is.
     """
-    check("operations", operations(roots) * (_CALL + lanes) // 2, f"`{name}` takes")
+    check("operations", operations(roots) * (CALL + lanes) // 2, f"`{name}` takes")
 
 
-def operations(roots: Sequence[Node]) -> int:
-    """The largest cost of evaluating these nodes, for one pixel."""
+def operations(roots: Sequence[Node], usual_turns: int | None = None) -> int:
+    """The largest cost of evaluating these nodes, for one pixel.
+
+    With ``usual_turns`` it is an estimate: loops whose number of turns is not known before they run
+    have at most that many.
+    """
     costs: dict[int, _Cost] = {}
     for node in reachable(roots):  # Operands come first, and so do inner loops.
         if bodies_of(node):
-            costs[node.id] = _cost_of(node, costs)
+            costs[node.id] = _cost_of(node, costs, usual_turns)
     return _walk(roots, costs, None).inside
 
 
-def _cost_of(node: Node, costs: dict[int, _Cost]) -> _Cost:
+def _cost_of(node: Node, costs: dict[int, _Cost], usual_turns: int | None) -> _Cost:
     inside = bodies_of(node)
     once = _walk(node.operands[inside.start : inside.stop], costs, node)
-    return _Cost((once.inside + _STEP + numbers(node.type)) * _turns(node), once.outside)
+    turns = _turns(node)
+    if usual_turns is not None and not _has_known_turns(node):
+        turns = min(turns, usual_turns)
+    return _Cost((once.inside + _STEP + numbers(node.type)) * turns, once.outside)
 
 
 def _weight(node: Node) -> int:
@@ -78,6 +85,11 @@ def _turns(node: Node) -> int:
     if node.op == "fold":
         return FOLD.data(node).bound
     return ITERATE.data(node).bound if node.op == "iterate" else 1
+
+
+def _has_known_turns(node: Node) -> bool:
+    """True for a fold whose count is a constant; other loops may have fewer turns than allowed."""
+    return node.op == "fold" and node.operands[0].op == "constant"
 
 
 def _walk(roots: Sequence[Node], costs: dict[int, _Cost], binder: Node | None) -> _Cost:

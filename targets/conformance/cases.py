@@ -41,6 +41,9 @@ SIZE: Size = (72, 56)
 UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
 """A clear colour that no shader is likely to write, so that it shows which pixels are covered."""
 
+DRAWN_CASES = 4
+"""The number of scenes in which every material is drawn."""
+
 IMAGE_CASES = ("first", "second")
 """The names of the pictures of a kernel over images."""
 

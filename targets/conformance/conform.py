@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from threading import Event
 
@@ -20,7 +20,7 @@ from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
 from ..runner.instances.host_values import MissingValuesError
 from ..runner.job_sizes import check_work
 from ..runner.kernels import UndrawableError
-from ..runner.reference import STORE, Draw, expected
+from ..runner.reference import STORE
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.store import Store
@@ -30,12 +30,9 @@ from .cases import SIZE, Size
 from .compare import Comparison, proves_little
 from .contents import content_of
 from .frames import FrameTrial
+from .gathering import Done, Stop, Told, gathered
 from .rows import CaseResult, Row, Status
 from .trials import ShaderTrial, Trial
-
-Done = Callable[[int, int], None]
-"""Called with the number of finished rows and the number of all rows."""
-
 
 Tried = Trial | tuple[str, str]
 """The trial of a subject; or its label, and the reason why nothing can draw it."""
@@ -49,9 +46,10 @@ def conform(
     *,
     seed: int = 0,
     done: Done | None = None,
+    told: Told | None = None,
+    stop: Stop | None = None,
     size: Size = SIZE,
     keep: bool = True,
-    draw: Draw = expected,
     brief: bool = False,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Row]:
@@ -59,8 +57,8 @@ def conform(
 
     Arguments are those of ``trials_of`` and of ``rows_of``.
     """
-    trials = trials_of(subjects, seed=seed, size=size, keep=keep, draw=draw, meant=meant)
-    return rows_of(trials, routes, runner, toolchain, done=done, brief=brief)
+    trials = trials_of(subjects, seed=seed, size=size, keep=keep, meant=meant)
+    return rows_of(trials, routes, runner, toolchain, done=done, told=told, stop=stop, brief=brief)
 
 
 def trials_of(
@@ -69,20 +67,17 @@ def trials_of(
     seed: int = 0,
     size: Size = SIZE,
     keep: bool = True,
-    draw: Draw = expected,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
 ) -> list[Tried]:
     """The trial of each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
-    programs are drawn only once. ``draw`` draws with the reference; that of ``References`` makes
-    use of several processors.
+    programs are drawn only once.
     """
-    store = Store(STORE) if keep else Store(STORE, limit=0)
+    store = Store(STORE) if keep else None
     return [
-        _trial(label, subject, seed, store, size, draw, meant.get(label))
-        for label, subject in subjects
+        _trial(label, subject, seed, store, size, meant.get(label)) for label, subject in subjects
     ]
 
 
@@ -93,54 +88,64 @@ def rows_of(
     toolchain: Toolchain,
     *,
     done: Done | None = None,
+    told: Told | None = None,
+    stop: Stop | None = None,
     brief: bool = False,
+    threads: int | None = None,
 ) -> list[Row]:
-    """A row for each trial and each route, in this order.
+    """A row for each trial and each route, in this order; fewer if ``stop`` is asked for.
 
-    Trials keep the reference's pictures for further routes. Rows that are ``brief`` end with the
-    first picture that differs.
+    Trials keep the reference's pictures for further routes. ``told`` gets each row as soon as all
+    rows before it are known. Rows that are ``brief`` end with the first picture that differs.
+    ``threads`` work at once, by default more than there are processors.
     """
-    rows: dict[tuple[int, int], Row] = {}
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
-    pool = ThreadPoolExecutor(2 * (os.cpu_count() or 1))
+    pool = ThreadPoolExecutor(threads or 2 * (os.cpu_count() or 1))
     try:
-        pending = {
-            pool.submit(_row, trial, route, runner, toolchain, interrupted, brief=brief): (i, j)
-            for j, route in enumerate(routes)
-            for i, trial in enumerate(trials)
-        }
-        for number, future in enumerate(as_completed(pending), 1):
-            rows[pending[future]] = future.result()
-            if done is not None:
-                done(number, len(pending))
+        works = [
+            pool.submit(_rows, trial, route, runner, toolchain, interrupted, brief=brief)
+            for trial in trials
+            for route in routes
+        ]
+        return gathered(works, len(works), stop=stop or Stop(), done=done, told=told)
     finally:
         # After Ctrl-C, the threads end with the processes for which they wait: whoever has opened
         # the runner and the toolchain, closes them.
         interrupted.set()
         pool.shutdown(wait=False, cancel_futures=True)
-    return [rows[place] for place in sorted(rows)]
 
 
 def _trial(
     label: str,
     subject: Subject | FrameSubject,
     seed: int,
-    store: Store,
+    store: Store | None,
     size: Size,
-    draw: Draw,
     meant: Subject | FrameSubject | None,
 ) -> Tried:
     if is_frame(subject):
-        return FrameTrial(label, subject, size)
+        return FrameTrial(label, subject, size, store)
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
-    content = content_of(subject.reflection, store, draw)
+    content = content_of(subject.reflection, store or Store(STORE, limit=0))
     try:
         return ShaderTrial(label, subject, content, seed, size, meant)
     except ValueError as error:
         return label, str(error)
+
+
+def _rows(
+    trial: Tried,
+    route: Route,
+    runner: Runner,
+    toolchain: Toolchain,
+    interrupted: Event,
+    *,
+    brief: bool,
+) -> Sequence[Row]:
+    return (_row(trial, route, runner, toolchain, interrupted, brief=brief),)
 
 
 def _row(

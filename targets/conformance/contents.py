@@ -28,7 +28,7 @@ from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.drivers.pipeline import Pipeline
 from ..runner.frames.states import Outcome, draw_states
 from ..runner.kernels import drawable, is_drawn, is_over_buffers
-from ..runner.reference import Draw, Program, geometry_for, remembered, texels_of, values_for
+from ..runner.reference import Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -71,16 +71,15 @@ class Content:
     """Makes pictures of an answer and of what the reference says."""
 
 
-def content_of(reflection: Reflection, store: Pictures, draw: Draw) -> Content:
-    """The content that a shader leaves; ``draw`` draws with the reference, and ``store`` keeps its
-    pictures."""
+def content_of(reflection: Reflection, store: Pictures) -> Content:
+    """The content that a shader leaves; ``store`` keeps the reference's pictures of it."""
     if not is_drawn(reflection):
         return ELEMENTS if is_over_buffers(reflection) else VERTICES
 
     def found(
         program: Program, state: SceneState, rules: RasterRules, errors: Errors | None
     ) -> Expected:
-        return remembered(program, state, rules, store, errors, draw)
+        return remembered(program, state, rules, store, errors)
 
     return Content(draw_states, as_drawn, found, _compared_pixels)
 

@@ -8,32 +8,35 @@ other, are cases.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
+from ...compiler.documents.plan import FramePlan
 from ...compiler.reference.bounds.errors import Errors
-from ...compiler.reference.picture import Counted, Expected, RasterRules
+from ...compiler.reference.picture import Expected, RasterRules
 from ..runner.drivers.device import Device
 from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
 from ..runner.frames.host import FrameHost
 from ..runner.frames.pixel_origins import FollowedFrames, Origin
-from ..runner.frames.reference_textures import DEPTHS, DrawnTexture
+from ..runner.frames.reference_textures import DEPTHS
 from ..runner.frames.scenery import in_a_row
 from ..runner.frames.subjects import FrameSubject, PlannedFrame
 from ..runner.kernels import is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
+from ..runner.store import Store
 from ..toolchain import Toolchain
 from ..web_host.drawing import draw_frames
 from .bounds import Bounds, bounds_of, precise
 from .cases import Size
 from .compare import Level
 from .contents import as_drawn
+from .frame_pictures import FramePictures, OutputPicture, ingredients_of, remembered
 from .judging import Answer, Compared, Floats, all_covered
 from .known_values import Known
 from .trials import Trial
@@ -71,28 +74,22 @@ def _turned_over(bounds: Bounds) -> Bounds:
     return replace(bounds, rules=rules)
 
 
-@dataclass(frozen=True, slots=True)
-class _Pictures:
-    """The pictures that the reference has drawn."""
-
-    frames: list[dict[str, DrawnTexture]]
-    """For each frame, the outputs by name."""
-    counted: Counted
-    """The rare rules on which the pictures depend."""
-
-
 class FrameTrial(Trial):
     """The outputs of one frame, drawn several times if one frame reads what the last one left."""
 
-    def __init__(self, label: str, subject: FrameSubject, size: Size) -> None:
-        """``size`` is that of the outputs, as far as the frame does not say another one."""
+    def __init__(
+        self, label: str, subject: FrameSubject, size: Size, store: Store | None = None
+    ) -> None:
+        """``size`` is that of the outputs, as far as the frame does not say another one. ``store``
+        keeps the reference's pictures."""
         super().__init__(label, subject.shaders)
         self._subject = subject
         self._meant = meant = _Meant(subject)
         self._size = size
-        self._count = SEVERAL if meant.plan.kept else 1
+        self._store = store
+        self._count = frames_of(meant.plan)
         self._names = [row.name for row in meant.plan.outputs if row.texture is not None]
-        self._expected: Known[_Pictures] = Known()
+        self._expected: Known[FramePictures] = Known()
         self._programs: Known[list[Program]] = Known()
 
     def answers(
@@ -143,14 +140,13 @@ class FrameTrial(Trial):
         """An output beside the reference's. Raises ``PlanError`` for one of another size."""
         number, name = self.cases()[case]
 
-        def wanted(profile: str | None, rules: RasterRules, errors: Errors | None) -> DrawnTexture:
+        def wanted(profile: str | None, rules: RasterRules, errors: Errors | None) -> OutputPicture:
             return self._drawn(profile, rules, errors)[number][name]
 
         meant = wanted(None, precise(bounds.rules), None)
-        if got.shape[:3] != meant.levels[0].shape[1:4]:
+        if got.shape[:3] != meant.undecided.shape:
             raise PlanError(
-                f"{case} has {_sides(got.shape)}, and should have "
-                f"{_sides(meant.levels[0].shape[1:])}"
+                f"{case} has {_sides(got.shape)}, and should have {_sides(meant.undecided.shape)}"
             )
         return Compared.of(
             [_rows(got)],
@@ -162,31 +158,40 @@ class FrameTrial(Trial):
 
     def _drawn(
         self, profile: str | None, rules: RasterRules, errors: Errors | None
-    ) -> list[dict[str, DrawnTexture]]:
+    ) -> Sequence[Mapping[str, OutputPicture]]:
         """The reference's pictures of a profile's texts, or of the source.
 
         They have bounds if there are ``errors``, and otherwise the values that are meant.
         """
         programs = self._programs_for(profile)
 
-        def made() -> _Pictures:
+        def made() -> FramePictures:
             drawing = ReferenceFrames(
                 self._host(self._meant), rules, errors, lambda number: programs[number].shader
             )
             found = []
             for _ in range(self._count):
                 drawing.draw()
-                found.append({name: drawing.output(name).copy() for name in self._names})
-            return _Pictures(found, drawing.counted)
+                found.append({name: OutputPicture.of(drawing.output(name)) for name in self._names})
+            return FramePictures(found, drawing.counted)
+
+        def kept() -> FramePictures:
+            if self._store is None:
+                return made()
+            return remembered(self._store, self._ingredients(programs), rules, errors, made)
 
         asked = tuple(program.text for program in programs), errors
         found = self._expected.shared(
             (*asked, rules.common),
             (*asked, rules),
-            made,
+            kept,
             lambda pictures: rules.agree_with(pictures.counted),
         )
         return found.frames
+
+    def _ingredients(self, programs: Sequence[Program]) -> Sequence[str]:
+        texts = [program.text for program in programs]
+        return ingredients_of(self._meant, texts, self._size, self._count)
 
     def _programs_for(self, profile: str | None) -> list[Program]:
         return self._programs.value(profile, lambda: self._programs_of(profile))
@@ -203,6 +208,16 @@ class FrameTrial(Trial):
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
         return host_of(subject, self._size)
+
+
+def frames_of(plan: FramePlan) -> int:
+    """The number of frames that are drawn."""
+    return SEVERAL if plan.kept else 1
+
+
+def judged_host(subject: FrameSubject, size: Size) -> FrameHost:
+    """A frame as the reference draws it."""
+    return host_of(_Meant(subject), size)
 
 
 def host_of(subject: PlannedFrame, size: Size) -> FrameHost:
@@ -223,10 +238,9 @@ def _rows(layers: Floats) -> Floats:
     return layers.reshape(-1, width, lanes)
 
 
-def _expected(drawn: DrawnTexture) -> Expected:
-    """The first level of a texture as a picture."""
-    value, low, high = ([_rows(_whole(end))] for end in drawn.levels[0])
-    layers = drawn.undecided[0]
+def _expected(drawn: OutputPicture) -> Expected:
+    value, low, high = ([_rows(_whole(end))] for end in drawn.ends)
+    layers = drawn.undecided
     return all_covered(value, low, high, layers.reshape(-1, layers.shape[-1]))
 
 

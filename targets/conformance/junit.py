@@ -1,7 +1,8 @@
 """Writes a conformance run as JUnit's XML, which continuous integration shows as tests.
 
 ``burnish conform --report`` puts it beside the page. A test case is one material drawn by one
-route. Rows that differ, fail or overflow are failures; rows that were not run are skipped.
+route. Rows that differ, fail or overflow are failures; rows that were not run are skipped. A run
+that was ended early has one more test case, an error, so that nobody takes it for a success.
 """
 
 from __future__ import annotations
@@ -11,29 +12,40 @@ from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from .rows import Row
-from .summary import by_material, details, is_failure
+from .summary import Unfinished, by_material, details, is_failure
 
 _NO_XML = re.compile("[^\\t\\n\\r\\x20-\\ud7ff\\ue000-\\ufffd\\U00010000-\\U0010ffff]")
 """Characters that XML 1.0 cannot contain, not even escaped."""
 
 
-def as_junit(rows: Sequence[Row], *, strict: bool) -> str:
-    """The whole run; with ``strict``, rows that prove little are failures, too."""
-    root = Element("testsuites", {"name": "burnish conform", **_counts(rows, strict=strict)})
+def as_junit(rows: Sequence[Row], unfinished: Unfinished | None = None, *, strict: bool) -> str:
+    """The whole run, or what is known of it; with ``strict``, rows that prove little are failures,
+    too."""
+    whole = _counts(rows, strict=strict, unfinished=unfinished is not None)
+    root = Element("testsuites", {"name": "burnish conform", **whole})
     for material, own in by_material(rows).items():
         counts = _counts(own, strict=strict)
         suite = SubElement(root, "testsuite", {"name": _clean(material), **counts})
         for row in own:
             _add(suite, row, strict=strict)
+    if unfinished is not None:
+        counts = _counts((), strict=strict, unfinished=True)
+        suite = SubElement(root, "testsuite", {"name": "burnish conform", **counts})
+        case = SubElement(suite, "testcase", classname="burnish conform", name="all rows")
+        SubElement(case, "error", message=unfinished.text)
     indent(root)
     declaration = '<?xml version="1.0" encoding="UTF-8"?>\n'
     return declaration + tostring(root, encoding="unicode") + "\n"
 
 
-def _counts(rows: Sequence[Row], *, strict: bool) -> dict[str, str]:
+def _counts(rows: Sequence[Row], *, strict: bool, unfinished: bool = False) -> dict[str, str]:
+    """The numbers of test cases; an ``unfinished`` run has one that is an error."""
     failures = sum(is_failure(row, strict=strict) for row in rows)
     skipped = sum(row.status == "not run" for row in rows)
-    numbers = {"tests": len(rows), "failures": failures, "errors": 0, "skipped": skipped}
+    errors = int(unfinished)
+    numbers = {
+        "tests": len(rows) + errors, "failures": failures, "errors": errors, "skipped": skipped,
+    }  # fmt: skip
     return {name: str(number) for name, number in numbers.items()}
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +13,14 @@ from .html_pages import Embedded, environment
 from .pixel_maps import EDGES, bound_map, decision_map, difference_map, histogram, picture
 from .rows import STATUSES, CaseResult, Row
 from .summary import (
+    Unfinished,
     bite,
     by_material,
-    counted,
     devices,
     is_failure,
     lacking,
     messages,
+    outcome,
     share,
     tools,
     unproven,
@@ -30,26 +32,29 @@ _BINS = ("0", *(f"≤ {edge:g}" for edge in EDGES[1:]), "> 1")
 """The labels below the bars of a histogram."""
 
 
-def as_json(rows: Sequence[Row], *, strict: bool = False) -> dict[str, Any]:
-    """The whole run; numbers that are not finite become ``null``."""
+def as_json(
+    rows: Sequence[Row], unfinished: Unfinished | None = None, *, strict: bool = False
+) -> dict[str, Any]:
+    """The whole run, or what is known of it; numbers that are not finite become ``null``."""
     statuses = {status: sum(row.status == status for row in rows) for status in STATUSES}
     return {
         "format": 2,
+        **({"unfinished": asdict(unfinished)} if unfinished else {}),
         "statuses": statuses,
         "failures": sum(is_failure(row, strict=strict) for row in rows),
         "rows": [_row_json(row) for row in rows],
     }
 
 
-def page(rows: Sequence[Row]) -> str:
-    """The whole run as one HTML file, pictures included."""
+def page(rows: Sequence[Row], unfinished: Unfinished | None = None) -> str:
+    """The whole run, or what is known of it, as one HTML file, pictures included."""
     routes = {row.route.name: row.route for row in rows}
     return (
         environment(FOLDER)
         .get_template(TEMPLATE)
         .render(
             embedded=Embedded(FOLDER / STYLE),
-            summary=counted(rows),
+            summary=outcome(rows, unfinished),
             routes=[{"name": name.split(":"), "title": r.title} for name, r in routes.items()],
             materials=[_material(name, own) for name, own in by_material(rows).items()],
             devices=devices(rows),

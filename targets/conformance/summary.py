@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from .compare import Sample
 from .error_words import lanes_text
@@ -14,6 +15,23 @@ FAILURES: frozenset[Status] = frozenset({"differs", "overflows", "failed"})
 """The statuses that make the exit code 1."""
 
 HEADINGS = ("route", "result", "max |difference|", "of bound", "bound in steps", "unproven")
+
+
+@dataclass(frozen=True, slots=True)
+class Unfinished:
+    """A run that was ended before all of its rows were known."""
+
+    known: int
+    """The number of rows that are known."""
+    of: int | None
+    """The number of all rows; ``None`` if it was ended before that was known."""
+
+    @property
+    def text(self) -> str:
+        """The words for it: ``unfinished, 12 of 40 rows``."""
+        if self.of is None:
+            return "unfinished, nothing was drawn yet"
+        return f"unfinished, {self.known} of {self.of} rows"
 
 
 def cells(row: Row) -> tuple[str, ...]:
@@ -72,6 +90,12 @@ def counted(rows: Iterable[Row]) -> str:
         if counts[status]
     )
     return ", ".join(shown)
+
+
+def outcome(rows: Iterable[Row], unfinished: Unfinished | None) -> str:
+    """The sentence about a whole run: ``unfinished, 13 of 40 rows: 12 agree, 1 differs``."""
+    said = (unfinished.text if unfinished else "", counted(rows))
+    return ": ".join(filter(None, said))
 
 
 def devices(rows: Iterable[Row]) -> Mapping[str, str]:

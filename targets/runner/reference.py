@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from io import BytesIO
@@ -88,10 +88,6 @@ def _stacked_targets(pictures: Sequence[Sequence[Floats]]) -> tuple[Floats, ...]
     return tuple(np.concatenate(layers) for layers in zip(*pictures, strict=True))
 
 
-Draw = Callable[[Shader, SceneState, RasterRules, Errors | None], Expected]
-"""Draws a picture: ``expected``, or the method of ``reference_process.References``."""
-
-
 def values_for(
     shader: Shader, instance: Instance, written: Mapping[str, Contents] | None = None
 ) -> dict[str, Any]:
@@ -170,7 +166,6 @@ def remembered(
     rules: RasterRules,
     store: Store,
     errors: Errors | None = None,
-    draw_it: Draw = expected,
 ) -> Expected:
     """The expected picture, from the store if the reference has drawn it before.
 
@@ -185,7 +180,7 @@ def remembered(
         picture = loaded(kept)
         if rules.agree_with(picture.counted):
             return picture
-    made = draw_it(program.shader, state, rules, errors)
+    made = expected(program.shader, state, rules, errors)
     store.write(name, dumped(made))
     return made
 
@@ -229,7 +224,7 @@ def _digest(
     drawn = json.dumps([draws, state.clear, state.blend_constant, kinds])
     by = rules if own else sorted(rules.common)
     allowed, values = repr((by, errors)), repr(state.instance.values())
-    return digest(_code_digest(), np.__version__, program.text, allowed, values, drawn)
+    return digest(code_digest(), np.__version__, program.text, allowed, values, drawn)
 
 
 def graph_text(shader: Shader) -> str:
@@ -250,7 +245,7 @@ def _node_text(node: Node, numbers: dict[Formal, int]) -> str:
 
 
 @cache
-def _code_digest() -> str:
+def code_digest() -> str:
     """A digest of the code that defines the meaning of graphs and textures.
 
     The code that makes the graph of a shader does not count, since the graph itself is part of the

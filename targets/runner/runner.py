@@ -16,14 +16,14 @@ from threading import Lock
 from ...compiler.documents.writing import to_json as document_json
 from ..closing import Closing
 from ..toolchain.pipe import Packet
-from ..toolchain.workers import Pool, Worker
 from ..web_host.serving.modules import host_modules
 from ..web_host.serving.packages import Package
+from .driver_pools import DriverPools, Drivers
 from .drivers.device import Device, DriverError, EndedError
 from .drivers.frame_job import Found, FrameJob, FrameTexels
 from .drivers.wire import from_json, joined, packed, split, unpacked
 from .job_sizes import check_job
-from .routes import EVERY_DRIVER, DriverRow, Route, inspect_tools, problem, versions
+from .routes import EVERY_DRIVER, Route, inspect_tools, problem, versions
 from .store import Store, digest, digest_of_sources
 
 STORE = "pictures"
@@ -49,27 +49,27 @@ class Runner(Closing):
         parallel: int | None = None,
         reuse: bool = True,
         device: str = "",
+        drivers: Drivers | None = None,
     ) -> None:
         """``routes`` are those that will draw.
 
         ``parallel`` workers of each driver draw at once, by default one per core. Without ``reuse``
         nothing is taken from the store. ``device`` names the device of drivers that can draw with
-        any: a part of its name, or its number; empty for the usual one.
+        any: a part of its name, or its number; empty for the usual one. ``drivers`` are asked
+        instead of processes that this runner starts.
         """
-        self._wanted = device
         self._time_limit = time_limit
         self._states = inspect_tools(routes)
         self._store = Store(STORE) if reuse else None
         count = parallel or os.cpu_count() or 1
-        self._pools = {row.name: self._pool(row, count) for row in EVERY_DRIVER.values()}
+        self.drivers = drivers or DriverPools(self._states, device, count)
         self._devices: dict[str, Device | DriverError] = {}
         self._deaths = dict.fromkeys(EVERY_DRIVER, 0)
         self._locks = {name: Lock() for name in EVERY_DRIVER}
 
     def close(self) -> None:
         """End all workers."""
-        for pool in self._pools.values():
-            pool.close()
+        self.drivers.close()
 
     def problem(self, route: Route) -> str | None:
         """The reasons why a route cannot draw on this machine, tool by tool; ``None`` if it can."""
@@ -138,21 +138,12 @@ class Runner(Closing):
         answer = self._ask(route.driver, Packet({"package": request}))
         return joined(Found, answer.content["texels"], answer.data).texels
 
-    def _pool(self, row: DriverRow, count: int) -> Pool:
-        return Pool(
-            1 if row.one_worker else count,
-            lambda: Worker(
-                lambda: row.command(self._states, self._wanted), row.limits, tells_command=False
-            ),
-        )
-
     def _found(self, route: Route, request: Packet) -> Found:
         answer = self._ask(route.driver, request)
         return joined(Found, answer.content["found"], answer.data)
 
     def _ask(self, driver: str, request: Packet) -> Packet:
-        with self._pools[driver].borrow() as worker:
-            answer = worker.ask(request.content, self._time_limit, request.data)
+        answer = self.drivers.ask(driver, request, self._time_limit)
         if answer.ending != "ended":
             kind = EndedError if answer.ending == "crashed" else DriverError
             raise kind(f"{driver} {answer.ending}: {answer.log.strip()}")

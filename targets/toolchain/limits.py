@@ -56,10 +56,10 @@ ASKED = Limits(memory=4 * GB, file=64 * MB, output=MB, of="a program that says i
 """Limits of programs that only print their version, browsers among them."""
 WORKERS = Limits(
     memory=4 * GB, file=2 * GB, output=2 * GB, draws=True,
-    of="a driver, or a process that draws with the reference",
+    of="a driver, or a process that compiles or judges",
 )  # fmt: skip
-"""Limits of drivers, the reference and the gallery. Pictures may take a gigabyte, and there are a
-few copies of them until they have been sent."""
+"""Limits of drivers, of processes that compile or judge, and of the gallery. Pictures may take a
+gigabyte, and there are a few copies of them until they have been sent."""
 BROWSERS = Limits(
     memory=8 * GB, file=2 * GB, output=2 * GB, draws=True, of="each process of the browser"
 )

@@ -1,7 +1,8 @@
 """Packets between Burnish and a process that it has started: a line of JSON, and bytes behind it.
 
 ``workers.py`` is Burnish's side of the pipe. Workers of Burnish's own (drivers, the reference)
-answer by ``serve``; compilers' workers, which import nothing of Burnish, write lines only.
+answer by ``serve``, or ask
+back by ``converse``; compilers' workers, which import nothing of Burnish, write lines only.
 """
 
 from __future__ import annotations
@@ -63,11 +64,34 @@ def serve(answer: Callable[[Packet], Packet], orphan_limit: float) -> None:
     A request that takes ``orphan_limit`` seconds ends the process. The sender waits for less time;
     so this happens only if the sender has died, which a process that hangs does not notice.
     """
+    converse(lambda request, _ask: answer(request), orphan_limit)
+
+
+Ask = Callable[[Packet], Packet]
+"""Sends a question back to who has sent the request, and returns the answer to it."""
+
+
+def converse(answer: Callable[[Packet, Ask], Packet], orphan_limit: float) -> None:
+    """Like ``serve``, but before a packet is answered, questions may be sent back.
+
+    The sender has to tell such a question from the answer, and to send what is asked for. While it
+    is waited for, no time counts. If the sender has died, ``EOFError`` ends the process.
+    """
     with os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)
-        for line in sys.stdin.buffer:
+
+        def ask(question: Packet) -> Packet:
+            faulthandler.cancel_dump_traceback_later()
+            send(question, answers)
+            received = receive(sys.stdin.buffer, sys.maxsize - 1)
             faulthandler.dump_traceback_later(orphan_limit, exit=True)
-            content = json.loads(line)
-            data = sys.stdin.buffer.read(content.pop(FOLLOWING, 0))
-            send(answer(Packet(content, data)), answers)
+            return received
+
+        while True:
+            try:
+                request = receive(sys.stdin.buffer, sys.maxsize - 1)
+            except EOFError:
+                return
+            faulthandler.dump_traceback_later(orphan_limit, exit=True)
+            send(answer(request, ask), answers)
             faulthandler.cancel_dump_traceback_later()

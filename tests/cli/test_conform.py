@@ -42,12 +42,12 @@ def test_agreement() -> None:
     table, told = result.stdout.split("\n\n")
     heading, material, *rows = table.splitlines()
     assert heading == (
-        "  route           result  max |difference|  of bound  bound in steps  unproven"
+        "  route           result         max |difference|  of bound  bound in steps  unproven"
     )
     assert material == "m.burnish: Up"
     assert [row.split()[0] for row in rows] == ["lavapipe:glsl", "llvmpipe:gl330"]
     for row in rows:
-        line = rf"  \S+ +agrees  {NUMBER} {{11}}\d+% {{5,8}}\d+ {{5,16}}\d+ of \d{{4,}}"
+        line = rf"  \S+ +agrees         {NUMBER} {{11}}\d+% {{5,8}}\d+ {{5,16}}\d+ of \d{{4,}}"
         assert re.fullmatch(line, row), row
     lavapipe, llvmpipe, tools, count = told.splitlines()
     assert re.fullmatch(r"drawn by lavapipe: llvmpipe \(LLVM .*\), Mesa [\d.]+.*", lavapipe)
@@ -195,7 +195,7 @@ def test_disagreement(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(contents, "remembered", exactly)
     result = invoke("conform", "m.burnish", "--routes", "llvmpipe:gl330", "--report", "out")
     assert result.exit_code == 1
-    assert re.search(rf"^  llvmpipe:gl330  differs  {NUMBER}  ", result.stdout, re.MULTILINE)
+    assert re.search(rf"^  llvmpipe:gl330  differs        {NUMBER}  ", result.stdout, re.MULTILINE)
     assert result.stdout.endswith(f"\n1 differs\nreport: {Path('out/index.html')}\n")
     lanes = r"\((-?[\d.]+(e-\d+)?, ){3}1\)"
     detail = (

@@ -49,6 +49,22 @@ def test_no_bar_for_what_is_done_at_once(monkeypatch: pytest.MonkeyPatch) -> Non
     assert shown(monkeypatch, Terminal(), 60) == ""
 
 
+def test_lines_above_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bar is deleted before a line is printed, and stands below the line afterwards."""
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 0)
+    with Progress("drawing") as bar:
+        bar.tell(0.25)
+        until(lambda: "25%" in stream.getvalue(), "the bar")
+        before = len(stream.getvalue())
+        bar.aside(lambda: print("a line", file=stream))
+        said = stream.getvalue()[before:]
+    deleted, shown = said.split("a line\n")
+    assert deleted == "\r\x1b[K"
+    assert "25%" in shown
+
+
 def test_no_bar_where_nobody_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     stream = StringIO()
     monkeypatch.setattr(sys, "stderr", stream)
@@ -70,7 +86,6 @@ def empty(tmp_path_factory: pytest.TempPathFactory) -> Path:
     [
         ("render m.burnish -o new/m.png --size 4096", "/PIL/_imaging"),
         ("render m.burnish -o new/m.png --size 400 --on all", "/libvulkan"),
-        ("conform many.burnish --report new", "/chromium\0"),
     ],
 )
 @pytest.mark.usefixtures("interruptible")
@@ -79,12 +94,8 @@ def test_interrupted(line: str, at_work: str, everybody: bool, tmp_path: Path, e
     """Ctrl-C goes to all processes of a terminal; a signal may go to the command alone.
 
     The command ends at once, without a word and with all that it has started; nothing is written.
-    The browser is among the last to draw a material, so that of a single one too little may be left
-    to do when it is seen.
     """
-    up = "material Up{0} {{ color = 0.{0} + 0.5 * normal }}\n"
-    (tmp_path / "m.burnish").write_text(up.format(5))
-    (tmp_path / "many.burnish").write_text("".join(map(up.format, range(1, 16))))
+    (tmp_path / "m.burnish").write_text("material Up { color = 0.5 + 0.5 * normal }\n")
     command = [sys.executable, "-m", "burnish", *line.split()]
     environment = {**os.environ, "BURNISH_CACHE": str(empty)}  # where no picture is known yet
     with started(command, cwd=tmp_path, env=environment) as program:
@@ -94,4 +105,4 @@ def test_interrupted(line: str, at_work: str, everybody: bool, tmp_path: Path, e
         ended = program.ended()
         assert (ended.returncode, ended.stdout, ended.stderr) == (130, "", "")
         until(lambda: not program.family(), "the end of all that it has started")
-    assert tree(tmp_path) == {"m.burnish", "many.burnish"}
+    assert tree(tmp_path) == {"m.burnish"}

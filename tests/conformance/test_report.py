@@ -19,7 +19,14 @@ from burnish.targets.conformance.junit import as_junit
 from burnish.targets.conformance.pixel_maps import EDGES, bound_map, decision_map, histogram
 from burnish.targets.conformance.report import as_json, page
 from burnish.targets.conformance.rows import CaseResult, Row, Status
-from burnish.targets.conformance.summary import cells, counted, details, messages
+from burnish.targets.conformance.summary import (
+    Unfinished,
+    cells,
+    counted,
+    details,
+    messages,
+    outcome,
+)
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.routes import ROUTES
 
@@ -186,6 +193,21 @@ def test_junit(strict: bool) -> None:
     assert first[7][0].get("message") == "chromium is not installed"
     assert REASON in (first[4][0].text or "")
     assert second[0][0].text == "a \ufffd[31mred\ufffd[0m message"
+
+
+def test_an_unfinished_run() -> None:
+    """Whatever is written of it says so; in JUnit's XML it is an error, as nothing has failed."""
+    cut = Unfinished(known=1, of=3)
+    assert as_json(ROWS[:1], cut)["unfinished"] == {"known": 1, "of": 3}
+    assert "unfinished" not in as_json(ROWS[:1])
+    root = fromstring(as_junit(ROWS[:1], cut, strict=False))
+    counts = {"tests": "2", "failures": "0", "errors": "1", "skipped": "0"}
+    assert root.attrib == {"name": "burnish conform", **counts}
+    (error,) = root.iter("error")
+    assert error.get("message") == "unfinished, 1 of 3 rows"
+    said = outcome(ROWS[:1], cut)
+    assert said == "unfinished, 1 of 3 rows: 1 agrees" and said in page(ROWS[:1], cut)
+    assert outcome((), Unfinished(0, None)) == "unfinished, nothing was drawn yet"
 
 
 class Reader(HTMLParser):

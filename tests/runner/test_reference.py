@@ -114,6 +114,7 @@ def test_a_picture_is_kept_for_all_rules_by_which_it_is_the_same(
     """If no edge goes through the middles of pixels, it does not matter who owns such pixels."""
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     (program, state), store = asked(), Store("pictures")
+    expected = reference.expected
     if is_level:
         program = Program.of(burnish.compile(LEVEL, ["wgsl"], pass_="Level")["M"].shader)
     below, drawn = replace(RULES, owns_bottom=True), 0
@@ -121,11 +122,10 @@ def test_a_picture_is_kept_for_all_rules_by_which_it_is_the_same(
     def draw(*of: Any) -> Expected:
         nonlocal drawn
         drawn += 1
-        return reference.expected(*of)
+        return expected(*of)
 
-    pictures = [
-        remembered(program, state, rules, store, None, draw) for rules in 2 * (RULES, below)
-    ]
+    monkeypatch.setattr(reference, "expected", draw)
+    pictures = [remembered(program, state, rules, store) for rules in 2 * (RULES, below)]
     assert drawn == 1 + is_level
     rows = [int(picture.covered.any(axis=1).argmax()) for picture in pictures]
     assert rows == ([3, 4, 3, 4] if is_level else [rows[0]] * 4)

@@ -84,7 +84,7 @@ def test_a_program_is_started_by_its_absolute_path(
         assert "is no absolute path" in outcome.log
 
 
-WORKER = "burnish.targets.runner.reference_process"
+WORKER = "burnish.commands.judging_process"
 TRAP = "import os\nos._exit(77)\n"
 
 

@@ -44,7 +44,7 @@ from burnish.compiler.reference.picture import (
 from burnish.compiler.reference.picture.intervals import increasing, quotient
 from burnish.compiler.reference.picture.quads import Barycentric
 from burnish.targets.conformance import contents
-from burnish.targets.runner.reference import Draw, Program, expected
+from burnish.targets.runner.reference import Program, expected
 from burnish.targets.runner.scene_state import SceneState
 from burnish.targets.runner.store import Store
 
@@ -348,7 +348,6 @@ def _drawn_anew(plant: Plant) -> Plant:
         rules: RasterRules,
         _store: Store,
         errors: Errors | None,
-        _draw: Draw,
     ) -> Expected:
         return expected(program.shader, state, rules, errors)
 

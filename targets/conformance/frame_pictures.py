@@ -1,0 +1,122 @@
+"""The pictures of frames that the reference has drawn, and how they are kept in a store.
+
+``frames.py`` compares them with those of drivers. Those of single shaders are kept by
+``runner/reference.py`` in the same store.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiler.documents.writing import to_json
+from ...compiler.reference.bounds.errors import Errors
+from ...compiler.reference.picture import Counted, RasterRules
+from ..runner import __file__ as runner_file
+from ..runner.frames.reference_textures import DrawnTexture
+from ..runner.frames.subjects import PlannedFrame
+from ..runner.reference import code_digest
+from ..runner.store import Store, digest, digest_of_sources
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class OutputPicture:
+    """The first level of an output."""
+
+    format: str
+    ends: NDArray[np.float64]
+    """The values, and their lower and upper bounds: (3, layers, height, width, lanes)."""
+    undecided: NDArray[np.bool_]
+    """The pixels that depend on rounding: (layers, height, width)."""
+
+    @classmethod
+    def of(cls, drawn: DrawnTexture) -> OutputPicture:
+        """A copy of what a texture shows, in which later frames are not drawn."""
+        return cls(drawn.format, drawn.levels[0].copy(), drawn.undecided[0].copy())
+
+
+@dataclass(frozen=True, slots=True)
+class FramePictures:
+    """The pictures of frames that were drawn one after the other."""
+
+    frames: Sequence[Mapping[str, OutputPicture]]
+    """For each frame, the outputs by name."""
+    counted: Counted
+    """The rare rules on which the pictures depend."""
+
+
+def remembered(
+    store: Store,
+    ingredients: Sequence[str],
+    rules: RasterRules,
+    errors: Errors | None,
+    make: Callable[[], FramePictures],
+) -> FramePictures:
+    """The pictures, from the store if the reference has drawn them before.
+
+    ``ingredients`` are all that they depend on besides rules and errors. They are kept under the
+    rules on which most pictures depend; and if they depend on rarer ones, which differ from these
+    ``rules``, then under all of them.
+    """
+    for by in (sorted(rules.common), rules):
+        name = digest(_code_digest(), np.__version__, *ingredients, repr((by, errors)))
+        kept = store.read(name)
+        if kept is None:
+            break
+        pictures = loaded(kept)
+        if rules.agree_with(pictures.counted):
+            return pictures
+    made = make()
+    store.write(name, dumped(made))
+    return made
+
+
+def ingredients_of(
+    frame: PlannedFrame, programs: Sequence[str], size: tuple[int, int], count: int
+) -> list[str]:
+    """Everything that the pictures of a frame depend on: its plan, and what each shader declares
+    and computes. The scene follows from these."""
+    reflections = [to_json(shader.reflection) for shader in frame.shaders]
+    said = json.dumps([to_json(frame.plan), reflections, size, count])
+    return [said, *programs]
+
+
+def dumped(pictures: FramePictures) -> bytes:
+    """Pictures as a head and arrays, one after the other in NumPy's format."""
+    stream = BytesIO()
+    shown = [(name, each) for frame in pictures.frames for name, each in frame.items()]
+    names = [[(name, each.format) for name, each in frame.items()] for frame in pictures.frames]
+    head = np.array(json.dumps([names, sorted(pictures.counted)]))
+    for array in (head, *(part for _, each in shown for part in (each.ends, each.undecided))):
+        np.save(stream, array, allow_pickle=False)
+    return stream.getvalue()
+
+
+def loaded(data: bytes) -> FramePictures:
+    """The pictures that were dumped. Unlike a pickle, this format cannot contain code."""
+    stream = BytesIO(data)
+    names, counted = json.loads(str(np.load(stream, allow_pickle=False)))
+    frames = []
+    for frame in names:
+        shown = {}
+        for name, format_ in frame:
+            ends, undecided = (np.load(stream, allow_pickle=False) for _ in range(2))
+            shown[name] = OutputPicture(format_, ends, undecided)
+        frames.append(shown)
+    return FramePictures(frames, frozenset(map(tuple, counted)))
+
+
+@cache
+def _code_digest() -> str:
+    """A digest of the code that draws frames, with that of the host which prepares their draws."""
+    own = (
+        Path(__file__).with_name(name).read_bytes() for name in ("frames.py", Path(__file__).name)
+    )
+    return digest(code_digest(), digest_of_sources(Path(runner_file).parent), *own)

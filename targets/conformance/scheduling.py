@@ -1,0 +1,25 @@
+"""Puts the subjects of a conformance run into the order in which processes begin with them.
+
+``burnish conform`` prints rows in the order of the files, so subjects are best begun in this order.
+But a long one that is begun last keeps everybody waiting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+LONG = 1 / 8
+"""The part of a process's share of the whole work from which on a subject is long."""
+
+
+def begun(costs: Sequence[float], processes: int) -> list[int]:
+    """The numbers of subjects in the order in which to begin with them.
+
+    ``costs`` are estimates of what they take. Long ones come first, the longest at the very
+    beginning; all others follow in their own order. So the last process ends at most the time of a
+    subject that is not long later than the first one, as far as the estimates are right.
+    """
+    most = LONG * sum(costs) / processes
+    long = [number for number, cost in enumerate(costs) if cost > most]
+    others = [number for number, cost in enumerate(costs) if cost <= most]
+    return sorted(long, key=lambda number: -costs[number]) + others
