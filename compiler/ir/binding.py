@@ -10,6 +10,7 @@ Source: Charguéraud, *The Locally Nameless Representation*, 2012.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import repeat
 
 from .node import Formal, Graph, Node, binders, bodies_of
 from .operations import BOUND, FORMAL
@@ -98,7 +99,12 @@ def _transform(
     affected: Callable[[Node, int], bool],
     moved: Moved | None,
 ) -> Node:
-    """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion."""
+    """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion.
+
+    Operands that are not ``affected`` stay, and nothing below them is looked at.
+    """
+    if not affected(root, 0):
+        return root
     done: dict[tuple[Node, int], Node] = {}
     pending: list[tuple[Node, int]] = [(root, 0)]
     while pending:
@@ -106,31 +112,28 @@ def _transform(
         if place in done:
             pending.pop()
             continue
-        if not affected(node, depth):
-            done[place] = node
-            pending.pop()
-            continue
-        parts = _parts(node, depth)
-        missing = [part for part in parts if part not in done]
-        if missing:
-            pending.extend(missing)
+        operands: list[Node] = []
+        height = len(pending)
+        for part in _parts(node, depth) if binders(node) else zip(node.operands, repeat(depth)):
+            new = done.get(part)
+            if new is None:
+                if affected(*part):
+                    pending.append(part)
+                    continue
+                done[part] = new = part[0]
+            operands.append(new)
+        if len(pending) > height:
             continue
         pending.pop()
-        operands = tuple([done[part] for part in parts])
         replaced = leaf(node, depth) if not operands else None
-        done[place] = replaced or graph.node(node.op, node.type, operands, node.data)
+        done[place] = replaced or graph.node(node.op, node.type, tuple(operands), node.data)
         if moved is not None and operands:
             moved(node, done[place])
     return done[root, 0]
 
 
 def _parts(node: Node, depth: int) -> list[tuple[Node, int]]:
-    """The operands, each with the number of binders around it."""
-    count = binders(node)
-    if not count:
-        return [(operand, depth) for operand in node.operands]
+    """The operands of a closed binder, each with the number of binders around it."""
     inside = bodies_of(node)
-    return [
-        (operand, depth + count if i in inside else depth)
-        for i, operand in enumerate(node.operands)
-    ]
+    deeper = depth + binders(node)
+    return [(operand, deeper if i in inside else depth) for i, operand in enumerate(node.operands)]
