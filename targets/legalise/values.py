@@ -13,7 +13,6 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, NativeUse, Program
 from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
 from ...compiler.ir.types import scalar_kind
-from ...compiler.passes.walks import visible
 from ..description.capabilities import (
     COMPUTED_PLACES,
     FLAT_VALUES,
@@ -33,11 +32,10 @@ def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str
     """
     stages = [stage for stage in program.stages if stage.row in profile.stages]
     for stage in stages:
-        nodes = visible(stage.roots, into_bodies=True)
         for need, needing in (
-            *((need, _reading(nodes, "input", {name})) for name, need in OF_INPUTS.items()),
-            (INSTANCES, _reading(nodes, "attribute", _inputs(program, _is_of_instances))),
-            (INTEGER_ATTRIBUTES, _reading(nodes, "attribute", _inputs(program, _is_whole))),
+            *((need, _reading(stage.nodes, "input", {name})) for name, need in OF_INPUTS.items()),
+            (INSTANCES, _reading(stage.nodes, "attribute", _inputs(program, _is_of_instances))),
+            (INTEGER_ATTRIBUTES, _reading(stage.nodes, "attribute", _inputs(program, _is_whole))),
             (WIDE_INTEGERS, (use.node.id for use in stage.natives if needs_wide_integers(use))),
             (COMPUTED_PLACES, computed_places(stage)),
         ):
