@@ -32,6 +32,7 @@ from .operations import (
     ITERATE,
     MEMBER,
     OPERATIONS,
+    Constant,
 )
 from .refinements import refinements
 from .types import Array, Matrix, RuntimeArray, Struct
@@ -78,7 +79,11 @@ def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
     data = CONSTANT.data(node)
-    lanes = data if isinstance(data, tuple) else (data,)
+    return _of_lanes(data if isinstance(data, tuple) else (data,))
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _of_lanes(lanes: tuple[Constant, ...]) -> Fact:
     # Adding zero takes the sign from a zero: facts have none.
     numbers = [float(lane) + 0.0 for lane in lanes if not isinstance(lane, tuple)]
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= SMALLEST_NORMAL for n in numbers))

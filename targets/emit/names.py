@@ -15,7 +15,6 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
 from ...support.frozen import frozen
-from ..description.reserved import Reserved
 from ..description.shading_language import Language
 from .namer import Namer
 from .own_words import taken_words
@@ -156,15 +155,14 @@ class _Naming:
 
     def _members(self) -> Iterator[tuple[tuple[str, str], str]]:
         for block in self._program.blocks:
-            wanted = tuple([member.name for member in block.members])
-            if self._language.global_members:
-                names: Iterable[str] = map(self._declare, wanted)
-            else:
-                names = _apart(self._reserved, wanted)
-            yield from _by_member(block.name, wanted, names)
+            scope = Namer(self._reserved)
+            declare = self._declare if self._language.global_members else scope.declare
+            for member in block.members:
+                yield (block.name, member.name), declare(member.name)
         for struct in self._program.structs:
-            wanted = tuple([name for name, _type in struct.members])
-            yield from _by_member(struct.name, wanted, _apart(self._reserved, wanted))
+            scope = Namer(self._reserved)
+            for name, _type in struct.members:
+                yield (struct.name, name), scope.declare(name)
 
     def _structs(self) -> Iterable[str]:
         return dict.fromkeys(struct.name for struct in self._program.structs)
@@ -222,19 +220,6 @@ def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:
     for stage in program.stages:
         for function in stage.functions:
             yield stage, function
-
-
-def _by_member(
-    owner: str, wanted: Iterable[str], names: Iterable[str]
-) -> Iterator[tuple[tuple[str, str], str]]:
-    for member, name in zip(wanted, names, strict=True):
-        yield (owner, member), name
-
-
-@lru_cache(maxsize=1024)
-def _apart(reserved: Reserved, wanted: tuple[str, ...]) -> tuple[str, ...]:
-    """The names of members in a scope of their own; many programs have the same blocks."""
-    return tuple(map(Namer(reserved).declare, wanted))
 
 
 @lru_cache(maxsize=1024)
