@@ -9,11 +9,11 @@ Source: Charguéraud, *The Locally Nameless Representation*, 2012.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import repeat
 
 from .node import Formal, Graph, Node, binders, bodies_of
-from .operations import BOUND, FORMAL
+from .operations import BINDING, BOUND, FORMAL
 from .types import Type
 
 Moved = Callable[[Node, Node], None]
@@ -35,7 +35,9 @@ def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | No
         return None if number is None else graph.node("bound", node.type, (), depth + number)
 
     wanted = frozenset(formals)
-    return _transform(graph, body, leaf, lambda node, _: _needs(node, wanted), moved)
+    return _transform(
+        graph, body, leaf, lambda node, _: not node.variables.isdisjoint(wanted), moved
+    )
 
 
 def open_body(
@@ -85,11 +87,9 @@ def substitute(
     def leaf(node: Node, _depth: int) -> Node | None:
         return replacements.get(FORMAL.data(node)) if node.op == "formal" else None
 
-    return _transform(graph, root, leaf, lambda node, _: _needs(node, wanted), moved)
-
-
-def _needs(node: Node, formals: frozenset[Formal]) -> bool:
-    return bool(node.variables) and not node.variables.isdisjoint(formals)
+    return _transform(
+        graph, root, leaf, lambda node, _: not node.variables.isdisjoint(wanted), moved
+    )
 
 
 def _transform(
@@ -114,7 +114,8 @@ def _transform(
             continue
         operands: list[Node] = []
         height = len(pending)
-        for part in _parts(node, depth) if binders(node) else zip(node.operands, repeat(depth)):
+        parts: Iterable[tuple[Node, int]] = zip(node.operands, repeat(depth), strict=False)
+        for part in _parts(node, depth) if node.op in BINDING else parts:
             new = done.get(part)
             if new is None:
                 if affected(*part):
@@ -133,7 +134,7 @@ def _transform(
 
 
 def _parts(node: Node, depth: int) -> list[tuple[Node, int]]:
-    """The operands of a closed binder, each with the number of binders around it."""
+    """The operands of a binder, each with the number of closed binders around it."""
     inside = bodies_of(node)
     deeper = depth + binders(node)
     return [(operand, deeper if i in inside else depth) for i, operand in enumerate(node.operands)]
