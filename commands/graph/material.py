@@ -14,9 +14,9 @@ from ...compiler.ir.shader import Notes, Shader
 from ...compiler.ir.stages import VARYING
 from ...compiler.ir.statements import Iterate, Region
 from ...compiler.ir.types import Struct
+from ...compiler.ir.walks import operands_of, visible
 from ...compiler.passes.hoist import Derived
 from ...compiler.passes.pipeline import Staged
-from ...compiler.passes.walks import operands_of, visible
 from ...support.frozen import frozen
 from .kinds import ArrowKind, Kind
 from .model import Arrow, Box, Cluster, Picture

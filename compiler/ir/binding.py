@@ -9,10 +9,11 @@ Source: Charguéraud, *The Locally Nameless Representation*, 2012.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import repeat
 
 from .node import Formal, Graph, Node, binders, bodies_of
-from .operations import BOUND, FORMAL
+from .operations import BINDING, BOUND, FORMAL
 from .types import Type
 
 Moved = Callable[[Node, Node], None]
@@ -34,7 +35,9 @@ def close(graph: Graph, body: Node, formals: Sequence[Formal], moved: Moved | No
         return None if number is None else graph.node("bound", node.type, (), depth + number)
 
     wanted = frozenset(formals)
-    return _transform(graph, body, leaf, lambda node, _: _needs(node, wanted), moved)
+    return _transform(
+        graph, body, leaf, lambda node, _: not node.variables.isdisjoint(wanted), moved
+    )
 
 
 def open_body(
@@ -97,11 +100,9 @@ def substitute(
     def leaf(node: Node, _depth: int) -> Node | None:
         return replacements.get(FORMAL.data(node)) if node.op == "formal" else None
 
-    return _transform(graph, root, leaf, lambda node, _: _needs(node, wanted), moved)
-
-
-def _needs(node: Node, formals: frozenset[Formal]) -> bool:
-    return bool(node.variables) and not node.variables.isdisjoint(formals)
+    return _transform(
+        graph, root, leaf, lambda node, _: not node.variables.isdisjoint(wanted), moved
+    )
 
 
 def _transform(
@@ -111,7 +112,12 @@ def _transform(
     affected: Callable[[Node, int], bool],
     moved: Moved | None,
 ) -> Node:
-    """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion."""
+    """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion.
+
+    Operands that are not ``affected`` stay, and nothing below them is looked at.
+    """
+    if not affected(root, 0):
+        return root
     done: dict[tuple[Node, int], Node] = {}
     pending: list[tuple[Node, int]] = [(root, 0)]
     while pending:
@@ -119,31 +125,29 @@ def _transform(
         if place in done:
             pending.pop()
             continue
-        if not affected(node, depth):
-            done[place] = node
-            pending.pop()
-            continue
-        parts = _parts(node, depth)
-        missing = [part for part in parts if part not in done]
-        if missing:
-            pending.extend(missing)
+        operands: list[Node] = []
+        height = len(pending)
+        parts: Iterable[tuple[Node, int]] = zip(node.operands, repeat(depth), strict=False)
+        for part in _parts(node, depth) if node.op in BINDING else parts:
+            new = done.get(part)
+            if new is None:
+                if affected(*part):
+                    pending.append(part)
+                    continue
+                done[part] = new = part[0]
+            operands.append(new)
+        if len(pending) > height:
             continue
         pending.pop()
-        operands = tuple([done[part] for part in parts])
         replaced = leaf(node, depth) if not operands else None
-        done[place] = replaced or graph.node(node.op, node.type, operands, node.data)
+        done[place] = replaced or graph.node(node.op, node.type, tuple(operands), node.data)
         if moved is not None and operands:
             moved(node, done[place])
     return done[root, 0]
 
 
 def _parts(node: Node, depth: int) -> list[tuple[Node, int]]:
-    """The operands, each with the number of binders around it."""
-    count = binders(node)
-    if not count:
-        return [(operand, depth) for operand in node.operands]
+    """The operands of a binder, each with the number of closed binders around it."""
     inside = bodies_of(node)
-    return [
-        (operand, depth + count if i in inside else depth)
-        for i, operand in enumerate(node.operands)
-    ]
+    deeper = depth + binders(node)
+    return [(operand, deeper if i in inside else depth) for i, operand in enumerate(node.operands)]

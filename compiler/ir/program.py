@@ -8,10 +8,10 @@ turns them into legal ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ...stdlib.builtins import BUILTINS
-from ...support.frozen import frozen
+from ...support.frozen import cached_property, frozen
 from .leaves import Buffer, HostPlace, Parameter, Texture
 from .node import Formal, Node
 from .operations import NATIVE, builtin_of
@@ -26,6 +26,7 @@ from .stages import (
 from .statements import EmittedPart, Region
 from .storage import stored_type, structs_in
 from .types import Struct, Type
+from .walks import visible
 
 StageName = str
 """The name of a stage's row, ``vertex``."""
@@ -176,6 +177,11 @@ class Function:
     stands_for: Node | None = None
     """Of a builtin's definition, a node that it computes; its own nodes are of another graph."""
 
+    @cached_property
+    def nodes(self) -> Sequence[Node]:
+        """All nodes that it computes itself, operands before users, for whatever profile asks."""
+        return visible((self.value,))
+
 
 @frozen
 class TextureRead:
@@ -281,6 +287,14 @@ class Stage:
     def roots(self) -> tuple[Node, ...]:
         """The values of all results."""
         return tuple(output.value for output in self.results)
+
+    @cached_property
+    def nodes(self) -> Sequence[Node]:
+        """All nodes that it or its functions compute, operands before users.
+
+        Each profile asks what values a program has.
+        """
+        return visible(self.roots, into_bodies=True)
 
     @property
     def written(self) -> frozenset[Buffer]:

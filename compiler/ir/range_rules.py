@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import Protocol
 
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import SMALLEST_NORMAL, UNIT, UNKNOWN, Fact
 from ...stdlib.builtins.intervals import product
+from ...stdlib.builtins.row import RangeRule as OfBuiltin
 from ...stdlib.builtins.weakest import ROUNDING
-from ...support.frozen import frozen
+from ...support.frozen import changed, frozen
 from . import rulebook
 from .build import in_body
 from .leaves import Buffer, Parameter
@@ -31,9 +33,13 @@ from .operations import (
     ITERATE,
     MEMBER,
     OPERATIONS,
+    Constant,
 )
 from .refinements import refinements
 from .types import Array, Matrix, RuntimeArray, Struct
+
+MOST_KEPT = 8192
+"""Calls with different facts that are remembered; a program has some hundreds."""
 
 
 class Analysis(Protocol):
@@ -74,8 +80,13 @@ def _constant(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
     if isinstance(node.type, Matrix):
         return UNKNOWN
     data = CONSTANT.data(node)
-    lanes = data if isinstance(data, tuple) else (data,)
-    numbers = [float(lane) for lane in lanes if not isinstance(lane, tuple)]
+    return _of_lanes(data if isinstance(data, tuple) else (data,))
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _of_lanes(lanes: tuple[Constant, ...]) -> Fact:
+    # Adding zero takes the sign from a zero: facts have none.
+    numbers = [float(lane) + 0.0 for lane in lanes if not isinstance(lane, tuple)]
     return Fact(min(numbers), max(numbers), nonzero=all(abs(n) >= SMALLEST_NORMAL for n in numbers))
 
 
@@ -97,7 +108,19 @@ def _call(ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     operands = node.operands
     same = len(operands) > 1 and operands.count(operands[0]) == len(operands)
     same = same and rulebook.SAME not in ranges.without
-    return BUILTINS[CALL.data(node)].range(tuple(known), same)
+    return _of_call(BUILTINS[CALL.data(node)].range, tuple(known), same)
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _of_call(rule: OfBuiltin, known: tuple[Fact, ...], same: bool) -> Fact:
+    """The fact of a call, by the facts of its operands alone: many calls have the same ones.
+
+    The check asks for it, passes ask before and after guards are decided, and so do other programs.
+    Two zeros are the same number here, whatever their signs, and no result has a zero with a sign:
+    so it does not depend on who asked first.
+    """
+    fact = rule(known, same)
+    return fact if fact.lo and fact.hi else changed(fact, lo=fact.lo + 0.0, hi=fact.hi + 0.0)
 
 
 def _joined(_ranges: Analysis, _node: Node, known: Sequence[Fact]) -> Fact:

@@ -84,15 +84,16 @@ class Ranges:
                 pending.pop()
                 continue
             needs = top.operands if top.op not in _NEEDING else self.needs(top)
+            begun.add(top)
             # An argument of a function may come from the same function, before a loop and in its
             # iterations: of a value that needs itself nothing is known on the way round.
-            for need in needs:
-                if need not in facts and need not in begun:
-                    pending.append(need)
-            begun.add(top)
-            if pending[-1] is top:
-                pending.pop()
-                facts[top] = self.derived(top, tuple(map(self.so_far, needs)))
+            missing = [need for need in needs if need not in facts and need not in begun]
+            if missing:
+                pending += missing
+                continue
+            pending.pop()
+            found = [facts.get(need) or self.so_far(need) for need in needs]
+            facts[top] = self.derived(top, tuple(found))
         return facts[node]
 
     def so_far(self, node: Node) -> Fact:

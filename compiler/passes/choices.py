@@ -15,9 +15,9 @@ from ...support.frozen import cached_property
 from ..ir.node import Node
 from ..ir.operations import BRANCH
 from ..ir.types import BOOL, Matrix
+from ..ir.walks import operands_of
 from .cost import cost, cost_of
 from .draw_constants import DrawConstants
-from .walks import operands_of
 
 BRANCH_COST = 32
 """A choice whose sides cost less than this is cheaper than a branch."""
@@ -38,15 +38,6 @@ def chooses(node: Node) -> bool:
 def short_circuits(node: Node) -> bool:
     """True if a node is a ``&&`` or ``||``."""
     return node.op == "native" and node.data in _SHORT_CIRCUITING and node.type == BOOL
-
-
-def may_skip(user: Node, position: int) -> bool:
-    """True if an operand that is printed in place is computed for some pixels only.
-
-    A ``?:`` evaluates one of its sides. ``&&`` and ``||`` evaluate the right one where the left
-    does not decide.
-    """
-    return position > 0 and chooses(user)
 
 
 def has_to_branch(node: Node) -> bool:

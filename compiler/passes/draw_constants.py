@@ -12,6 +12,9 @@ from ..ir.node import Node
 from ..ir.operations import BINDING, joins_group
 from .elements import is_element
 
+_CONSTANT = frozenset({"constant", "parameter"})
+_VARYING = BINDING | {"cross"}
+
 
 class DrawConstants:
     """Made of constants and parameters only, without loops and functions, which stay in the shader.
@@ -35,18 +38,27 @@ class DrawConstants:
             node = pending[-1]
             if node.id in known:
                 pending.pop()
-            elif (own := self._by_itself(node)) is not None:
+                continue
+            own = self._by_itself(node)
+            if own is None:
+                # One operand that varies decides: those behind it are not looked at.
+                for operand in node.operands:
+                    theirs = known.get(operand.id)
+                    if theirs is None:
+                        pending.append(operand)
+                        break
+                    if not theirs:
+                        own = False
+                        break
+                else:
+                    own = True
+            if own is not None:
                 known[node.id] = own
-            elif missing := [operand for operand in node.operands if operand.id not in known]:
-                pending += missing
-            else:
-                known[node.id] = all(known[operand.id] for operand in node.operands)
         return known[root.id]
 
     def _by_itself(self, node: Node) -> bool | None:
         """The answer for a node that needs no look at its operands; ``None`` if they decide."""
-        if node.op in ("constant", "parameter") or (self._elements and is_element(node)):
+        if node.op in _CONSTANT or (self._elements and is_element(node)):
             return True
-        if node.op == "cross" or node.op in BINDING or joins_group(node):
-            return False
-        return None if node.operands else False
+        varies = node.op in _VARYING or not node.operands or joins_group(node)
+        return False if varies else None

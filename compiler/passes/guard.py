@@ -23,7 +23,6 @@ from ..ir.types import Type
 from .expand_builtins import Expanding
 from .path_conditions import PathConditions, PathRefinement
 from .remarks import Outcome, Remark
-from .simplify import Simplifier
 
 
 @frozen
@@ -124,10 +123,10 @@ class Guarding(Expanding):
 
         ``make`` would simplify it as well, but then expand it.
         """
-        simplest = Simplifier.make(self, "call", node.type, operands, node.data)
-        unchanged = simplest.data == node.data and simplest.operands == operands
-        if simplest.op == "call" and unchanged:
+        simplest = self.replacement("call", node.type, operands, node.data)
+        if simplest is None:
             return self._native(node.type, operands, node.data)
+        self._simplest.add(simplest)
         return simplest
 
     def _is_safe(self, node: Node) -> bool:
@@ -154,7 +153,22 @@ class Guarding(Expanding):
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
     ) -> Node:
         """The simplest node with this value, in hardware operations."""
-        node = super().make(op, type_, operands, data)
+        if op != "call":
+            return self._without_call(super().make(op, type_, operands, data))
+        found = self.replacement(op, type_, operands, data)
+        if found is None:
+            if not BUILTINS[str(data)].expansion:
+                return self._native(type_, operands, data)
+            found = self.graph.node(op, type_, operands, data)
+        self._simplest.add(found)
+        return self._without_call(found)
+
+    def again(self, node: Node) -> Node:
+        """The simplest node with the value of one that is there already."""
+        return self.make(node.op, node.type, node.operands, node.data)
+
+    def _without_call(self, node: Node) -> Node:
+        """The value of a node in its simplest form, where it is a call, without the call."""
         if node.op != "call":
             return node
         row = BUILTINS[CALL.data(node)]

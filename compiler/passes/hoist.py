@@ -165,7 +165,6 @@ class _Hoisting:
     def choose(self, roots: Roots) -> bool:
         """Find the hoistable nodes that some user which is not hoistable needs, if any."""
         nodes = roots.nodes
-        self._naming.learn(reversed(nodes))
         for node in nodes:
             self._reads[node.id] = self._reads_of(node)
             if node.op == "index":
@@ -173,13 +172,15 @@ class _Hoisting:
         needed = {root.id for root in roots}
         hoistable: list[Node] = []
         for node in nodes:
-            if self._hoistable(node):
+            if self._reads[node.id] is not None and self._hoistable(node):
                 hoistable.append(node)
             else:
                 needed.update([operand.id for operand in node.operands])
-        for node in hoistable:
-            if node.id in needed and _saves(node, 1):
-                self._place(node)
+        chosen = [node for node in hoistable if node.id in needed and _saves(node, 1)]
+        if chosen:
+            self._naming.learn(reversed(nodes))
+        for node in chosen:
+            self._place(node)
         return bool(self._single or self._members)
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
@@ -225,10 +226,13 @@ class _Hoisting:
         found = _NOTHING
         for operand in operands:
             theirs = self._reads[operand.id]
-            joined = None if theirs is None else found.joined(theirs)
-            if joined is None:
+            if theirs is None:
                 return None
-            found = joined
+            if theirs is not found and theirs is not _NOTHING:
+                joined = found.joined(theirs)
+                if joined is None:
+                    return None
+                found = joined
         return found
 
     def _of_group(self, group: str) -> _Reads:

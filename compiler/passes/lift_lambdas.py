@@ -16,9 +16,9 @@ from ..ir.operations import GLOBALS
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Matrix, Scalar, Vector
+from ..ir.walks import operands_of, visible
 from .naming import Naming
 from .schedule import is_part
-from .walks import operands_of, visible
 
 
 def lift_lambdas(graph: Graph, roots: Roots, notes: Notes) -> Roots:

@@ -121,16 +121,23 @@ class PathConditions:
             self._of[root.id] = None
         for node in reversed(roots.nodes):
             here = self._of.get(node.id)
-            sides: list[Path | None] = [here] * len(node.operands)
             if node.op == "select" and isinstance(node.operands[0].type, Scalar):
                 depth = 0 if here is None else here.depth + 1
-                if depth < DEEPEST:
-                    sides[1:] = [Path(here, node, holds, depth) for holds in (True, False)]
-            elif node.op == "cross" or node.id in together:
-                sides = [None] * len(node.operands)
-            for operand, path in zip(node.operands, sides, strict=True):
-                known = operand.id in self._of
-                self._of[operand.id] = _common(self._of[operand.id], path) if known else path
+                inner = [Path(here, node, holds, depth) for holds in (True, False)]
+                sides = (here, here) if depth >= DEEPEST else inner
+                for operand, path in zip(node.operands, (here, *sides), strict=True):
+                    self._use(operand, path)
+                continue
+            if node.op == "cross" or node.id in together:
+                here = None
+            for operand in node.operands:
+                self._use(operand, here)
+
+    def _use(self, operand: Node, path: Path | None) -> None:
+        """Notes one more region in which a value is used."""
+        known = self._of.setdefault(operand.id, path)
+        if known is not path:
+            self._of[operand.id] = _common(known, path)
 
 
 def _cone(operand: Node, about: Collection[int]) -> list[Node]:

@@ -30,12 +30,12 @@ from ..ir.statements import (
     Statement,
 )
 from ..ir.types import TextureType
-from .choices import Choices, chooses, has_to_branch, may_skip, short_circuits
+from ..ir.walks import in_order_of_use, operands_of
+from .choices import Choices, chooses, has_to_branch, short_circuits
 from .emit_strips import GroupValues
 from .naming import Naming
 from .path_conditions import DEEPEST
 from .uniformity import compares
-from .walks import in_order_of_use, operands_of
 
 INLINE_DEPTH = 7
 """Expressions nest at most so deeply before a part of them gets a name of its own."""
@@ -199,27 +199,32 @@ class Scheduler:
                 self._apart.add(node.id)
             home = self._home[node.id]
             # The blocks of a loop or a branch must exist before its operands are placed into them.
-            self._open_blocks(node, home)
+            choosing = chooses(node)
+            opens = choosing or node.op in LOOPS
+            if opens:
+                self._open_blocks(node, home)
             # Texture reads and derivatives need coordinates without choices in them.
             if compares(node) or _reads_texture(node):
-                self._coordinates.update(operand.id for operand in node.operands)
+                self._coordinates.update([operand.id for operand in node.operands])
             elif node.id in self._coordinates and is_access(node):
                 # An access gets no name itself, so the choice is in its operands.
-                self._coordinates.update(operand.id for operand in node.operands)
+                self._coordinates.update([operand.id for operand in node.operands])
             # A part without a name is printed as an access to its whole, which then needs the name
             # and has all uses of the part.
             stands_for_whole = self._stands_for_whole(node)
             if stands_for_whole and node.id in self._apart:
                 self._apart.add(node.operands[0].id)
             uses = self._uses[node.id] if stands_for_whole else 1
+            in_place = node.id not in self._sides
             # Hand the regions of the uses on to the operands, which come later in this walk.
             for position, operand in enumerate(operands_of(node)):
                 if operand.op in LEAVES:
                     continue
-                region = self._region_of(node, position, home)
+                region = self._region_of(node, position, home) if opens else home
                 homes.setdefault(operand.id, []).append(region)
                 self._uses[operand.id] = self._uses.get(operand.id, 0) + uses
-                if node.id not in self._sides and (node.id in optional or may_skip(node, position)):
+                # A `?:` evaluates one of its sides, and `&&` and `||` the right one if need be.
+                if in_place and (node.id in optional or (choosing and position > 0)):
                     optional.add(operand.id)
 
     def _open_blocks(self, node: Node, home: _Block) -> None:

@@ -64,23 +64,38 @@ class Simplifier(Builder):
     def rule(self, _graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
         """The simplest form of an operation, for ``rewrite``."""
         self.at = self.notes.spans.get(node.id, self.at)
-        return self.make(node.op, node.type, operands, node.data) if operands else node
+        if operands is node.operands:
+            return self.again(node) if operands else node
+        return self.make(node.op, node.type, operands, node.data)
+
+    def again(self, node: Node) -> Node:
+        """The simplest node with the value of one that is there already."""
+        found = self.replacement(node.op, node.type, node.operands, node.data) or node
+        self._simplest.add(found)
+        return found
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
     ) -> Node:
         """The simplest node with the value of this operation."""
+        found = self.replacement(op, type_, operands, data)
+        if found is None:
+            found = self.graph.node(op, type_, operands, data)
+        self._simplest.add(found)
+        return found
+
+    def replacement(
+        self, op: Op, type_: Type, operands: tuple[Node, ...], data: Hashable
+    ) -> Node | None:
+        """A simpler node with the value of an operation; ``None`` if no rule knows one."""
         head = HEADS.get(op, data)
         for rule, apply in self._candidates((head, *map(_HEAD, operands))):
             found = apply(self, op, type_, operands, data)
             if found is not None:
                 if rule.drops:
                     self.remark(str(data), operands, "dropped", rule=rule.name)
-                break
-        else:
-            found = self.graph.node(op, type_, operands, data)
-        self._simplest.add(found)
-        return found
+                return found
+        return None
 
     def substituted(self, body: Node, replacements: Mapping[Formal, Node]) -> Node:
         """``body`` with formals replaced; all that changes is built in its simplest form."""

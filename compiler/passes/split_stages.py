@@ -40,6 +40,7 @@ from ..ir.stages import (
     StageRow,
 )
 from ..ir.types import UINT, scalar_kind
+from ..ir.walks import called_functions, visible
 from ..layout import blocks_of
 from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
@@ -47,7 +48,6 @@ from .interfaces import Interfaces
 from .naming import Naming
 from .schedule import Scheduler
 from .uniformity import needing_uniform_flow
-from .walks import called_functions, visible
 
 
 def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:

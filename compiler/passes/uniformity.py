@@ -29,7 +29,7 @@ def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
     What a loop's turns have in common is computed before it, and so does not count.
     """
     nodes = list(nodes)
-    if not any(map(compares, nodes)):
+    if _COMPARING.isdisjoint([node.head for node in nodes]):
         return frozenset()
     found: set[int] = set()
     inside: set[Node] = set()

@@ -39,7 +39,7 @@ _LIMITS: dict[Kind, tuple[float, float]] = {
 }
 
 
-@frozen
+@frozen(key=True)
 class Fact:
     """Bounds of every lane of a value. ``lo`` is never above ``hi``; unknown is (-inf, inf)."""
 

@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import StageName
+from ...compiler.ir.types import Type
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..description.spellings import PipelineInput, Spellings
@@ -37,6 +38,8 @@ class Dialect:
         self.writers: dict[str, Writer] = {}
         """Functions that print builtins whose spelling does not depend on the operands.
         ``natives.py`` adds those that it has found."""
+        self.spellings: dict[tuple[str, tuple[Type, ...]], str] = {}
+        """The spellings of all others, by the types of their operands. ``natives.py`` adds them."""
         self.types = TypeTexts({}, {}, {})
         """Texts of scalars, vectors and matrices under the profile."""
 

@@ -28,7 +28,9 @@ class Fields:
         self._names = context.names
         self._roles = dict(_roles_of_inputs(context.program, stage))
         self._inputs = [self._input(field, self._roles[field.name]) for field in stage.inputs]
-        self._handed_on = [self._field(f, "control point", True) for f in stage.handed_on]
+        self._handed_on = [
+            self._field(f, "control point", True, f.invariant) for f in stage.handed_on
+        ]
         self._delivered = [self._output(each) for each in stage.results if each.field is not None]
 
     @property
@@ -87,13 +89,12 @@ class Fields:
         )
 
     def _input(self, field: Field, role: FieldRole) -> FieldView:
-        view = self._field(field, role, field.mode == "corner")
         says_so = field.invariant and self._context.profile.invariant_inputs
-        return changed(view, invariant=says_so)
+        return self._field(field, role, field.mode == "corner", says_so)
 
     def _output(self, output: Output) -> FieldView:
         assert output.field is not None
-        view = self._field(output.field, self._role(output))
+        view = self._field(output.field, self._role(output), False, output.field.invariant)
         capture = self._context.program.shader.capture
         if output.kind != CAPTURE or capture is None or not self.capture_stride():
             return view
@@ -120,7 +121,7 @@ class Fields:
             return self._names.semantics[field.name]
         return self._context.language.semantic(role, field.name, field.location)
 
-    def _field(self, field: Field, role: FieldRole, per_corner: bool = False) -> FieldView:
+    def _field(self, field: Field, role: FieldRole, per_corner: bool, invariant: bool) -> FieldView:
         name, types = self._name(field, role), self._context.types
         return FieldView(
             name=name,
@@ -133,7 +134,7 @@ class Fields:
             comment=comment_line(field.doc),
             of_patch=role == "of patch",
             per_corner=per_corner,
-            invariant=field.invariant,
+            invariant=invariant,
         )
 
 

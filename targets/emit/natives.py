@@ -90,6 +90,7 @@ class Natives:
         self._functions = functions
         self._table = context.dialect.natives
         self._writers = context.dialect.writers
+        self._spellings = context.dialect.spellings
         self._forms = context.language.forms
         self._splats = context.language.splats
         self._spell_type = context.types.type
@@ -111,17 +112,24 @@ class Natives:
 
     def _print(self, node: Node, builtin: str, operands: Sequence[Printed]) -> Printed:
         """Print a native that is not among the dialect's writers, or not yet."""
-        types = [operand.type for operand in node.operands]
+        types = tuple([operand.type for operand in node.operands])
         reads = bool(types) and isinstance(types[0], TextureType)
         if reads:
             operands = [self._leaves.texture_read(node.operands[0], builtin), *operands[1:]]
-        spelled = self._after(builtin, node) or spelling_of(builtin, types, self._table)
+        spelled = self._after(builtin, node) or self._spelling(builtin, types)
         if "{" in spelled:
             return self._template(spelled, node, operands)
         write = writer(spelled, len(operands))
         if not reads and isinstance(self._table.get(builtin, ""), str):
             self._writers[builtin] = write
         return write(operands)
+
+    def _spelling(self, builtin: str, types: tuple[Type, ...]) -> str:
+        """The spelling for operands of these types, which is found once for all programs."""
+        spelled = self._spellings.get((builtin, types))
+        if spelled is None:
+            spelled = self._spellings[builtin, types] = spelling_of(builtin, types, self._table)
+        return spelled
 
     def _after(self, builtin: str, node: Node) -> str:
         """The spelling for a vector that a certain other native has made; empty for others."""

@@ -55,7 +55,7 @@ def wrapped(text: str) -> tuple[str, Breaks]:
     breaks: dict[int, int] = {}
     for place, line in enumerate(lines):
         if len(line) > WIDTH:
-            parts = broken(line)
+            parts = _known(line)
             breaks[place + 1] = len(parts)
             lines[place] = "\n".join(parts)
     return "\n".join(lines), breaks
@@ -75,6 +75,12 @@ def moved(places: Mapping[int, Place], breaks: Breaks) -> dict[int, Place]:
         first = number + further
         found.update(dict.fromkeys(range(first, first + breaks.get(number, 1)), place))
     return found
+
+
+@lru_cache(maxsize=1024)
+def _known(line: str) -> Sequence[str]:
+    """A long line that is broken once for all texts that have it, as those of an editor do."""
+    return broken(line)
 
 
 def broken(line: str) -> list[str]:

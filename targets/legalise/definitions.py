@@ -21,7 +21,6 @@ from ...compiler.passes.naming import Naming
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.schedule import Scheduler
 from ...compiler.passes.uniformity import needing_uniform_flow
-from ...compiler.passes.walks import visible
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.facts import UNKNOWN
 from ...support.frozen import changed
@@ -56,7 +55,7 @@ def _defined(stage: Stage, profile: Profile, made: dict[Use, Function]) -> Stage
         needed[use] = own.get(use, stands_for)
         if use not in made:
             made[use] = _function(use, profile)
-        inner = native_uses(visible((made[use].value,)))
+        inner = native_uses(made[use].nodes)
         pending += [(_use(each), stands_for) for each in _lacking(inner, profile)]
     functions = tuple(
         changed(made[use], stands_for=stands_for) for use, stands_for in reversed(needed.items())

@@ -15,7 +15,7 @@ from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
 from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
 from ...compiler.ir.types import TextureType
-from ...compiler.passes.walks import visible
+from ...compiler.ir.walks import visible
 from ...support.frozen import frozen
 from ..description.capabilities import (
     BLENDED_APART,
@@ -222,8 +222,7 @@ def _reading_numbers(program: Program) -> list[Node]:
 
 def _first_use(stage: Stage) -> int:
     """The id of a node that reads a storage buffer, or else of one that is written to it."""
-    nodes = visible(stage.roots, into_bodies=True)
-    reads = (n.id for n in nodes if n.op == "index" and n.operands[0].op == "buffer")
+    reads = (n.id for n in stage.nodes if n.op == "index" and n.operands[0].op == "buffer")
     return next(reads, stage.roots[0].id)
 
 

@@ -16,7 +16,7 @@ from ...compiler.ir.program import Program, Stage
 from ...compiler.ir.stages import CAPTURE, COMPUTE, FRAGMENT, TARGET, VERTEX
 from ...compiler.ir.statements import Region
 from ...compiler.ir.types import Struct, width
-from ...compiler.passes.walks import visible
+from ...compiler.ir.walks import visible
 from ...support.frozen import frozen
 from ..description.capabilities import (
     INSTANCES,
@@ -160,14 +160,15 @@ def _inlined_operations(stage: Stage) -> int:
 
     The result is at most ``UNCOUNTED``. Functions follow those that they call.
     """
+    if not stage.functions:
+        return 0
     whole: dict[Node, int] = {}
 
     def of_calls(nodes: Iterable[Node]) -> int:
         return sum(whole[node.operands[0]] for node in nodes if node.op == "apply")
 
     for function in stage.functions:
-        nodes = visible((function.value,))
-        whole[function.body] = min(len(nodes) + of_calls(nodes), UNCOUNTED)
+        whole[function.body] = min(len(function.nodes) + of_calls(function.nodes), UNCOUNTED)
     return min(of_calls(visible(stage.roots)), UNCOUNTED)
 
 

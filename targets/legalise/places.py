@@ -14,7 +14,6 @@ from ...compiler.ir.operations import NATIVE
 from ...compiler.ir.program import Program, Stage
 from ...compiler.ir.stages import FRAGMENT
 from ...compiler.ir.statements import Iterate, Loop, Region
-from ...compiler.passes.walks import visible
 
 COUNTED = frozenset({"add", "div", "mod", "mul", "neg", "sub"})
 """The operations that such an index may consist of."""
@@ -49,7 +48,7 @@ def _elements(stage: Stage) -> Iterator[tuple[Node, list[Node] | None]]:
     The operations are ``None`` if the index is computed in another way.
     """
     counters = frozenset(_counters(stage.regions))
-    for node in visible(stage.roots, into_bodies=True):
+    for node in stage.nodes:
         if node.op == "index":
             yield node, _counted(node.operands[1], counters)
 

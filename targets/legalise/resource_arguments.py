@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from ...compiler.ir.leaves import Buffer, Parameter, Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Program, Stage, StageName
-from ...compiler.passes.walks import visible
 from ...support.frozen import frozen
 from ..description.shading_language import Language
 
@@ -61,7 +60,7 @@ def _passed(program: Program, stage: Stage) -> dict[Node, Passed]:
         blocks: set[str] = set()
         buffers: set[str] = set()
         textures: set[str] = set()
-        for node in visible((function.value,)):
+        for node in function.nodes:
             if isinstance(node.data, Parameter):
                 blocks.add(owners[node.data])
             elif isinstance(node.data, Buffer):

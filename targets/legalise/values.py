@@ -6,14 +6,12 @@ known width, without arrays that are values, or in which places of elements have
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Container, Iterator
 from itertools import islice
 
-from ...compiler.ir.node import Node
-from ...compiler.ir.program import Field, NativeUse, Program
+from ...compiler.ir.program import Field, NativeUse, Program, Stage
 from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
 from ...compiler.ir.types import scalar_kind
-from ...compiler.passes.walks import visible
 from ..description.capabilities import (
     COMPUTED_PLACES,
     FLAT_VALUES,
@@ -22,8 +20,12 @@ from ..description.capabilities import (
     OF_INPUTS,
     WIDE_INTEGERS,
 )
+from ..description.capability import Need
 from ..description.profile import Profile
 from .places import computed_places
+
+Finder = Callable[[Program, Stage], Iterator[int]]
+"""Finds the ids of nodes of a stage that need something."""
 
 
 def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str, int]]:
@@ -32,16 +34,10 @@ def features_of_values(program: Program, profile: Profile) -> Iterator[tuple[str
     Nothing is reported about stages that the profile has not got.
     """
     stages = [stage for stage in program.stages if stage.row in profile.stages]
-    for stage in stages:
-        nodes = visible(stage.roots, into_bodies=True)
-        for need, needing in (
-            *((need, _reading(nodes, "input", {name})) for name, need in OF_INPUTS.items()),
-            (INSTANCES, _reading(nodes, "attribute", _inputs(program, _is_of_instances))),
-            (INTEGER_ATTRIBUTES, _reading(nodes, "attribute", _inputs(program, _is_whole))),
-            (WIDE_INTEGERS, (use.node.id for use in stage.natives if needs_wide_integers(use))),
-            (COMPUTED_PLACES, computed_places(stage)),
-        ):
-            found = [] if need.is_met(profile) else list(islice(needing, 1))
+    unmet = [(need, found) for need, found in _NEEDING if not need.is_met(profile)]
+    for stage in stages if unmet else ():
+        for need, needing in unmet:
+            found = list(islice(needing(program, stage), 1))
             yield from ((need.feature, node) for node in found)
             if found and need in OF_INPUTS.values():
                 break  # Values computed from it would be found, too.
@@ -59,18 +55,35 @@ def needs_wide_integers(use: NativeUse) -> bool:
     return use.builtin in WIDE_INTEGERS.builtins or ("uint" in kinds and use.builtin != "ne")
 
 
-def _inputs(program: Program, asked: Callable[[Field], bool]) -> set[str]:
-    return {field.name for field in program.vertex_inputs if asked(field)}
+def _reading(op: str, names: Callable[[Program], Container[str]]) -> Finder:
+    """Finds the reads of inputs with some names."""
+
+    def found(program: Program, stage: Stage) -> Iterator[int]:
+        wanted = names(program)
+        for node in stage.nodes:
+            if node.op == op and getattr(node.data, "name", "") in wanted:
+                yield node.id
+
+    return found
 
 
-def _is_of_instances(field: Field) -> bool:
-    return field.step == PER_INSTANCE
+def _named(name: str) -> Callable[[Program], Container[str]]:
+    return lambda _program: {name}
 
 
-def _is_whole(field: Field) -> bool:
-    return scalar_kind(field.type) != "float"
+def _inputs(asked: Callable[[Field], bool]) -> Callable[[Program], Container[str]]:
+    return lambda program: {field.name for field in program.vertex_inputs if asked(field)}
 
 
-def _reading(nodes: Iterable[Node], op: str, names: set[str]) -> Iterator[int]:
-    """The reads of inputs with some of these names."""
-    return (n.id for n in nodes if n.op == op and getattr(n.data, "name", "") in names)
+def _of_wide_integers(_program: Program, stage: Stage) -> Iterator[int]:
+    return (use.node.id for use in stage.natives if needs_wide_integers(use))
+
+
+_NEEDING: tuple[tuple[Need, Finder], ...] = (
+    *((need, _reading("input", _named(name))) for name, need in OF_INPUTS.items()),
+    (INSTANCES, _reading("attribute", _inputs(lambda field: field.step == PER_INSTANCE))),
+    (INTEGER_ATTRIBUTES, _reading("attribute", _inputs(lambda f: scalar_kind(f.type) != "float"))),
+    (WIDE_INTEGERS, _of_wide_integers),
+    (COMPUTED_PLACES, lambda _, stage: computed_places(stage)),
+)
+"""Needs that values may have, each with a function that finds those that do in a stage."""

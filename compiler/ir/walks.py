@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.node import AGE, Node
+from .node import AGE, Node
 
 _PARTLY = frozenset({"apply", "cross"})
 """Operations of which a body does not compute the first operand itself."""
@@ -48,8 +48,12 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
         if ready:
             order.setdefault(node.id, node)
         elif node.id not in order:
+            operands = operands_of(node)
+            if not operands:
+                order[node.id] = node
+                continue
             pending.append((node, True))
-            pending.extend((operand, False) for operand in reversed(operands_of(node)))
+            pending += [(operand, False) for operand in reversed(operands)]
     return list(order.values())
 
 
