@@ -52,7 +52,11 @@ os.environ[VARIABLE] = "1"
 settings.register_profile("burnish", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("burnish")
 
-pytest_plugins = ["burnish.tests.suite.account", "burnish.tests.suite.quick"]
+pytest_plugins = [
+    "burnish.tests.suite.account",
+    "burnish.tests.suite.quick",
+    "burnish.tests.suite.units",
+]
 
 
 def pytest_configure(config: pytest.Config) -> None:
