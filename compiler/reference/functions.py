@@ -227,7 +227,7 @@ def _lanewise(name: str, kind: LaneKind) -> Function:
     return _FLOATS[name]
 
 
-def _wrapped(function: Function, kind: LaneKind, xp: Namespace, *lanes: Lane) -> Lane:
+def _wrapped(function: Function, kind: integers.IntegerKind, xp: Namespace, *lanes: Lane) -> Lane:
     """The result of a function of integers, wrapped to 32 bits."""
     return integers.wrap(kind, function(xp, *lanes))
 

@@ -33,6 +33,9 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Units | None
 class Units(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist brings no types
     """A scheduler whose scopes are units."""
 
+    workqueue: OrderedDict[str, dict[str, bool]]
+    """The units that no worker has got yet; of each, which of its tests are complete."""
+
     def schedule(self) -> None:
         """Called when all workers have collected the tests, and again after one was replaced."""
         super().schedule()
