@@ -8,10 +8,11 @@ contain after which pass. The tests verify every graph after every pass; elsewhe
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from threading import local
 from typing import Any
 
 from .domains import Domains, MixedDomainsError, exists
-from .node import Binder, Formal, Node, Op, binders, bodies_of, reachable
+from .node import Binder, Formal, Node, Op, Roots, binders, bodies_of, reachable
 from .operations import (
     BOUND,
     BUFFER,
@@ -40,24 +41,61 @@ class InvalidGraphError(Exception):
         self.node = node
 
 
+class _Known(local):
+    """The nodes of one graph that this thread has found to be well formed.
+
+    Nodes never change, and most of them stay from pass to pass, so none is looked at twice. A node
+    of another graph, which has the id of a known one, begins anew.
+    """
+
+    def __init__(self) -> None:
+        self._nodes: dict[int, Node] = {}
+        self.forget()
+
+    def forget(self) -> None:
+        """Begin with another graph."""
+        self._nodes = {}
+        self.fitting: dict[Form, set[int]] = {}
+        """The ids of the nodes that a graph of each form may have."""
+        self.variables: dict[int, Variables] = {}
+        self.domains = Domains()
+
+    def meet(self, nodes: Iterable[Node]) -> None:
+        """Called with all nodes that are verified next."""
+        if any(self._nodes.setdefault(node.id, node) is not node for node in nodes):
+            self.forget()
+            self._nodes = {node.id: node for node in nodes}
+
+
+_KNOWN = _Known()
+
+
 def verify(roots: Iterable[Node], *, stage: Form) -> None:
     """Raise ``InvalidGraphError`` at the first node under ``roots`` that is not well formed."""
-    wanted = list(roots)
-    variables: dict[int, Variables] = {}
-    domains = Domains()
-    for node in reachable(wanted):
-        row = OPERATIONS[node.op]
-        _check_order(node)
-        _check_form(node, row, stage)
-        _check_row(node, row, stage)
-        variables[node.id] = _variables(node, variables)
-        try:
-            domains.of(node)
-        except MixedDomainsError as error:
-            raise InvalidGraphError(error.node, str(error)) from error
+    wanted = roots if isinstance(roots, Roots) else list(roots)
+    nodes = reachable(wanted)
+    _KNOWN.meet(nodes)
+    fitting = _KNOWN.fitting.setdefault(stage, set())
+    for node in nodes:
+        if node.id not in fitting:
+            _check(node, stage)
+            fitting.add(node.id)
     for root in wanted:
-        for variable, _type in variables[root.id]:
+        for variable, _type in _KNOWN.variables[root.id]:
             raise InvalidGraphError(root, f"{variable} is used outside its binder")
+
+
+def _check(node: Node, stage: Form) -> None:
+    """Checks a node whose operands are well formed."""
+    row = OPERATIONS[node.op]
+    _check_order(node)
+    _check_form(node, row, stage)
+    _check_row(node, row, stage)
+    _KNOWN.variables[node.id] = _variables(node, _KNOWN.variables)
+    try:
+        _KNOWN.domains.of(node)
+    except MixedDomainsError as error:
+        raise InvalidGraphError(error.node, str(error)) from error
 
 
 def verify_results(results: Sequence[Result], chain: Chain) -> None:

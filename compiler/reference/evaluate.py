@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 from ...support.frozen import record
-from ..ir.node import Node, bare, bodies_of, reachable
+from ..ir.node import Node, Op, bare, bodies_of, reachable
 from ..ir.operations import BOUND, FORMAL, OUTSIDE
 from . import scalars
 from .bodies import Frame, Opened, opened
@@ -45,6 +45,9 @@ _ASKED = OUTSIDE | {"cross"}
 
 _GIVEN = _ASKED | {"bound", "formal"}
 """Operations that may have a value without being evaluated."""
+
+_BINDING: frozenset[Op] = frozenset(("fold", "iterate", "apply"))
+"""Operations with bodies."""
 
 
 class TooLongError(Exception):
@@ -157,19 +160,25 @@ class Evaluator:
         pending, frame = walk.pending, walk.frame
         while pending:
             node = pending[-1]
-            home = self._home(node, frame)
+            is_under_binder = node.free or node.variables
+            home = self._home(node, frame) if is_under_binder else self._outermost
             known = home.values.get(node.id)
             if known is None and node.op in _GIVEN:
                 known = self._given(node, home)
             if known is None:
                 is_choice = self._is_lazy and node.op == "select"
-                before = self._condition_or_side(node, frame) if is_choice else _needed_first(node)
+                has_bodies = node.op in _BINDING
+                before = (
+                    self._condition_or_side(node, frame) if is_choice
+                    else _besides_bodies(node) if has_bodies
+                    else node.operands
+                )  # fmt: skip
                 operands = self._operands(before, frame, pending)
                 if operands is None:
                     continue
                 if self._most is not None:
                     self._spend()
-                if bodies_of(node):
+                if has_bodies:
                     return opened(node, operands, home, self._xp, self._spend, self._stored)
                 known = operands[0] if is_choice else apply(node, operands, self._xp)
                 if self._observer is not None:
@@ -185,8 +194,12 @@ class Evaluator:
     ) -> list[Lanes] | None:
         """The values of operands; ``None`` if some are not known yet: ``pending`` gets these."""
         values, missing = [], False
+        outermost = self._outermost.values
         for operand in wanted:
-            value = self._home(operand, frame).values.get(operand.id)
+            if operand.free or operand.variables:
+                value = self._home(operand, frame).values.get(operand.id)
+            else:
+                value = outermost.get(operand.id)
             if value is None:
                 pending.append(operand)
                 missing = True
@@ -233,9 +246,7 @@ def _as_it_is(value: Lanes) -> Lanes:
     return value
 
 
-def _needed_first(node: Node) -> tuple[Node, ...]:
-    """The operands that are evaluated before the node: all but the bodies under its binder."""
+def _besides_bodies(node: Node) -> tuple[Node, ...]:
+    """The operands that are evaluated before a node with bodies."""
     inside = bodies_of(node)
-    if not inside:
-        return node.operands
     return node.operands[: inside.start] + node.operands[inside.stop :]

@@ -8,6 +8,7 @@ reference's pictures pass NumPy as ``xp``.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Literal
 
 from ...stdlib.builtins import texture, work_group
@@ -182,21 +183,22 @@ def evaluate(
     results can be wrapped to 32 bits. Never raises for operands that fit the builtin's signatures;
     a result that is too large is infinite.
     """
-    if name in WHOLE:
-        return WHOLE[name](xp, *operands)
+    if (whole := WHOLE.get(name)) is not None:
+        return whole(xp, *operands)
     if (row := _OF_GROUPS.get(name)) is not None:
         assert isinstance(xp, WorkGroups)
-        return work_groups.joined(xp, _lanewise(row.joins, xp, kind), row, *operands)
+        join = partial(_lanewise(row.joins, kind), xp)
+        return work_groups.joined(xp, join, row, *operands)
     if name == "dot":
         return _dot(operands, xp, kind)
-    if any(map(matrices.is_matrix, operands)):
-        return _on_matrices(name, operands, xp)
-    function = _lanewise(name, xp, kind)
+    for lanes in operands:
+        if isinstance(lanes[0], tuple):
+            return _on_matrices(name, operands, xp)
     width = max(map(len, operands))
-    if width == 1:
-        return (function(*[lane for (lane,) in operands]),)
-    wide = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
-    return tuple(function(*lanes) for lanes in zip(*wide, strict=True))
+    if width > 1:
+        operands = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
+    function = _lanewise(name, kind)
+    return tuple([function(xp, *lanes) for lanes in zip(*operands, strict=True)])
 
 
 def _dot(operands: Sequence[Lanes], xp: Namespace, kind: LaneKind) -> Lanes:
@@ -212,20 +214,25 @@ def _on_matrices(name: str, operands: Sequence[Lanes], xp: Namespace) -> Lanes:
     return tuple(evaluate(name, columns, xp) for columns in zip(*operands, strict=True))
 
 
-def _lanewise(name: str, xp: Namespace, kind: LaneKind) -> Function:
-    """The function for one lane of type ``kind``; results of integers are wrapped."""
+def _lanewise(name: str, kind: LaneKind) -> Function:
+    """The function of an array library and lanes of type ``kind``; results of integers are
+    wrapped."""
+    if (function := _OF_ANOTHER_KIND.get(name)) is not None:
+        return function
     if name in _CONVERSIONS:
-        return lambda x: _convert(name, xp, kind, x)
-    if name in _OF_ANOTHER_KIND:
-        return lambda *lanes: _OF_ANOTHER_KIND[name](xp, *lanes)
+        return partial(_convert, name, kind)
     if kind in ("int", "uint"):
         signed = _SIGNED.get(name) if kind == "int" else None
-        function = signed or _INTEGERS[name]
-        return lambda *lanes: integers.wrap(kind, function(xp, *lanes))
-    return lambda *lanes: _FLOATS[name](xp, *lanes)
+        return partial(_wrapped, signed or _INTEGERS[name], kind)
+    return _FLOATS[name]
 
 
-def _convert(name: str, xp: Namespace, source: LaneKind, x: Lane) -> Lane:
+def _wrapped(function: Function, kind: integers.IntegerKind, xp: Namespace, *lanes: Lane) -> Lane:
+    """The result of a function of integers, wrapped to 32 bits."""
+    return integers.wrap(kind, function(xp, *lanes))
+
+
+def _convert(name: str, source: LaneKind, xp: Namespace, x: Lane) -> Lane:
     """A conversion; one between integers keeps the bits."""
     if source == "float" or name == "to_float":
         return _CONVERSIONS[name](xp, x)

@@ -17,6 +17,7 @@ from burnish.compiler.ir.rewrite import rewrite
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.types import FLOAT, Matrix, Scalar, Vector, scalar_kind
 from burnish.compiler.passes.pipeline import Options
+from burnish.compiler.reference.evaluate import Evaluator
 from burnish.stdlib.builtins import BUILTINS
 
 from .hardware import flat, hardware
@@ -64,7 +65,10 @@ def noisy(graph: Graph, roots: list[Node]) -> list[Node]:
 
 def lanes(roots: list[Node], world: World) -> list[float]:
     """The lanes of all roots."""
-    evaluator = evaluator_of(roots, world)
+    return _lanes(evaluator_of(roots, world), roots)
+
+
+def _lanes(evaluator: Evaluator, roots: list[Node]) -> list[float]:
     return [lane for root in roots for lane in flat(evaluator.value(root))]
 
 
@@ -88,13 +92,17 @@ def disagreements(given: Shader, worlds: list[World], options: Options | None = 
         expected = lanes(original, world)
         allowed = tolerances(shaken, expected, world)
         informed = World(world.seed, world.traps, past.staged.derived)
+        # Passes keep most nodes of the one graph, so these are evaluated once for all passes.
+        evaluator = evaluator_of(
+            [root for roots in past.roots.values() for root in roots], informed
+        )
         before: list[Node] = []
         for name, roots in past.roots.items():
             if roots == before:  # The pass had nothing to do.
                 continue
             before = roots
             with hardware():
-                values = lanes(roots, informed)
+                values = _lanes(evaluator, roots)
             for i, value in enumerate(values):
                 if math.isfinite(expected[i]) and not abs(value - expected[i]) <= allowed[i]:
                     found.append(

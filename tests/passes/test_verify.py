@@ -157,3 +157,18 @@ def test_the_error_names_the_pass(monkeypatch: pytest.MonkeyPatch) -> None:
     assert caught.value.__notes__ == ["after fuse"]
     monkeypatch.delenv(VARIABLE)
     checkpoint.verified("fuse", "opened", Roots([free(Graph())]))
+
+
+def test_graphs_whose_nodes_have_the_same_ids_are_verified_each_by_itself() -> None:
+    verify([one(Graph())], stage="semantics")
+    with pytest.raises(InvalidGraphError, match="does not take"):
+        verify([Graph().node("constant", FLOAT, (), 1)], stage="semantics")
+
+
+def test_a_node_that_fits_a_graph_of_one_form_is_looked_at_again_in_the_next() -> None:
+    graph = Graph()
+    root = graph.node("call", FLOAT, (one(graph),), "sqrt")
+    for _ in range(2):
+        verify([root], stage="flat")
+        with pytest.raises(InvalidGraphError, match="has not been guarded"):
+            verify([root], stage="guarded")
