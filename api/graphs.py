@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 MOST_CHARACTERS = 1 << 17
 """The number of characters of the texts of those results whose graphs stay: 3 MB or so of graphs.
 The graphs of the result that was used last stay in any case."""
+LEAST = 4096
+"""The least that a result counts."""
 
 
 @frozen
@@ -91,10 +93,16 @@ class KeptGraphs:
         """The graphs, which are the same as long as they stay."""
         made = self._made
         if made is None:
-            made = self._made = self._again()
+            made = self._again()
+            if self._stay:
+                self._made = made
         if not self._stay:
             _RECENT.use(self, made)
         return made
+
+    def hold(self, made: ResultGraphs) -> None:
+        """Have the graphs there until ``drop``."""
+        self._made = made
 
     def drop(self) -> None:
         """Forget the graphs; ``graphs`` makes them again."""
@@ -139,14 +147,18 @@ class Recent:
     def __init__(self, characters: int = MOST_CHARACTERS) -> None:
         self._most = characters
         self._sizes: WeakKeyDictionary[KeptGraphs, int] = WeakKeyDictionary()
-        """The characters of each that somebody still has, the one that was used last at the end."""
+        """The characters of each that somebody still has, the one that was used last at the end.
+
+        Results without texts have graphs, too, and count as if they had some.
+        """
         self._lock = lock()
 
     def use(self, used: KeptGraphs, made: ResultGraphs) -> None:
         """Note that somebody uses these graphs, and drop those not used for the longest time."""
         with self._lock:
             size = self._sizes.pop(used, None)
-            self._sizes[used] = made.characters() if size is None else size
+            used.hold(made)
+            self._sizes[used] = max(LEAST, made.characters()) if size is None else size
             while len(self._sizes) > 1 and sum(self._sizes.values()) > self._most:
                 oldest = next(self._sizes.keys())
                 del self._sizes[oldest]

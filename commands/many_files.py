@@ -86,5 +86,6 @@ def _made_in_processes(
     try:
         yield from threads.map(ask, requests)
     finally:
-        workers.close()
+        # A thread whose process is closed must not take the next file.
         threads.shutdown(wait=False, cancel_futures=True)
+        workers.close()

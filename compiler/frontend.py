@@ -24,7 +24,7 @@ from .semantics.names.modules import Module, Symbol
 from .semantics.names.standard_library import StandardLibrary
 from .semantics.shading.assembly import Parts, Setting, set_up
 from .semantics.shading.elaborate import elaborate
-from .semantics.shading.known_right import KNOWN_RIGHT
+from .semantics.shading.known_right import KNOWN_RIGHT, NOTHING_KNOWN
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
@@ -302,7 +302,7 @@ class Frontend:
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
             drawn=tuple(drawn),
         )
-        known = None if is_watched() else KNOWN_RIGHT
+        known = NOTHING_KNOWN if is_watched() else KNOWN_RIGHT
         unused = UnusedDeclarations(
             module, around, settings, reached, self._report, self._records, known
         )

@@ -12,7 +12,6 @@ languages get them.
 
 from collections.abc import Callable, Iterable, Sequence
 from enum import IntEnum
-from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 
@@ -133,7 +132,6 @@ def choice(condition: Printed, then: Printed, otherwise: Printed) -> Printed:
     return "{} ? {} : {}".format(*parts), CHOICE
 
 
-@lru_cache(maxsize=1024)
 def writer(spelled: str, count: int) -> Writer:
     """Make a writer for so many operands.
 

@@ -14,7 +14,7 @@ from burnish import Diagnostic
 from burnish.compiler import frontend
 from burnish.compiler.semantics import work
 from burnish.compiler.semantics.frames import steps
-from burnish.compiler.semantics.shading import room, unused
+from burnish.compiler.semantics.shading import room, trials, unused
 
 MANY = """import std.frames.{FullScreen}
 material A { }
@@ -74,14 +74,14 @@ def test_only_so_much_is_tried(
     shape: Callable[[int], str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(unused, "MOST_TRIED", 20_000)
-    tried, attempt = 0, unused._Trial.attempt
+    tried, attempt = 0, trials.Trial.attempt
 
     def counted(*arguments: Any, **named: Any) -> Any:
         nonlocal tried
         tried += 1
         return attempt(*arguments, **named)
 
-    monkeypatch.setattr(unused._Trial, "attempt", counted)
+    monkeypatch.setattr(trials.Trial, "attempt", counted)
     codes = []
     for count in (2, 200):
         tried = 0

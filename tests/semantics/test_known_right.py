@@ -13,6 +13,7 @@ from burnish.compiler import frontend
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.semantics.names.modules import Symbol
 from burnish.compiler.semantics.shading import unused
+from burnish.compiler.semantics.shading.keys import _circles
 from burnish.compiler.semantics.shading.known_right import KnownRight
 from burnish.compiler.watching import VARIABLE
 
@@ -42,6 +43,17 @@ PARTS = (
     ("abstract material Base { other : float\n color = vec3(other) }\n",
      "abstract material Base { other : float\n color = vec3(other, twice(other)) }\n", ""),
     ("material Third : Base { other = 1 }\n", "material Third : Base { other = uv }\n", ""),
+    ("mixin Placed for pass { clip_position = vec4(1) }\n",
+     "mixin Placed for pass { clip_position = missing }\n"),
+    ("pass Framed : Forward + Placed { clip_position = vec4(0.5) }\n",
+     "pass Framed : Forward { }\n", ""),
+    ("abstract light Far : Directional + Dim { }\n", "abstract light Far : Directional { }\n"),
+    ("mixin Dim for light { diffuse = vec3(wide) }\n",
+     "mixin Dim for light { diffuse = missing }\n"),
+    ("term glossed() = kd\n", "term glossed() = kd + missing\n", "fn glossed() = 1\n"),
+    ("material Y { kd : rgb = #fff\n color = kd * glossed() }\n",
+     "material Y { kd : rgb = #fff\n color = kd }\n"),
+    ("material Z { kd : rgb = #fff\n color = glossed() }\n", ""),
     ("pass Plain : Forward { }\n", "pass Plain : Forward { clip_position = 1 }\n", ""),
     ("rig R { key : Own }\n", "rig R { key : Directional }\n", "rig R { key : Own\n key : Own }\n"),
     ("", "rig R2 { key : Directional[4] }\n"),
@@ -147,6 +159,71 @@ def test_an_edit_tries_what_it_changes_and_what_names_that(tries: list[str]) -> 
     tries.clear()
     assert not told(f"// A comment.\n{text}")
     assert not tries
+
+
+def test_what_another_material_reached_first_is_reached_by_those_that_are_left(
+    tmp_path: Path,
+) -> None:
+    """``glossed`` is right only with the slots of its materials, and there are many others."""
+    others = "".join(f"material M{i} {{ }}\n" for i in range(20))
+    main = tmp_path / "main.burnish"
+    text = (
+        f"{others}term glossed() = kd\nmaterial Y {{ kd : rgb = #fff\n color = kd * glossed() }}\n"
+        "material Z { kd : rgb = #fff\n color = glossed() }\n"
+    )
+    main.write_text(text)
+    assert told(main) == fresh(main) == ""
+    main.write_text(text.replace("kd * glossed()", "kd"))
+    assert told(main) == fresh(main) == ""
+
+
+@pytest.mark.parametrize(
+    "kind, record",
+    [("pass", "pass P : Forward"), ("light", "abstract light P : Light")],
+)
+def test_a_mixin_that_was_part_of_a_record_is_tried_when_it_is_not(
+    kind: str, record: str, tmp_path: Path
+) -> None:
+    name = "clip_position" if kind == "pass" else "diffuse"
+    mixin = f"mixin Mx for {kind} {{ {name} = missing }}\n"
+    main = tmp_path / "main.burnish"
+    right = "vec4(1)" if kind == "pass" else "vec3(1)"
+    main.write_text(f"{mixin}{record} + Mx {{ {name} = {right} }}\n")
+    assert told(main) == fresh(main) == ""
+    main.write_text(f"{mixin}{record} {{ {name} = {right} }}\n")
+    assert told(main) == fresh(main) != ""
+
+
+def test_limits_count_what_is_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(unused, "MOST_TRIED", 900)
+    main, text = tmp_path / "main.burnish", "abstract light {} : Light {{ a = {} }}\n"
+    found = []
+    for count in range(1, 400, 20):
+        main.write_text("".join(text.format(name, "+".join("1" * count)) for name in "ABC"))
+        found.append(told(main))
+        assert found[-1] == fresh(main)
+    assert not found[0] and "B0016" in found[-1]
+
+
+def test_a_warning_is_told_each_time_and_the_others_are_known(tries: list[str]) -> None:
+    text = "material A { unread = 1\n color = vec3(1) }\nmaterial B { color = vec3(0.5) }\n"
+    first = told(text)
+    tries.clear()
+    assert told(text) == first
+    assert tries == (["A"] if first else [])
+
+
+def test_circles_of_names_have_one_key_and_chains_are_read_once() -> None:
+    arrows = {"a": "b", "b": "c", "c": "ad", "d": "e", "e": "", "f": "ef", "g": "fa"}
+    graph = {name: frozenset(others) for name, others in arrows.items()}
+    circles = list(_circles(graph))
+    assert sorted(map(sorted, circles)) == [["a", "b", "c"], ["d"], ["e"], ["f"], ["g"]]
+    seen: set[str] = set()
+    for circle in circles:
+        seen |= circle
+        assert all(graph[name] <= seen for name in circle)
+    chain = {str(i): frozenset({str(i + 1)} if i < 5000 else ()) for i in range(5001)}
+    assert len(list(_circles(chain))) == 5001
 
 
 def test_a_mistake_elsewhere_leaves_what_is_known(tries: list[str]) -> None:

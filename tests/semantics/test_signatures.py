@@ -6,6 +6,7 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.reference import cost
 from burnish.compiler.semantics.checking import signatures
 from burnish.compiler.semantics.lowering import structures
 
@@ -49,6 +50,13 @@ LAYERED = (
     "fn g0(x: float) -> S = S(sin(x), vec2(x, 0.5))",
     "fn g{i}(x: float) -> S = over(S(cos(x * {i}.5), vec2(0.5, x)), g{before}(x * 0.5))",
 )
+MIXED = (
+    "struct S { a : float, b : float, c : float }\n"
+    "fn g0(x: float) -> S = S(sin(x) + cos(x * 0.5), cos(x), x * x)",
+    "fn g{i}(x: float) -> S = "
+    "S(sin(p.a * q.b) + q.c * 0.5, cos(p.b + q.c) - p.a, p.c * 0.5 + sin(q.b)) "
+    "where {{ p = g{before}(x * {i}.5)\n q = g{before}(x + {i}.25) }}",
+)
 CHOSEN = (
     "struct S { a : float, b : vec2 }\nfn g0(x: float) -> S = S(sin(x), vec2(0.5))",
     "fn g{i}(x: float) -> S = if first.a > x then first else g{before}(x) "
@@ -74,6 +82,7 @@ PROGRAMS = {
     "structured": (STRUCTURED, "vec3({last}(S(uv.x, uv)))"),
     "built": (BUILT, "vec3({last}(uv.x).a, {last}(uv.y).b)"),
     "layered": (LAYERED, "vec3({last}(uv.x).a, {last}(uv.x).b)"),
+    "mixed": (MIXED, "vec3({last}(uv.x).a, {last}(uv.x).b, {last}(uv.x).c)"),
     "chosen": (CHOSEN, "vec3({last}(uv.x).a, {last}(uv.y).b)"),
     "nested": (NESTED, "vec3({last}(uv.x).s.a, {last}(uv.x).s.b) / float({last}(uv.y).n)"),
     "shaded": (SHADED, "{last}(vec3(uv, 0.5))"),
@@ -100,6 +109,22 @@ def test_a_shared_body_gives_what_each_call_would(
     if name != "layered":  # There each function is called once.
         assert len(shared.graph) < len(alone.graph)
     assert value == pytest.approx(color(text), rel=1e-12)
+
+
+def operations(text: str) -> int:
+    """The operations that the shader of a text comes to, with all that functions compute."""
+    return cost.operations([result.value for result in shader(text).results])
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_sharing_bodies_leaves_the_work_of_the_shader(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = program(name, 8)
+    monkeypatch.setattr(signatures, "MOST_BODIES", 8)
+    shared = operations(text)
+    monkeypatch.setattr(signatures, "MOST_BODIES", 10**9)
+    assert shared <= 1.5 * operations(text)
 
 
 @pytest.mark.parametrize("name", PROGRAMS)

@@ -2,9 +2,10 @@
 
 Semantics lets calls of large functions share a body (``signatures.py``), also where this puts a
 structure together. ``outlining`` asks this module to take such calls apart, before it looks for
-functions. A body is written out in the place of its calls, if there is one call or if all copies
-together are small. Any other becomes a function for each member of its result: texts have those
-that something reads. What members have in common is computed by each of these functions.
+functions. A body is written out in the place of its calls, as long as all copies together are no
+longer than texts can be. Any other becomes a function for each member of its result. What members
+have in common is then computed by each of them, and once more by each that calls them, so that the
+work multiplies with the depth of such calls: written out, a text would be too long to be one.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ from ...ir.operations import MEMBER
 from ...ir.shader import Notes
 from ...ir.types import Struct
 
-LARGEST_COPIES = 4096
+LARGEST_COPIES = 1 << 16
 """The largest number of operations of a body's copies, all together."""
 
 
 class Structures:
-    """Takes calls apart whose results are structures, in one graph; it rebuilds each node once."""
+    """Takes calls apart whose results are structures, in one graph."""
 
     def __init__(self, graph: Graph, notes: Notes) -> None:
         self._graph = graph

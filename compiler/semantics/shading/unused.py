@@ -7,44 +7,38 @@ the setting with the fewest errors are reported.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
 
 from ....support.frozen import cached_property, changed, frozen
 from ...diagnostics import rules
-from ...diagnostics.diagnostic import Diagnostic, Report
-from ...ir.node import Node
+from ...diagnostics.diagnostic import Report
 from ...syntax import ast
-from ..checking import lookup
-from ..checking.applications import apply_body
-from ..checking.lights import light_instance, per_light
-from ..declarations.externs import read_externs
-from ..declarations.parameters import leaves_of
-from ..declarations.written_types import struct_of
 from ..inheritance.flattening import Records
 from ..names.modules import Module, Symbol
-from ..state.scope import Scope
 from ..types.generics import examples, of_unknown_family, uninferable
-from ..types.typenames import Variables
 from .assembly import (
     Parts,
     Setting,
-    at_mesh,
-    is_declared_abstract,
     set_up,
-    set_up_beside,
-    with_made_vertices,
 )
-from .elaborate import delivers_vertices, results_of, written_results
-from .instances import instance_of
-from .known_right import Keys, KnownRight, Outcome
-from .placeholders import some, stand_in
-from .rigs import light_entry
+from .keys import Keys
+from .known_right import KnownRight, Outcome
 from .room import has_room
-from .slot_checks import check_instance, check_rig
-from .vertices.expansion import expanded, expands
+from .trials import (
+    Attempt,
+    Check,
+    Trial,
+    check_block,
+    check_constant,
+    check_function,
+    check_light,
+    check_mixin,
+    check_rig_entries,
+    check_structure,
+)
 
 MOST_EXAMPLES = 256
 """The number of ways to fill in type parameters that are tried."""
@@ -53,30 +47,17 @@ MOST_SETTINGS = 16
 
 It is wrong if it is wrong with all of them.
 """
+MOST_OPERATIONS = 100
+"""The largest number of operations for constants of a declaration that is remembered as right.
+
+Those of all declarations together are limited (``work.py``), and such few do not count.
+"""
 MOST_TRIED = 1_000_000
 """The number of characters of declarations that are tried in a compile, in about five seconds.
 
 Each declaration counts as often as it is tried. The records that it extends are tried with it, down
 to those of the library.
 """
-
-Check = Callable[[Setting], bool]
-"""A check that reports its findings, and says whether it came to values."""
-
-
-@frozen
-class Attempt:
-    """The outcome of one try of checking a declaration."""
-
-    found: tuple[Diagnostic, ...]
-    right: bool
-    reached: frozenset[Symbol] = frozenset()
-    """Other declarations that were checked by it."""
-
-    @property
-    def errors(self) -> int:
-        """The number of errors that it found."""
-        return sum(diagnostic.severity == "error" for diagnostic in self.found)
 
 
 @frozen
@@ -115,7 +96,7 @@ class UnusedDeclarations:
         reached: set[Symbol],
         report: Report,
         records: Records,
-        known: KnownRight | None,
+        known: KnownRight,
     ) -> None:
         """Declarations that have been checked in ``settings`` already are not checked once more.
 
@@ -127,11 +108,13 @@ class UnusedDeclarations:
         self._report = report
         self._records = records
         self._tried_length = 0
-        self._trials = {setting.parts: _Trial(setting) for setting in settings}
+        self._trials = {setting.parts: Trial(setting) for setting in settings}
         self._known = known
         self._keys = Keys(module, around.every, around.drawn)
         self._right: list[tuple[Hashable, Outcome]] = []
-        """The outcomes for declarations that were tried, if nothing else is found at all."""
+        """The outcomes for declarations that were right."""
+        self._skipped: dict[Symbol, Outcome] = {}
+        """The records that were not tried, as they are known to be right."""
 
     def check(self) -> None:
         """Reports the errors in declarations; those that records use count as checked with them."""
@@ -139,7 +122,7 @@ class UnusedDeclarations:
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
             self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
-        if self._known is not None and not self._report.count:
+        if not self._report.failed:
             self._known.keep(self._right, self._module.prelude)
 
     def _check(self, *kinds: type) -> None:
@@ -147,32 +130,49 @@ class UnusedDeclarations:
             if isinstance(symbol.declaration, kinds) and symbol not in self._reached:
                 if not has_room(symbol, self._records, self._report):
                     raise _TooMuchError
-                if not self._is_known_right(symbol):
+                if self._is_known_right(symbol):
+                    continue
+                self._try_readers(symbol)
+                if symbol not in self._reached:
                     self._try(symbol)
 
     def _is_known_right(self, symbol: Symbol) -> bool:
         """True if a declaration was right before; then all is as if it had been checked now."""
-        if self._known is None:
-            return False
         outcome = self._known.find(self._keys.of(symbol), self._module.prelude)
-        if outcome is None:
+        if outcome is None or self._tried_length + outcome.length > MOST_TRIED:
             return False
         self._records.work.nodes += outcome.nodes
         self._tried_length += outcome.length
         self._reached.update(self._module.declared[name][at] for name, at in outcome.reached)
+        if isinstance(symbol.declaration, ast.Record):
+            self._skipped[symbol] = outcome
         return True
+
+    def _try_readers(self, symbol: Symbol) -> None:
+        """Try the records after all that were skipped and may reach this declaration.
+
+        What one of them reached is only known as far as no other had reached it before.
+        """
+        readers = self._keys.readers(symbol.name) if self._skipped else set()
+        for each in [known for known in self._skipped if known.name in readers]:
+            outcome = self._skipped.pop(each)
+            self._records.work.nodes -= outcome.nodes
+            self._tried_length -= outcome.length
+            self._try(each)
 
     def _try(self, symbol: Symbol) -> None:
         """Report what is wrong with a declaration."""
-        nodes, length = self._records.work.nodes, self._tried_length
-        reached = self._tell(self._counted(symbol))
-        if self._known is not None:
-            own = [each for each in reached if each.module is self._module]
-            outcome = Outcome(
-                frozenset((s.name, self._module.declared[s.name].index(s)) for s in own),
-                self._records.work.nodes - nodes,
-                self._tried_length - length,
-            )
+        work, length = self._records.work, self._tried_length
+        nodes, left = work.nodes, work.left
+        best = self._best(self._counted(symbol))
+        if best is None:
+            return
+        self._report.extend(best.found)
+        self._reached.update(best.reached)
+        if best.is_clean and left - work.left <= MOST_OPERATIONS:
+            own = [each for each in best.reached if each.module is self._module]
+            places = frozenset((s.name, self._module.declared[s.name].index(s)) for s in own)
+            outcome = Outcome(places, work.nodes - nodes, self._tried_length - length)
             self._right.append((self._keys.of(symbol), outcome))
 
     def _counted(self, symbol: Symbol) -> Iterator[Attempt]:
@@ -224,27 +224,22 @@ class UnusedDeclarations:
         found = [symbol for symbols in self._module.declared.values() for symbol in symbols]
         return sorted(found, key=lambda symbol: not _is_material(symbol))
 
-    def _tell(self, attempts: Iterable[Attempt]) -> frozenset[Symbol]:
-        """Takes over the findings of the first right attempt, or of that with the fewest errors.
-
-        Returns the declarations that it has reached.
+    def _best(self, attempts: Iterable[Attempt]) -> Attempt | None:
+        """The first right attempt, or that with the fewest errors, with findings that are new.
 
         Only errors count that have not been reported before, of other declarations. A wrong attempt
         without such errors is ignored; its cause has been reported elsewhere.
         """
         best: Attempt | None = None
         for tried in attempts:
-            attempt = changed(tried, found=self._report.lacks(tried.found))
+            attempt = changed(
+                tried, found=self._report.lacks(tried.found), is_clean=not tried.found
+            )
             if attempt.right:
-                best = attempt
-                break
+                return attempt
             if attempt.errors and (best is None or attempt.errors < best.errors):
                 best = attempt
-        if best is None:
-            return frozenset()
-        self._report.extend(best.found)
-        self._reached.update(best.reached)
-        return best.reached
+        return best
 
     def _attempts(self, symbol: Symbol) -> Iterator[Attempt]:
         """Tries a declaration in one setting after the other."""
@@ -258,23 +253,23 @@ class UnusedDeclarations:
                 for material, rig in product(around.materials, around.rigs):
                     yield self._drawn(material, rig, symbol)
             case ast.Record(kind="light"):
-                yield from self._tried(partial(_check_light, symbol))
+                yield from self._tried(partial(check_light, symbol))
             case ast.Rig():
                 for material in around.materials:
                     trial = self._trial(material, symbol)
-                    yield trial.attempt(_check_rig, whole=True)
+                    yield trial.attempt(check_rig_entries, whole=True)
             case ast.Mixin() as mixin if symbol not in self._chained:
-                yield from self._tried(partial(_check_mixin, symbol, mixin))
+                yield from self._tried(partial(check_mixin, symbol, mixin))
             case ast.Function() as function if not (
                 of_unknown_family(function) or uninferable(function)
             ):
                 yield from self._of_function(symbol, function)
             case ast.Constant():
-                yield from islice(self._tried(partial(_check_constant, symbol)), 1)
+                yield from islice(self._tried(partial(check_constant, symbol)), 1)
             case ast.StructDeclaration():
-                yield from islice(self._tried(partial(_check_structure, symbol)), 1)
+                yield from islice(self._tried(partial(check_structure, symbol)), 1)
             case ast.ExternBlock():
-                yield from islice(self._tried(partial(_check_block, symbol)), 1)
+                yield from islice(self._tried(partial(check_block, symbol)), 1)
 
     def _drawn(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
         trial = self._trial(self._around.materials[0], rig)
@@ -290,7 +285,7 @@ class UnusedDeclarations:
         """A plain function is right or wrong whatever is shaded, a term only with a surface."""
         filled = examples(function)
         for variables in islice(filled, MOST_EXAMPLES):
-            check = partial(_check_function, symbol, function, variables)
+            check = partial(check_function, symbol, function, variables)
             yield from islice(self._tried(check), None if function.kind == "term" else 1)
         if next(filled, None) is not None:  # One of those that were not tried may be right.
             yield Attempt((), right=True)
@@ -300,11 +295,11 @@ class UnusedDeclarations:
         for material, lights in islice(settings, MOST_SETTINGS):
             yield self._trial(material, lights).attempt(check)
 
-    def _trial(self, material: Symbol, lights: Symbol) -> _Trial:
+    def _trial(self, material: Symbol, lights: Symbol) -> Trial:
         parts = Parts(material, lights, self._around.passes[0], self._module)
         if parts not in self._trials:
             setting = set_up(parts, self._report.apart(), self._records)
-            self._trials[parts] = _Trial(setting)
+            self._trials[parts] = Trial(setting)
         return self._trials[parts]
 
 
@@ -316,119 +311,3 @@ def _written(symbol: Symbol) -> int:
 def _is_material(symbol: Symbol) -> bool:
     declaration = symbol.declaration
     return isinstance(declaration, ast.Record) and declaration.kind == "material"
-
-
-class _Trial:
-    """A setting with a report of its own."""
-
-    def __init__(self, setting: Setting) -> None:
-        self._setting = setting
-        self._report = setting.ctx.report
-        setting.ctx.deferred.report()
-        self._from_start = self._report.since(0)
-
-    def attempt(self, check: Check, whole: bool = False) -> Attempt:
-        """The findings of a check.
-
-        If it is of the ``whole`` setting, the errors that this had from the start belong to it.
-        """
-        before = self._report.count
-        self._setting.ctx.passing = self._setting.passing
-        came_to_values = check(self._setting)
-        self._setting.ctx.deferred.report()
-        found = self._report.since(before)
-        self._report.forget(before)  # Another declaration may have the same mistake.
-        if whole:
-            found = (*self._from_start, *found)
-        attempt = Attempt(found, came_to_values)
-        return attempt if came_to_values and not attempt.errors else changed(attempt, right=False)
-
-    def beside(self, parts: Parts) -> Attempt:
-        """The findings of a check of other parts under the same lights."""
-        known = set(self._setting.ctx.reached())
-        check = partial(_check_parts, parts)
-        attempt = self.attempt(check, whole=parts == self._setting.parts)
-        found = (parts.material, parts.pass_, *self._setting.ctx.reached())
-        return changed(attempt, reached=frozenset(found) - known)
-
-
-def _check_parts(parts: Parts, setting: Setting) -> bool:
-    other = set_up_beside(setting, parts)
-    delivered = delivers_vertices(results_of(other))
-    return delivered or is_declared_abstract(other.passing.record)
-
-
-def _check_constant(symbol: Symbol, setting: Setting) -> bool:
-    span = symbol.declaration.name.span
-    value = lookup.value(setting.ctx, symbol.name, span, Scope(symbol.module))
-    return isinstance(value, Node)
-
-
-def _check_structure(symbol: Symbol, setting: Setting) -> bool:
-    return struct_of(setting.ctx, symbol) is not None
-
-
-def _check_block(symbol: Symbol, setting: Setting) -> bool:
-    read_externs(setting.ctx, symbol.module)
-    return True
-
-
-def _check_rig(setting: Setting) -> bool:
-    check_rig(setting.ctx, setting.surface)
-    return True
-
-
-def _check_light(symbol: Symbol, setting: Setting) -> bool:
-    ctx = setting.ctx
-    record = ctx.records.of(symbol)
-    entry = light_entry(ctx, record)
-    if entry is None:
-        return False
-    instance = light_instance(ctx, entry[0], setting.surface)[0]
-    if is_declared_abstract(record):
-        stand_in(ctx, instance)
-    check_instance(ctx, instance)
-    return True
-
-
-def _check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
-    """Checks a mixin, with placeholders for the slots that it needs of its records."""
-    ctx, surface = setting.ctx, setting.surface
-    record = ctx.records.alone(symbol)
-    if mixin.kind == "light":
-        entry = light_entry(ctx, record)
-        if entry is None:
-            return False
-        instance = light_instance(ctx, entry[0], surface)[0]
-    else:
-        instance = instance_of(ctx, record, leaves_of(ctx, record))
-        instance.surface = surface if mixin.kind == "pass" else None
-    stand_in(ctx, instance)
-    if instance.surface is None:
-        check_instance(ctx, with_made_vertices(ctx, instance, None))
-    elif expands(instance):
-        expanded(ctx, at_mesh(surface), instance)
-        check_instance(ctx, at_mesh(instance))
-    check_instance(ctx, instance)
-    written_results(ctx, instance)
-    return True
-
-
-def _check_function(
-    symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
-) -> bool:
-    """Check a body for arguments of the declared types."""
-    ctx, span = setting.ctx, function.name.span
-    found = [
-        some(ctx, argument.name, argument.type, symbol.module, variables)
-        for argument in function.arguments
-    ]
-    arguments = tuple(argument for argument in found if isinstance(argument, Node))
-    if len(arguments) < len(found):
-        return False
-    if function.per is not None:
-        scope = Scope(symbol.module, surface=setting.surface)
-        return isinstance(per_light(ctx, symbol, arguments, span, scope), Node)
-    within = setting.surface if function.kind == "term" else None
-    value = apply_body(ctx, symbol, arguments, span, within, "for example")
-    return isinstance(value, Node)
