@@ -98,6 +98,9 @@ def remember_nothing() -> None:
     remembered = getattr(entry_points, "_REMEMBERED", None)
     if remembered is not None:
         setattr(entry_points, "_REMEMBERED", type(remembered)(results=0))  # noqa: B010
+    frontend = importlib.import_module("burnish.compiler.frontend")
+    if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
+        setattr(frontend, "KNOWN_RIGHT", nothing)  # noqa: B010
 
 
 def main() -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.api import entry_points as api
+from burnish.api import compiling
 from burnish.compiler.watching import VARIABLE
 from burnish.targets import registry
 from burnish.targets.emit.own_words import taken_words
@@ -52,7 +52,7 @@ def toolchain() -> Iterator[Toolchain]:
 def _large_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Programs have more textures and attributes than devices; compilers do not mind. To verify
     their graphs would take most of the time, and says nothing about names."""
-    monkeypatch.setattr(api, "excesses", lambda _program, _profile: ())
+    monkeypatch.setattr(compiling, "excesses", lambda _program, _profile: ())
     monkeypatch.delenv(VARIABLE)
 
 
