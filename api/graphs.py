@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 MOST_CHARACTERS = 1 << 17
 """The number of characters of the texts of those results whose graphs stay: 3 MB or so of graphs.
 The graphs of the result that was used last stay in any case."""
-LEAST = 4096
+LEAST = 256
 """The least that a result counts."""
 
 
