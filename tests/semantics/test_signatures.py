@@ -128,7 +128,10 @@ def test_sharing_bodies_leaves_the_work_of_the_shader(
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_work_grows_with_the_number_of_functions(name: str) -> None:
+def test_work_grows_with_the_number_of_functions(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(structures, "LARGEST_COPIES", 1024)
     few, many = (len(shader(program(name, levels)).graph) for levels in (100, 200))
     assert many < 2.5 * few
 
