@@ -11,7 +11,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
-from ...support.frozen import EMPTY
 from ..closing import Closing
 from .checkers import CHECKERS, Checker
 from .job import Job, Message, Verdict
@@ -29,14 +28,14 @@ class Toolchain(Closing):
         *,
         time_limit: float = TIME_LIMIT,
         parallel: int | None = None,
-        states: Mapping[str, ToolState] = EMPTY,
+        states: Mapping[str, ToolState] | None = None,
     ) -> None:
         """``time_limit`` is in seconds for each run of a tool; ``parallel`` tools run at once.
 
         Tools that have no state among ``states`` are looked for when they are needed.
         """
         self._parallel = parallel or os.cpu_count() or 1
-        self._toolbox = Toolbox(self._parallel, time_limit, states)
+        self._toolbox = Toolbox(self._parallel, time_limit, states or {})
         self._threads = ThreadPoolExecutor(self._parallel)
 
     def close(self) -> None:

@@ -36,6 +36,13 @@ ENDING = {
 }
 """The signal, whether all processes of the terminal get it, and the exit code."""
 LINE = "--routes lavapipe:glsl,llvmpipe:gl330 --report report"
+EXPLAINED = "--routes lavapipe:glsl --explain 36,28"
+BURNISH = """
+import os, runpy
+os.cpu_count = lambda: 2
+runpy.run_module("burnish", run_name="__main__")
+"""
+"""Burnish on a machine of two processors, so that one can be busy with what takes long."""
 
 
 @pytest.fixture
@@ -48,14 +55,17 @@ def place(tmp_path: Path) -> Path:
     return tmp_path / "place"
 
 
-def command(names: Sequence[str]) -> list[str]:
+def command(names: Sequence[str], line: str = LINE) -> list[str]:
     files = [f"{name}.burnish" for name in names]
-    return [sys.executable, "-m", "burnish", "conform", *files, *LINE.split()]
+    return [sys.executable, "-c", BURNISH, "conform", *files, *line.split()]
 
 
 def environment(place: Path) -> dict[str, str]:
-    """An environment in which no picture is known yet."""
-    return {**os.environ, "BURNISH_CACHE": str(place.parent / "cache")}
+    """An environment in which no picture is known yet, with a folder for temporary files."""
+    temporary = place.parent / "temporary"
+    temporary.mkdir(exist_ok=True)
+    cache = place.parent / "cache"
+    return {**os.environ, "BURNISH_CACHE": str(cache), "TMPDIR": str(temporary)}
 
 
 class Screen:
@@ -116,11 +126,13 @@ def test_without_a_terminal(how: str, place: Path) -> None:
         lines = [program.line().decode() for _ in range(10)]
         assert lines[1::3] == [f"{name}.burnish: Quick\n" for name in "abc"]
         assert [line.split()[1] for line in lines if line.startswith("  l")] == ["agrees"] * 6
+        assert list((place.parent / "temporary").iterdir())
         program.signal(number, everybody=everybody)
         ended = program.ended()
         until(lambda: not program.family(), "the end of all that was started", limit=20)
     assert (ended.returncode, ended.stderr) == (code, "")
     assert "\nunfinished, 6 of 8 rows: 6 agree\n" in ended.stdout
+    assert not list((place.parent / "temporary").iterdir())
     check_report(place, 6, 8)
 
 
@@ -137,6 +149,19 @@ def test_on_a_terminal(how: str, place: Path) -> None:
     assert "\nunfinished, 6 of 8 rows: 6 agree\r\n" in text
     assert "Traceback" not in text
     check_report(place, 6, 8)
+
+
+@pytest.mark.parametrize("how", ENDING)
+def test_explaining(how: str, place: Path) -> None:
+    """Nothing is explained, also of what was drawn, and no error is told."""
+    number, everybody, code = ENDING[how]
+    with on_terminal(command("ad", EXPLAINED), place) as (program, screen):
+        until(lambda: "50%" in screen.text, "one of two materials")
+        program.signal(number, everybody=everybody)
+        assert program.exit_code(20) == code
+        until(lambda: not program.family(), "the end of all that was started", limit=20)
+        text = screen.ended()
+    assert not any(word in text for word in ("Traceback", "error", "pixel", "unfinished"))
 
 
 def test_many_signals(place: Path) -> None:
