@@ -33,6 +33,7 @@ ENDING = {
     "int": (signal.SIGINT, False, 130),
     "int to the group": (signal.SIGINT, True, 130),
     "term": (signal.SIGTERM, False, 143),
+    "hangup": (signal.SIGHUP, False, 129),
 }
 """The signal, whether all processes of the terminal get it, and the exit code."""
 LINE = "--routes lavapipe:glsl,llvmpipe:gl330 --report report"
