@@ -181,6 +181,32 @@ def test_many_signals(place: Path) -> None:
     check_report(place, 6, 8)
 
 
+SIGNALLED = """
+import os, runpy, signal
+from burnish.commands import conform
+write = conform.write_report
+def write_report(*arguments, **options):
+    os.kill(os.getpid(), signal.SIGTERM)
+    write(*arguments, **options)
+conform.write_report = write_report
+runpy.run_module("burnish", run_name="__main__")
+"""
+"""Burnish, to which a signal comes when it begins to write the report."""
+
+
+def test_when_all_is_known(place: Path) -> None:
+    """The run ends, but nothing is unfinished."""
+    words = [sys.executable, "-c", SIGNALLED, *command("abc")[3:]]
+    with started(words, cwd=place, env=environment(place)) as program:
+        ended = program.ended()
+    assert (ended.returncode, ended.stderr) == (143, "")
+    assert ended.stdout.endswith("\n6 agree\nreport: report/index.html\n")
+    report = json.loads((place / "report" / "report.json").read_text())
+    assert len(report["rows"]) == 6 and not report.get("unfinished")
+    suites = ElementTree.parse(place / "report" / "junit.xml").getroot()
+    assert (suites.get("tests"), suites.get("errors")) == ("6", "0")
+
+
 def test_rows_behind_one_that_is_missing(place: Path) -> None:
     """They are not printed before it; but if the run is ended, they are known all the same."""
     with on_terminal(command("adbc"), place) as (program, screen):
