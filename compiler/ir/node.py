@@ -190,7 +190,9 @@ def constant_head(data: Hashable) -> str:
     return SPECIAL.get((isinstance(lane, bool), lane), HEADS["constant"])
 
 
-_VARIABLES: frozenset[Op] = frozenset(("bound", "formal", "fold", "iterate", "apply"))
+BINDING: frozenset[Op] = frozenset(("fold", "iterate", "apply"))
+"""Operations with bodies, whose variables they bind."""
+_VARIABLES: frozenset[Op] = BINDING | {"bound", "formal"}
 """Variables, and the operations that bind them."""
 _NONE: frozenset[Formal] = frozenset()
 

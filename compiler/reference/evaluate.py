@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 
 from ...support.frozen import record
-from ..ir.node import Node, Op, bare, bodies_of, reachable
+from ..ir.node import BINDING, Node, bare, bodies_of, reachable
 from ..ir.operations import BOUND, FORMAL, OUTSIDE
 from . import scalars
 from .bodies import Frame, Opened, opened
@@ -45,9 +45,6 @@ _ASKED = OUTSIDE | {"cross"}
 
 _GIVEN = _ASKED | {"bound", "formal"}
 """Operations that may have a value without being evaluated."""
-
-_BINDING: frozenset[Op] = frozenset(("fold", "iterate", "apply"))
-"""Operations with bodies."""
 
 
 class TooLongError(Exception):
@@ -167,7 +164,7 @@ class Evaluator:
                 known = self._given(node, home)
             if known is None:
                 is_choice = self._is_lazy and node.op == "select"
-                has_bodies = node.op in _BINDING
+                has_bodies = node.op in BINDING
                 before = (
                     self._condition_or_side(node, frame) if is_choice
                     else _besides_bodies(node) if has_bodies

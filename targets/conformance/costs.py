@@ -49,7 +49,7 @@ def _cases_of(reflection: Reflection) -> int:
     """The number of pictures of a single shader."""
     if has_images(reflection):
         return len(IMAGE_CASES)
-    return len(ELEMENT_CASES) if is_over_buffers(reflection) else DRAWN_CASES
+    return len(ELEMENT_CASES if is_over_buffers(reflection) else DRAWN_CASES)
 
 
 def _cost(shader: Shader, size: Size) -> float:
