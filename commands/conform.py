@@ -10,7 +10,7 @@ import click
 
 from .compared import ConformRequest
 from .console import Styled, remark, say
-from .failures import told
+from .failures import errors_as_messages
 from .options import (
     budget_option,
     check_device,
@@ -24,7 +24,7 @@ from .options import (
 )
 from .stopping import Stopping
 from .terminal import FAILED
-from .verdicts import Table, passed, tell, write_report
+from .verdicts import Table, passed, print_summary, write_report
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -95,7 +95,7 @@ def conform(**chosen: Any) -> None:
     """
     request = ConformRequest(**chosen)
     _check_options(request)
-    with Stopping() as stopping, told():
+    with Stopping() as stopping, errors_as_messages():
         _check_report(request.report)
         routes = _routes(request)
         if request.explain is None:
@@ -162,7 +162,7 @@ def _give_verdicts(request: ConformRequest, run: Run, table: Table) -> None:
     unfinished = None if len(rows) == run.total else Unfinished(len(rows), run.total)
     try:
         table.end(rows)
-        tell(rows, unfinished, strict=request.strict)
+        print_summary(rows, unfinished, strict=request.strict)
     finally:
         if request.report is not None:
             write_report(request.report, rows, unfinished, strict=request.strict)

@@ -16,7 +16,7 @@ from ..targets.conformance.gathering import Gathering, NextRow, Work
 from ..targets.conformance.scheduling import begun
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
-from .compared import ConformRequest, Subjects, tell
+from .compared import ConformRequest, Subjects, show_said
 from .judge import Contents, Forms, Judge, Unit, contents_of
 from .judges import Judges
 from .progress import Progress
@@ -116,7 +116,7 @@ class Run:
 def _units(contents: Iterable[Contents]) -> Sequence[Unit]:
     """All subjects of all files. Raises ``CompileError`` with the errors in all of them."""
     found = list(contents)
-    tell([each.said for each in found])
+    show_said([each.said for each in found])
     return [unit for each in found for unit in each.units]
 
 
