@@ -1,8 +1,9 @@
 """The command line: ``burnish COMMAND``, one file in ``commands`` for each command.
 
 Exit codes: 0 all is well, 1 the input has errors, 2 the command line itself makes no sense, 130
-interrupted, 143 asked to end by SIGTERM. Starting fast is a feature: what was compiled before, and
-has not changed since, is written again before anything of click or the compiler is loaded.
+interrupted, 143 asked to end by SIGTERM, 129 by SIGHUP. Starting fast is a feature: what was
+compiled before, and has not changed since, is written again before anything of click or the
+compiler is loaded.
 """
 
 from __future__ import annotations

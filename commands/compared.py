@@ -65,7 +65,7 @@ def subjects_of(
         subjects_in(path, request, profiles, native_stages=native_stages, read=read)
         for path in request.files
     ]
-    tell([said for _subjects, said in found])
+    show_said([said for _subjects, said in found])
     return [each for subjects, _said in found for each in subjects]
 
 
@@ -91,7 +91,7 @@ def subjects_in(
     wanted = sorted(profiles)
     try:
         for variant in _variants(path, request):
-            for result in _compiled(path, variant, request, wanted, native_stages, remarks):
+            for result in _results(path, variant, request, wanted, native_stages, remarks):
                 warnings += result.diagnostics
                 read(result.inputs)
                 for subject in result.frames or result.materials:
@@ -103,7 +103,7 @@ def subjects_in(
     return found, Said() if native_stages else Said(tuple(warnings), (), tuple(remarks))
 
 
-def tell(about: Sequence[Said]) -> None:
+def show_said(about: Sequence[Said]) -> None:
     """Print the warnings about all files; or raise ``CompileError`` with the errors in them."""
     from ..compiler.diagnostics.diagnostic import CompileError
 
@@ -115,7 +115,7 @@ def tell(about: Sequence[Said]) -> None:
     show(warning for said in about for warning in said.warnings)
 
 
-def _compiled(
+def _results(
     path: Path,
     variant: Variant,
     request: ConformRequest,

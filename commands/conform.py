@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .compared import ConformRequest, Subjects
+from .compared import ConformRequest
 from .console import Styled, remark, say
-from .failures import told
+from .failures import errors_as_messages
 from .options import (
     budget_option,
     check_device,
@@ -24,11 +24,11 @@ from .options import (
 )
 from .stopping import Stopping
 from .terminal import FAILED
-from .verdicts import Table, passed, tell, write_report
+from .verdicts import Table, passed, print_summary, write_report
 
 if TYPE_CHECKING:
-    from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
+    from .conform_run import Run
 
 
 @click.command()
@@ -95,17 +95,14 @@ def conform(**chosen: Any) -> None:
     """
     request = ConformRequest(**chosen)
     _check_options(request)
-    with Stopping() as stopping, told():
+    with Stopping() as stopping, errors_as_messages():
         _check_report(request.report)
         routes = _routes(request)
-        if request.explain is not None:
-            from .conform_run import Run
-
-            run = Run(request, routes, stopping)
-            run.draw()
-            _explain(run.subjects, run.rows, request)
-        else:
+        if request.explain is None:
             _judge(request, routes, stopping)
+        else:
+            with stopping.at_once():
+                _explain(request, routes, stopping, request.explain)
 
 
 def _check_options(request: ConformRequest) -> None:
@@ -140,53 +137,55 @@ def _routes(request: ConformRequest) -> Sequence[Route]:
 
 
 def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:
-    """Draw everything, and print and write the verdicts: of what is known, if a signal comes.
-
-    Raises ``KeyboardInterrupt`` after a signal.
-    """
-    from ..targets.conformance.summary import Unfinished
+    """Draw everything, and print and write the verdicts: of what is known, if a signal or an error
+    ends the run early."""
     from .conform_run import Run
 
-    table, strict = Table(routes), request.strict
+    table = Table(routes)
     run = Run(request, routes, stopping, table.add)
-    try:
-        run.draw()
-        if run.subjects and not stopping.asked:
-            run.rows = _with_reasons(run.subjects, run.rows, request.seed)
-    except BaseException:
-        # Some libraries raise another exception in the place of ``KeyboardInterrupt``.
-        if not stopping.asked:
-            raise
-    unfinished = Unfinished(len(run.rows), run.total) if stopping.asked else None
     with stopping.later():
         try:
-            table.end(run.rows)
-            tell(run.rows, unfinished, strict=strict)
+            with stopping.at_once():
+                run.draw()
         finally:
-            if request.report is not None:
-                write_report(request.report, run.rows, unfinished, strict=strict)
-    if stopping.asked:
-        raise KeyboardInterrupt
-    if not passed(run.rows, asked=request.routes != "all", strict=strict):
-        click.get_current_context().exit(FAILED)
+            if run.total is not None or stopping.asked:
+                _give_verdicts(request, run, table)
+        if not passed(run.rows, asked=request.routes != "all", strict=request.strict):
+            click.get_current_context().exit(FAILED)
 
 
-def _explain(subjects: Subjects, rows: Sequence[Row], request: ConformRequest) -> None:
+def _give_verdicts(request: ConformRequest, run: Run, table: Table) -> None:
+    """Print and write what is known."""
+    from ..targets.conformance.summary import Unfinished
+
+    rows = run.rows
+    unfinished = None if len(rows) == run.total else Unfinished(len(rows), run.total)
+    try:
+        table.end(rows)
+        print_summary(rows, unfinished, strict=request.strict)
+    finally:
+        if request.report is not None:
+            write_report(request.report, rows, unfinished, strict=request.strict)
+
+
+def _explain(
+    request: ConformRequest, routes: Sequence[Route], stopping: Stopping, pixel: tuple[int, int]
+) -> None:
     """Explain one pixel of every material; then report the materials where that failed."""
     from ..targets.conformance.explaining import explanation_lines
     from ..targets.conformance.seen import PixelError
     from ..targets.conformance.summary import by_material
+    from .conform_run import Run
 
-    assert request.explain is not None
-    own = by_material(rows)
+    run = Run(request, routes, stopping)
+    run.draw()
+    own = by_material(run.rows)
     unexplained = []
-    for label, material in subjects:
+    for label, material in run.subjects:
         try:
-            lines = list(
-                explanation_lines(material, own[label], request.seed, request.explain, request.case)
-            )
+            lines = list(explanation_lines(material, own[label], request.seed, pixel, request.case))
         except PixelError as error:
-            unexplained.append(f"{label}: {error}" if len(subjects) > 1 else str(error))
+            unexplained.append(f"{label}: {error}" if len(run.subjects) > 1 else str(error))
             continue
         say(Styled(label, is_bold=True))
         for line in lines:
@@ -196,13 +195,3 @@ def _explain(subjects: Subjects, rows: Sequence[Row], request: ConformRequest) -
         remark("error", text)
     if unexplained:
         click.get_current_context().exit(FAILED)
-
-
-def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
-    """The rows, with reasons in the source if they differ or prove little."""
-    from ..targets.conformance.explaining import with_reasons
-    from ..targets.conformance.summary import by_material
-
-    materials = dict(subjects)
-    groups = by_material(rows).items()
-    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING
 import click
 
 from ..targets.conformance.conform import conform
-from ..targets.conformance.gathering import Stop, Told, Work, gathered
+from ..targets.conformance.gathering import Gathering, NextRow, Work
 from ..targets.conformance.scheduling import begun
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
-from .compared import ConformRequest, Subjects, tell
-from .judge import Judge, Unit
+from .compared import ConformRequest, Subjects, show_said
+from .judge import Contents, Forms, Judge, Unit, contents_of
 from .judges import Judges
 from .progress import Progress
 from .stopping import Stopping
@@ -38,17 +38,28 @@ class Run:
         request: ConformRequest,
         routes: Sequence[Route],
         stopping: Stopping,
-        told: Told | None = None,
+        next_row: NextRow | None = None,
     ) -> None:
-        """``told`` gets each row as soon as it and all rows before it are known."""
-        self._request, self._routes = request, routes
-        self._stopping, self._told = stopping, told
+        """``next_row`` gets each row as soon as it and all rows before it are known."""
+        self._request, self._routes, self._stopping = request, routes, stopping
+        self._progress = Progress("comparing")
+        self._gathering = Gathering(
+            lambda done, total: self._progress.tell(done / total),
+            next_row and (lambda row: self._progress.aside(partial(next_row, row))),
+        )
+        self._with_reasons: list[Row] | None = None
         self.subjects: Subjects = []
-        """The subjects as they are meant, if this process judges them: then rows lack reasons."""
+        """The subjects as they are meant, if this process judges them."""
         self.total: int | None = None
         """The number of rows, once it is known."""
-        self.rows: list[Row] = []
-        """The rows; those of a material follow each other."""
+
+    @property
+    def rows(self) -> list[Row]:
+        """The rows that are known, whatever has become of the run.
+
+        Those of a material follow each other.
+        """
+        return self._gathering.rows if self._with_reasons is None else self._with_reasons
 
     def draw(self) -> None:
         """Compile and draw everything, or as much as there is time for until a signal comes."""
@@ -56,73 +67,67 @@ class Run:
         size = os.cpu_count() or 1
         with (
             Runner(routes, device=request.device) as runner,
-            Toolchain() as toolchain,
-            Progress("comparing") as progress,
+            Toolchain(states=runner.states) as toolchain,
+            self._progress,
         ):
             if request.device:
                 _check_named_device(runner, routes)
             judge = Judge(request, routes, runner, toolchain)
-            with Judges(request, size, judge, runner.drivers) as judges, _threads(size) as threads:
-                units = self._compiled(judge, judges, threads)
-                self.total = len(units) * len(routes)
-                if request.explain is None and len(units) >= SEVERAL:
-                    self._judge(units, judges, threads, progress)
+            with (
+                self._stopping.later(),
+                Judges(request, size, judge, runner) as judges,
+                _threads(size) as threads,
+                self._stopping.at_once(),
+            ):
+                if request.explain is None and len(request.files) >= SEVERAL:
+                    units = _units(threads.map(judges.contents, request.files))
+                    self._judge(units, judges, threads)
                     return
-            self._judge_here(judge, runner, toolchain, progress)
+                forms = [judge.forms(file) for file in request.files]
+                units = _units(map(contents_of, request.files, forms))
+                if request.explain is None and len(units) >= SEVERAL:
+                    self._judge(units, judges, threads)
+                else:
+                    self._judge_here(forms, runner, toolchain)
 
-    def _compiled(
-        self, judge: Judge, judges: Judges, threads: ThreadPoolExecutor
-    ) -> Sequence[Unit]:
-        """All subjects. Raises ``CompileError`` with the errors of all files."""
-        files = self._request.files
-        pays = self._request.explain is None and len(files) >= SEVERAL
-        contents = threads.map(judges.contents, files) if pays else map(judge.contents, files)
-        found = list(contents)
-        tell([each.said for each in found])
-        return [unit for each in found for unit in each.units]
-
-    def _judge(
-        self,
-        units: Sequence[Unit],
-        judges: Judges,
-        threads: ThreadPoolExecutor,
-        progress: Progress,
-    ) -> None:
+    def _judge(self, units: Sequence[Unit], judges: Judges, threads: ThreadPoolExecutor) -> None:
         """Have processes judge subjects, one process a whole subject."""
+        self.total = len(units) * len(self._routes)
         works: dict[int, Work] = {}
         for number in begun([unit.cost for unit in units], os.cpu_count() or 1):
             works[number] = threads.submit(judges.rows, units[number])
-        in_order = [works[number] for number in sorted(works)]
-        stop = Stop()
-        with self._stopping.by(stop.ask):
-            self.rows = gathered(
-                in_order, len(units) * len(self._routes), stop=stop,
-                done=partial(_tell_share, progress), told=self._above(progress),
-            )  # fmt: skip
+        with self._stopping.by(self._gathering.end):
+            self._gathering.wait_for([works[number] for number in sorted(works)], self.total)
 
-    def _judge_here(
-        self, judge: Judge, runner: Runner, toolchain: Toolchain, progress: Progress
-    ) -> None:
+    def _judge_here(self, forms: Sequence[Forms], runner: Runner, toolchain: Toolchain) -> None:
         """Judge the few subjects that there are in threads of this process."""
-        found = [judge.subjects(file) for file in self._request.files]
-        self.subjects = [pair for file in found for pair in file.meant]
+        self.subjects = [pair for file in forms for pair in file.meant]
+        self.total = len(self.subjects) * len(self._routes)
         _check_pixel(self._request, self.subjects)
-        stop = Stop()
-        with self._stopping.by(stop.ask):
-            self.rows = conform(
-                [pair for file in found for pair in file.drawn], self._routes, runner, toolchain,
-                seed=self._request.seed, meant=dict(self.subjects), stop=stop,
-                done=partial(_tell_share, progress), told=self._above(progress),
+        with self._stopping.by(self._gathering.end):
+            rows = conform(
+                [pair for file in forms for pair in file.drawn], self._routes, runner, toolchain,
+                seed=self._request.seed, meant=dict(self.subjects), gathering=self._gathering,
             )  # fmt: skip
-
-    def _above(self, progress: Progress) -> Told | None:
-        """Tells rows so that they stand above the bar of progress."""
-        told = self._told
-        return None if told is None else lambda row: progress.aside(partial(told, row))
+        if self._request.explain is None and len(rows) == self.total:
+            self._with_reasons = _with_reasons(self.subjects, rows, self._request.seed)
 
 
-def _tell_share(progress: Progress, done: int, total: int) -> None:
-    progress.tell(done / total)
+def _units(contents: Iterable[Contents]) -> Sequence[Unit]:
+    """All subjects of all files. Raises ``CompileError`` with the errors in all of them."""
+    found = list(contents)
+    show_said([each.said for each in found])
+    return [unit for each in found for unit in each.units]
+
+
+def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
+    """The rows, with reasons in the source if they differ or prove little."""
+    from ..targets.conformance.explaining import with_reasons
+    from ..targets.conformance.summary import by_material
+
+    materials = dict(subjects)
+    groups = by_material(rows).items()
+    return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
 
 
 @contextmanager

@@ -50,7 +50,7 @@ def drawing_errors() -> tuple[type[Exception], ...]:
 
 
 @contextmanager
-def told() -> Iterator[None]:
+def errors_as_messages() -> Iterator[None]:
     """Report errors inside the ``with`` block, and end the command.
 
     ``render`` and ``conform`` run in such a block. It catches errors in the material, in values, in

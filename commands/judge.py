@@ -6,17 +6,22 @@ agree on subjects by the name of the file and the label, as what is compiled is 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
 
 if TYPE_CHECKING:
+    from ..compiler.inputs import Inputs
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
+
+KEPT = 8
+"""The number of files whose subjects a judge keeps, which take much memory."""
 
 
 class Unit(NamedTuple):
@@ -24,6 +29,8 @@ class Unit(NamedTuple):
 
     file: Path
     label: str
+    read: str
+    """The digest of what was read to compile the file."""
     cost: float
     """The estimated cost of judging it."""
 
@@ -34,6 +41,8 @@ class Forms(NamedTuple):
     drawn: Subjects
     meant: Subjects
     said: Said
+    read: str
+    """The digest of what was read to compile them; empty if there are errors."""
 
 
 class Contents(NamedTuple):
@@ -55,43 +64,64 @@ class Judge:
     ) -> None:
         self._request, self._routes = request, routes
         self._runner, self._toolchain = runner, toolchain
-        self._compiled: dict[Path, Forms] = {}
+        self.forms = lru_cache(KEPT)(self._compiled)
+        """The subjects of a file; those of the last few files are kept."""
 
     def contents(self, file: Path) -> Contents:
-        """Compile a file; its subjects are kept, as this judge may have to judge them later."""
-        from ..targets.conformance.costs import cost_of
-
-        found = self._compiled[file] = self.subjects(file)
-        units = (Unit(file, label, cost_of(subject)) for label, subject in found.meant)
-        return Contents(tuple(units), found.said)
-
-    def subjects(self, file: Path) -> Forms:
-        """The subjects of a file as routes draw them, and as they are meant."""
-        request, profiles = self._request, profiles_of(self._routes)
-        meant, said = subjects_in(file, request, profiles, native_stages=False)
-        if said.errors or not request.native_stages:
-            return Forms(meant, meant, said)
-        drawn, more = subjects_in(file, request, profiles, native_stages=True)
-        return Forms(drawn, meant, more if more.errors else said)
+        """The contents of a file. Its subjects are kept, as this judge may be asked for them."""
+        return contents_of(file, self.forms(file))
 
     def rows(self, unit: Unit) -> Sequence[Row]:
         """A row for each route, with reasons in the source where it differs or proves little.
 
-        If another judge has compiled the file, it is compiled again. Raises ``CompileError`` if it
-        has changed meanwhile, and is wrong now.
+        If the file is not one of the last that this judge has compiled, it is compiled again. Then
+        the rows have failed if it is another one now. Raises ``MemoryError``.
         """
-        from ..compiler.diagnostics.diagnostic import CompileError
         from ..targets.conformance.conform import rows_of, trials_of
         from ..targets.conformance.explaining import with_reasons
-        from ..targets.conformance.rows import Row
+        from ..targets.conformance.rows import LACKS_MEMORY
 
-        drawn, meant, said = self._compiled.get(unit.file) or self.subjects(unit.file)
-        if said.errors:
-            raise CompileError(said.errors)
+        drawn, meant, _said, read = self.forms(unit.file)
+        if read != unit.read:
+            return self.failed(unit, "its file has changed meanwhile")
         mine = [pair for pair in drawn if pair[0] == unit.label]
-        if not mine:
-            why = "it is not in its file any more"
-            return [Row(unit.label, route, "failed", why) for route in self._routes]
         trials = trials_of(mine, seed=self._request.seed, meant=dict(meant))
         rows = rows_of(trials, self._routes, self._runner, self._toolchain, threads=1)
+        if any(row.problem == LACKS_MEMORY for row in rows):
+            raise MemoryError
         return with_reasons(dict(meant)[unit.label], rows, self._request.seed)
+
+    def failed(self, unit: Unit, problem: str) -> Sequence[Row]:
+        """The rows of a subject that cannot be judged."""
+        from ..targets.conformance.rows import Row
+
+        return [Row(unit.label, route, "failed", problem) for route in self._routes]
+
+    def _compiled(self, file: Path) -> Forms:
+        request, profiles = self._request, profiles_of(self._routes)
+        inputs: list[Inputs] = []
+        meant, said = subjects_in(file, request, profiles, native_stages=False, read=inputs.append)
+        drawn = meant
+        if request.native_stages and not said.errors:
+            drawn, more = subjects_in(
+                file, request, profiles, native_stages=True, read=inputs.append
+            )
+            said = more if more.errors else said
+        return Forms(drawn, meant, said, "" if said.errors else _digest_of(inputs))
+
+
+def contents_of(file: Path, forms: Forms) -> Contents:
+    """The contents of a file whose subjects were compiled."""
+    from ..targets.conformance.costs import cost_of
+
+    units = (Unit(file, label, forms.read, cost_of(subject)) for label, subject in forms.meant)
+    return Contents(tuple(units), forms.said)
+
+
+def _digest_of(inputs: Iterable[Inputs]) -> str:
+    """A digest of all that compiles have read, and of the paths where they have looked in vain."""
+    from ..targets.runner.store import digest
+
+    return digest(
+        *(repr((sorted(each.contents.items()), sorted(each.links.items()))) for each in inputs)
+    )

@@ -2,25 +2,29 @@
 
 Python computes in one thread of a process at a time, so whole subjects go to processes: with all
 that is computed for them, from the compiler to the comparison of pictures. Only the drivers stay
-with the main process, which asks them for its helpers. A process that ends for any reason costs
-only time: the main process does its work.
+with the main process, which asks them for its helpers. A process that crashes, hangs or lacks
+memory costs only time: the main process does its work.
 """
 
 from __future__ import annotations
 
 import os
 import pickle
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from ..compiler.budget import current
 from ..targets.closing import Closing
-from ..targets.runner.driver_pools import Drivers, asked_for, asks_driver
+from ..targets.runner.driver_pools import asked_for, asks_driver
 from ..targets.runner.drivers.device import DriverError
+from ..targets.runner.runner import Runner
 from ..targets.toolchain.limits import WORKERS
+from ..targets.toolchain.pipe import Packet
 from ..targets.toolchain.surroundings import python_worker
-from ..targets.toolchain.workers import Pool, Worker
+from ..targets.toolchain.tools import ToolState
+from ..targets.toolchain.workers import Answer, Pool, Worker
 from .compared import ConformRequest
 from .judge import Contents, Judge, Unit
 
@@ -32,15 +36,36 @@ T = TypeVar("T")
 _PROCESS = f"{__package__}.judging_process"
 TIME_LIMIT = 600.0
 """The seconds after which a process is given up that neither answers nor asks a driver."""
+TRIES = 2
+"""The number of processes that may lack memory for the same work."""
+
+
+class Setting(NamedTuple):
+    """All that a process has to know of the main process to judge as that would."""
+
+    request: ConformRequest
+    folder: str
+    """The current folder."""
+    temporary: str
+    """The folder for temporary files, which are deleted even if the process is killed."""
+    limits: Mapping[str, int]
+    """The limits of the command's budget."""
+    states: Mapping[str, ToolState]
+    """The states of the routes' tools. A process that looked for these itself might not find one,
+    if the machine is so busy that a program does not say its version in time."""
 
 
 class Judges(Closing):
     """A few processes; several threads may ask them at once."""
 
-    def __init__(self, request: ConformRequest, size: int, here: Judge, drivers: Drivers) -> None:
-        """``here`` does the work of processes that fail, and ``drivers`` draw for all of them."""
-        self._about = os.getcwd(), request, current()  # noqa: PTH109 - Processes start elsewhere.
-        self._here, self._drivers = here, drivers
+    def __init__(self, request: ConformRequest, size: int, here: Judge, runner: Runner) -> None:
+        """``here`` does the work of processes that fail, and the runner's drivers draw for all of
+        them."""
+        self._here, self._drivers = here, runner.drivers
+        self._temporary = TemporaryDirectory(prefix="burnish-conform-", ignore_cleanup_errors=True)
+        self._setting = Setting(
+            request, os.getcwd(), self._temporary.name, current(), runner.states,  # noqa: PTH109
+        )  # fmt: skip
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(_PROCESS), WORKERS))
         self._closed = False
 
@@ -48,28 +73,46 @@ class Judges(Closing):
         """End all processes; whoever waits for one of them gets a ``DriverError``."""
         self._closed = True
         self._pool.close()
+        self._temporary.cleanup()
 
     def contents(self, file: Path) -> Contents:
-        """The contents of a file."""
+        """The contents of a file. Raises ``DriverError`` and ``MemoryError``."""
         return self._asked(self._here.contents, file)
 
     def rows(self, unit: Unit) -> Sequence[Row]:
-        """The rows of a subject. Raises ``CompileError``, ``DriverError`` and ``MemoryError``."""
-        return self._asked(self._here.rows, unit)
+        """The rows of a subject. Raises ``DriverError``."""
+        from ..targets.conformance.rows import LACKS_MEMORY
+
+        try:
+            return self._asked(self._here.rows, unit)
+        except MemoryError:
+            return self._here.failed(unit, LACKS_MEMORY)
 
     def _asked(self, work: Callable[[Any], T], about: Path | Unit) -> T:
         """Have a process do what a method of ``Judge`` does here."""
-        question = pickle.dumps((*self._about, work.__name__, about))
+        question = Packet({}, pickle.dumps((self._setting, work.__name__, about)))
         with self._pool.borrow() as worker:
-            answer = worker.ask({}, TIME_LIMIT, question)
-            while asks_driver(answer.reply) and not self._closed:
-                given = asked_for(self._drivers, answer)
-                answer = worker.ask(given.content, TIME_LIMIT, given.data)
-        if self._closed:
-            raise DriverError("the run has ended")
-        if "lacks_memory" in answer.reply:
-            raise MemoryError
+            for _ in range(TRIES):
+                answer = self._answer(worker, question)
+                if "lacks_memory" not in answer.reply:
+                    break
+                worker.restart()  # Earlier work may have left much in its memory.
         if not answer.data:
             return work(about)
         found: T = pickle.loads(answer.data)
         return found
+
+    def _answer(self, worker: Worker, question: Packet) -> Answer:
+        """The answer of a process, whose own questions are answered meanwhile."""
+        answer = self._reply(worker, question)
+        while asks_driver(answer.reply):
+            answer = self._reply(worker, asked_for(self._drivers, answer))
+        return answer
+
+    def _reply(self, worker: Worker, packet: Packet) -> Answer:
+        """The reply of a process to a packet. Raises ``DriverError`` once the run has ended."""
+        wanted = not self._closed  # An ended process would be started anew.
+        answer = worker.ask(packet.content, TIME_LIMIT, packet.data) if wanted else None
+        if answer is None or self._closed:
+            raise DriverError("the run has ended")
+        return answer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import pickle
-from collections.abc import Mapping
+import tempfile
 from pathlib import Path
 
 from ..compiler.budget import raised
@@ -13,9 +13,8 @@ from ..targets.runner.routes import select
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
 from ..targets.toolchain.pipe import Ask, Packet, converse
-from .compared import ConformRequest
 from .judge import Judge, Unit
-from .judges import TIME_LIMIT
+from .judges import TIME_LIMIT, Setting
 
 
 class _Process:
@@ -26,22 +25,27 @@ class _Process:
 
     def answer(self, question: Packet, ask: Ask) -> Packet:
         """Do what the main process wants; it may be asked for its drivers meanwhile."""
-        here: str
-        request: ConformRequest
-        limits: Mapping[str, int]
+        setting: Setting
         work: str
         about: Path | Unit
-        here, request, limits, work, about = pickle.loads(question.data)
-        os.chdir(here)  # Files are named as on the command line.
+        setting, work, about = pickle.loads(question.data)
         if self._judge is None:
-            routes = select([request.routes])
-            runner = Runner(routes, drivers=LentDrivers(ask))
-            self._judge = Judge(request, routes, runner, Toolchain(parallel=1))
+            self._judge = _judge_in(setting, ask)
         try:
-            with raised(limits):
+            with raised(setting.limits):
                 return Packet({}, pickle.dumps(getattr(self._judge, work)(about)))
         except MemoryError:
             return Packet({"lacks_memory": True})
+
+
+def _judge_in(setting: Setting, ask: Ask) -> Judge:
+    """A judge that works as the main process's own one does."""
+    os.chdir(setting.folder)  # Files are named as on the command line.
+    os.environ["TMPDIR"] = tempfile.tempdir = setting.temporary
+    routes = select([setting.request.routes])
+    runner = Runner(routes, drivers=LentDrivers(ask), states=setting.states)
+    toolchain = Toolchain(parallel=1, states=setting.states)
+    return Judge(setting.request, routes, runner, toolchain)
 
 
 if __name__ == "__main__":

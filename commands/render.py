@@ -12,7 +12,7 @@ import click
 
 from ..compiler.budget import allowed, raised
 from .console import remark, say
-from .failures import fail, told
+from .failures import errors_as_messages, fail
 from .options import (
     BACKGROUND,
     budget_option,
@@ -164,7 +164,7 @@ def render(**chosen: Any) -> None:
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
     request = RenderRequest(**chosen)
-    with told():
+    with errors_as_messages():
         _render(request)
 
 

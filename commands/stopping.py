@@ -22,15 +22,17 @@ class Stopping:
     """A context manager that heeds the first signal that asks the command to end.
 
     Such a signal raises ``KeyboardInterrupt``, or calls a function where ``by`` names one, or does
-    nothing yet within ``later``. Further
-    signals do nothing: a terminal and a parent process often both send one, and the command is
-    about to end anyway. Signals that the process ignores stay ignored.
+    nothing yet within ``later``. These blocks nest: the innermost one counts. At the latest, the
+    end of the whole block raises ``KeyboardInterrupt``.
+
+    Further signals do nothing: a terminal and a parent process often both send one, and the command
+    is about to end anyway. Signals that the process ignores stay ignored.
     """
 
     def __init__(self) -> None:
         self.asked = False
         """True if a signal has come."""
-        self._act: Callable[[], None] | None = None
+        self._act = _interrupt
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Self:
@@ -48,9 +50,10 @@ class Stopping:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if not self.asked:
-            for number, handler in self._before.items():
-                signal.signal(number, handler)
+        if self.asked:
+            raise KeyboardInterrupt
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
 
     @contextmanager
     def by(self, act: Callable[[], None]) -> Iterator[None]:
@@ -65,6 +68,20 @@ class Stopping:
             yield
 
     @contextmanager
+    def at_once(self) -> Iterator[None]:
+        """Within the ``with`` block, the first signal raises ``KeyboardInterrupt``.
+
+        Some libraries swallow that, or raise another exception in its place. So the block raises it
+        in any case if a signal has come, also before.
+        """
+        try:
+            with self.by(_interrupt):
+                yield
+        finally:
+            if self.asked:
+                raise KeyboardInterrupt
+
+    @contextmanager
     def later(self) -> Iterator[None]:
         """Within the ``with`` block, a signal is only remembered."""
         with self._acting(lambda: None):
@@ -72,17 +89,19 @@ class Stopping:
 
     @contextmanager
     def _acting(self, act: Callable[[], None]) -> Iterator[None]:
-        self._act = act
+        before, self._act = self._act, act
         try:
             yield
         finally:
-            self._act = None
+            self._act = before
 
     def _heed(self, number: int, _frame: FrameType | None) -> None:
         if self.asked:
             return
         self.asked = True
         remember_signal(number)
-        if self._act is None:
-            raise KeyboardInterrupt
         self._act()
+
+
+def _interrupt() -> None:
+    raise KeyboardInterrupt

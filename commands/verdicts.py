@@ -63,7 +63,7 @@ class Table:
         say(f"  {route}  ", shown, numbers)
 
 
-def tell(rows: Sequence[Row], unfinished: Unfinished | None, *, strict: bool) -> None:
+def print_summary(rows: Sequence[Row], unfinished: Unfinished | None, *, strict: bool) -> None:
     """Print what there is to say about the rows beside the table."""
     from ..targets.conformance.summary import (
         by_material,

@@ -16,7 +16,7 @@ import click
 
 from ...compiler.diagnostics.display import harmless
 from ..console import remark, say
-from ..failures import fail, told
+from ..failures import errors_as_messages, fail
 from ..options import budget_option
 from ..terminal import FAILED
 
@@ -92,7 +92,7 @@ def gallery(**chosen: object) -> None:
         burnish gallery materials -o build/materials --routes lavapipe,llvmpipe
     """
     request = GalleryRequest(**chosen)  # type: ignore[arg-type]
-    with told():
+    with errors_as_messages():
         _make(request)
 
 

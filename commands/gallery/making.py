@@ -35,7 +35,7 @@ from ...targets.toolchain import Toolchain
 from .. import compared, panels, subjects
 from ..catalogue import ENDING, is_shown
 from ..conform import conform
-from ..failures import told
+from ..failures import errors_as_messages
 from ..graph.command import as_svg
 from ..picture_files import moving
 from ..progress import Progress
@@ -137,7 +137,7 @@ class _Making:
                 redirect_stderr(said),
                 redirect_stdout(said),
                 command.make_context(command.name, list(words)) as context,
-                told(),
+                errors_as_messages(),
             ):
                 yield context.params
         except click.exceptions.Exit:

@@ -11,7 +11,7 @@ import click
 
 from ...compiler.diagnostics.display import harmless_lines
 from ..console import show
-from ..failures import fail, told
+from ..failures import errors_as_messages, fail
 from ..options import file_argument, pass_option, pixel, rig_option, search_option
 from ..terminal import FAILED, print_output
 
@@ -127,7 +127,7 @@ def _parts(material: CompiledMaterial, request: GraphRequest) -> Mapping[Span, f
     """The parts that expressions have in the error of the pixel, if there is one."""
     if request.error is None:
         return None
-    with told():
+    with errors_as_messages():
         from ...targets.conformance.seen import PixelError
         from .errors import parts
 

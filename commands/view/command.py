@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from ..console import say
-from ..failures import fail, needed, told
+from ..failures import errors_as_messages, fail, needed
 from ..options import (
     budget_option,
     hoist_option,
@@ -69,7 +69,7 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
     request = ViewRequest(**chosen)
     if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
-    with told():
+    with errors_as_messages():
         _serve(request, port, opens=not no_browser)
 
 

@@ -41,8 +41,8 @@ SIZE: Size = (72, 56)
 UNCOVERED: Color = (-8.0, -8.0, -8.0, -8.0)
 """A clear colour that no shader is likely to write, so that it shows which pixels are covered."""
 
-DRAWN_CASES = 4
-"""The number of scenes in which every material is drawn."""
+DRAWN_CASES = ("defaults", "stretched", "behind", "inside")
+"""The names of the scenes in which every material is drawn."""
 
 IMAGE_CASES = ("first", "second")
 """The names of the pictures of a kernel over images."""
@@ -113,16 +113,18 @@ def series_of(
             for turn, (name, sizes) in enumerate(ELEMENT_CASES.items())
         ))  # fmt: skip
         return
-    yield Series(exact=is_drawn(reflection), cases=(
+    states = (
         _defaults(reflection, size, form),
-        _stretched("stretched", reflection, seed, UNCOVERED, size, form),
+        _stretched(reflection, seed, UNCOVERED, size, form),
         _behind(reflection, seed + 1, size, form),
         _inside(reflection, seed + 2, size),
-    ))  # fmt: skip
+    )
+    cases = tuple(Case(name, state) for name, state in zip(DRAWN_CASES, states, strict=True))
+    yield Series(exact=is_drawn(reflection), cases=cases)
     if is_drawn(reflection) and shows_less(reflection):
-        case = _stretched("declared", reflection, seed, BACKDROP, size, form)
-        state = replace(case.state, blend_constant=BLEND_CONSTANT)
-        yield Series(exact=False, cases=(replace(case, state=state),))
+        state = _stretched(reflection, seed, BACKDROP, size, form)
+        state = replace(state, blend_constant=BLEND_CONSTANT)
+        yield Series(exact=False, cases=(Case("declared", state),))
 
 
 def _kernel(reflection: Reflection, seed: int, size: Size) -> Instance:
@@ -163,22 +165,21 @@ def _divided_share(form: Instance) -> float:
     return min(1.0, FINEST_USUAL / finest)
 
 
-def _defaults(reflection: Reflection, size: Size, form: Reflection) -> Case:
+def _defaults(reflection: Reflection, size: Size, form: Reflection) -> SceneState:
     instance, shaped = Instance(reflection), Instance(form)
     for each in (instance, shaped):
         sample_values(each, 0, missing=True)
     mesh = sphere(_cells(32, shaped, size), _cells(16, shaped, size))
-    return _case("defaults", instance, mesh, Scene(light_count=2), size)
+    return _state(instance, mesh, Scene(light_count=2), size)
 
 
 def _stretched(
-    name: str,
     reflection: Reflection,
     seed: int,
     clear: Color,
     size: Size,
     form: Reflection,
-) -> Case:
+) -> SceneState:
     """A mesh that is scaled differently along each axis, with all lights, near it and inside it."""
     scene = Scene(
         looking(eye=(-0.7, 1.1, 2.6)),
@@ -188,17 +189,17 @@ def _stretched(
     )
     shaped = _sampled(form, seed)
     mesh = torus(_cells(24, shaped, size), _cells(16, shaped, size))
-    return _case(name, _sampled(reflection, seed), mesh, scene, size, clear)
+    return _state(_sampled(reflection, seed), mesh, scene, size, clear)
 
 
-def _behind(reflection: Reflection, seed: int, size: Size, form: Reflection) -> Case:
+def _behind(reflection: Reflection, seed: int, size: Size, form: Reflection) -> SceneState:
     """Back faces, and as few lights as possible."""
     scene = Scene(looking(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0)), light_count=0)
     cells = max(3, round(4 * min(1.0, 4 * _divided_share(_sampled(form, seed)))))
-    return _case("behind", _sampled(reflection, seed), plane(cells), scene, size)
+    return _state(_sampled(reflection, seed), plane(cells), scene, size)
 
 
-def _inside(reflection: Reflection, seed: int, size: Size) -> Case:
+def _inside(reflection: Reflection, seed: int, size: Size) -> SceneState:
     """Walls around the eye, which the near and the far plane cut."""
     camera = looking(
         eye=(0.35, -0.2, 0.4),
@@ -207,7 +208,7 @@ def _inside(reflection: Reflection, seed: int, size: Size) -> Case:
         far=1.5,
         fov=math.radians(75),
     )
-    return _case("inside", _sampled(reflection, seed), cube(), Scene(camera), size)
+    return _state(_sampled(reflection, seed), cube(), Scene(camera), size)
 
 
 def _sampled(reflection: Reflection, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> Instance:
@@ -218,11 +219,11 @@ def _sampled(reflection: Reflection, seed: int, sizes: Sequence[int] = BUFFER_SI
     return instance
 
 
-def _case(
-    name: str, instance: Instance, mesh: Mesh, scene: Scene, size: Size, clear: Color = UNCOVERED
-) -> Case:
+def _state(
+    instance: Instance, mesh: Mesh, scene: Scene, size: Size, clear: Color = UNCOVERED
+) -> SceneState:
     whole = with_inputs(instance.reflection, mesh)
-    return Case(name, set_up(instance, whole, scene, size, clear))
+    return set_up(instance, whole, scene, size, clear)
 
 
 def _turned_and_stretched() -> tuple[tuple[float, ...], ...]:

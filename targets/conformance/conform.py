@@ -11,15 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from threading import Event
 
-from ...compiler.budget import BudgetError
 from ...support.frozen import EMPTY
-from ..runner.codes import CodeError
-from ..runner.drivers.device import DriverError
-from ..runner.frames.checking import PlanError
 from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
-from ..runner.instances.host_values import MissingValuesError
 from ..runner.job_sizes import check_work
-from ..runner.kernels import UndrawableError
 from ..runner.reference import STORE
 from ..runner.routes import Route
 from ..runner.runner import Runner
@@ -30,8 +24,9 @@ from .cases import SIZE, Size
 from .compare import Comparison, proves_little
 from .contents import content_of
 from .frames import FrameTrial
-from .gathering import Done, Stop, Told, gathered
-from .rows import CaseResult, Row, Status
+from .gathering import Gathering
+from .refusals import REFUSALS
+from .rows import LACKS_MEMORY, CaseResult, Row, Status
 from .trials import ShaderTrial, Trial
 
 Tried = Trial | tuple[str, str]
@@ -45,9 +40,7 @@ def conform(
     toolchain: Toolchain,
     *,
     seed: int = 0,
-    done: Done | None = None,
-    told: Told | None = None,
-    stop: Stop | None = None,
+    gathering: Gathering | None = None,
     size: Size = SIZE,
     keep: bool = True,
     brief: bool = False,
@@ -58,7 +51,7 @@ def conform(
     Arguments are those of ``trials_of`` and of ``rows_of``.
     """
     trials = trials_of(subjects, seed=seed, size=size, keep=keep, meant=meant)
-    return rows_of(trials, routes, runner, toolchain, done=done, told=told, stop=stop, brief=brief)
+    return rows_of(trials, routes, runner, toolchain, gathering=gathering, brief=brief)
 
 
 def trials_of(
@@ -87,18 +80,16 @@ def rows_of(
     runner: Runner,
     toolchain: Toolchain,
     *,
-    done: Done | None = None,
-    told: Told | None = None,
-    stop: Stop | None = None,
+    gathering: Gathering | None = None,
     brief: bool = False,
     threads: int | None = None,
 ) -> list[Row]:
-    """A row for each trial and each route, in this order; fewer if ``stop`` is asked for.
+    """A row for each trial and each route, in this order; fewer if the ``gathering`` is ended.
 
-    Trials keep the reference's pictures for further routes. ``told`` gets each row as soon as all
-    rows before it are known. Rows that are ``brief`` end with the first picture that differs.
-    ``threads`` work at once, by default more than there are processors.
+    Trials keep the reference's pictures for further routes. Rows that are ``brief`` end with the
+    first picture that differs. ``threads`` work at once, by default more than there are processors.
     """
+    gathering = gathering or Gathering()
     interrupted = Event()
     # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
     # one material share its pictures, so those of another are what a thread can go on with.
@@ -109,12 +100,13 @@ def rows_of(
             for trial in trials
             for route in routes
         ]
-        return gathered(works, len(works), stop=stop or Stop(), done=done, told=told)
+        gathering.wait_for(works, len(works))
     finally:
         # After Ctrl-C, the threads end with the processes for which they wait: whoever has opened
         # the runner and the toolchain, closes them.
         interrupted.set()
         pool.shutdown(wait=False, cancel_futures=True)
+    return gathering.rows
 
 
 def _trial(
@@ -174,10 +166,10 @@ def _row(
             results.append(result)
             if interrupted.is_set() or (brief and _differs(result.comparison)):
                 break
-    except (
-        BudgetError, CodeError, DriverError, MissingValuesError, PlanError, UndrawableError,
-    ) as error:  # fmt: skip
+    except REFUSALS as error:
         return made(status="failed", problem=str(error))
+    except MemoryError:
+        return made(status="failed", problem=LACKS_MEMORY)
     return made(status=_status(results), device=device, results=tuple(results))
 
 

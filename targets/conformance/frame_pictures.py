@@ -22,6 +22,7 @@ from ...compiler.reference.picture import Counted, RasterRules
 from ..runner import __file__ as runner_file
 from ..runner.frames.reference_textures import DrawnTexture
 from ..runner.frames.subjects import PlannedFrame
+from ..runner.kept_pictures import Rules, kept
 from ..runner.reference import code_digest
 from ..runner.store import Store, digest, digest_of_sources
 
@@ -61,21 +62,13 @@ def remembered(
 ) -> FramePictures:
     """The pictures, from the store if the reference has drawn them before.
 
-    ``ingredients`` are all that they depend on besides rules and errors. They are kept under the
-    rules on which most pictures depend; and if they depend on rarer ones, which differ from these
-    ``rules``, then under all of them.
+    ``ingredients`` are all that they depend on besides rules and errors.
     """
-    for by in (sorted(rules.common), rules):
-        name = digest(_code_digest(), np.__version__, *ingredients, repr((by, errors)))
-        kept = store.read(name)
-        if kept is None:
-            break
-        pictures = loaded(kept)
-        if rules.agree_with(pictures.counted):
-            return pictures
-    made = make()
-    store.write(name, dumped(made))
-    return made
+
+    def name(by: Rules) -> str:
+        return digest(_code_digest(), np.__version__, *ingredients, repr((by, errors)))
+
+    return kept(store, rules, name, make, dumped=dumped, loaded=loaded)
 
 
 def ingredients_of(

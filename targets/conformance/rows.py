@@ -26,6 +26,9 @@ a value is too large for float32, where Burnish promises nothing. ``failed``: a 
 of the route refused. ``not run``: the route lacks its tools, or its profile lacks what the material
 needs."""
 
+LACKS_MEMORY = "there is not enough memory to draw this"
+"""The problem of a row for which a process could not get as much memory as it needed."""
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CaseResult:

@@ -17,8 +17,11 @@ def begun(costs: Sequence[float], processes: int) -> list[int]:
 
     ``costs`` are estimates of what they take. Long ones come first, the longest at the very
     beginning; all others follow in their own order. So the last process ends at most the time of a
-    subject that is not long later than the first one, as far as the estimates are right.
+    subject that is not long later than the first one, as far as the estimates are right. A single
+    process takes as long in any order, so it begins in that of the files.
     """
+    if processes == 1:
+        return list(range(len(costs)))
     most = LONG * sum(costs) / processes
     long = [number for number, cost in enumerate(costs) if cost > most]
     others = [number for number, cost in enumerate(costs) if cost <= most]

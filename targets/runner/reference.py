@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,7 @@ from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
 from .instances.shapes import shape_of
+from .kept_pictures import Rules, kept
 from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
 
@@ -167,22 +168,11 @@ def remembered(
     store: Store,
     errors: Errors | None = None,
 ) -> Expected:
-    """The expected picture, from the store if the reference has drawn it before.
-
-    It is kept under the rules on which most pictures depend. If the kept picture depends on further
-    rules, and they differ from these ``rules``, then it is kept under all of them.
-    """
-    for own in (False, True):
-        name = _digest(program, state, rules, errors, own=own)
-        kept = store.read(name)
-        if kept is None:
-            break
-        picture = loaded(kept)
-        if rules.agree_with(picture.counted):
-            return picture
-    made = expected(program.shader, state, rules, errors)
-    store.write(name, dumped(made))
-    return made
+    """The expected picture, from the store if the reference has drawn it before."""
+    return kept(
+        store, rules, partial(_digest, program, state, errors),
+        partial(expected, program.shader, state, rules, errors), dumped=dumped, loaded=loaded,
+    )  # fmt: skip
 
 
 def dumped(picture: Expected) -> bytes:
@@ -208,22 +198,13 @@ def loaded(data: bytes) -> Expected:
     return Expected(targets, covered, undecided, low, high, layers, counted=rules)
 
 
-def _digest(
-    program: Program,
-    state: SceneState,
-    rules: RasterRules,
-    errors: Errors | None = None,
-    *,
-    own: bool = True,
-) -> str:
-    """A digest of everything that the picture depends on; but for the rare rules, if it is not the
-    ``own`` one of these rules."""
+def _digest(program: Program, state: SceneState, errors: Errors | None, rules: Rules) -> str:
+    """A digest of everything that the picture depends on, as far as the rules say it."""
     kinds = [(name, str(values.dtype)) for name, values in state.attributes.items()]
     first, *others = state.draws()
     draws = [to_json(first), *(to_json(each.blocks) for each in others)]
     drawn = json.dumps([draws, state.clear, state.blend_constant, kinds])
-    by = rules if own else sorted(rules.common)
-    allowed, values = repr((by, errors)), repr(state.instance.values())
+    allowed, values = repr((rules, errors)), repr(state.instance.values())
     return digest(code_digest(), np.__version__, program.text, allowed, values, drawn)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from itertools import chain
 from pathlib import Path
@@ -16,6 +16,7 @@ from threading import Lock
 from ...compiler.documents.writing import to_json as document_json
 from ..closing import Closing
 from ..toolchain.pipe import Packet
+from ..toolchain.tools import ToolState
 from ..web_host.serving.modules import host_modules
 from ..web_host.serving.packages import Package
 from .driver_pools import DriverPools, Drivers
@@ -50,19 +51,22 @@ class Runner(Closing):
         reuse: bool = True,
         device: str = "",
         drivers: Drivers | None = None,
+        states: Mapping[str, ToolState] | None = None,
     ) -> None:
         """``routes`` are those that will draw.
 
         ``parallel`` workers of each driver draw at once, by default one per core. Without ``reuse``
         nothing is taken from the store. ``device`` names the device of drivers that can draw with
         any: a part of its name, or its number; empty for the usual one. ``drivers`` are asked
-        instead of processes that this runner starts.
+        instead of processes that this runner starts. ``states`` are those of the routes' tools, if
+        these were looked for before.
         """
         self._time_limit = time_limit
-        self._states = inspect_tools(routes)
+        self.states = inspect_tools(routes) if states is None else states
+        """The states of the tools that the routes need, by name."""
         self._store = Store(STORE) if reuse else None
         count = parallel or os.cpu_count() or 1
-        self.drivers = drivers or DriverPools(self._states, device, count)
+        self.drivers = drivers or DriverPools(self.states, device, count)
         self._devices: dict[str, Device | DriverError] = {}
         self._deaths = dict.fromkeys(EVERY_DRIVER, 0)
         self._locks = {name: Lock() for name in EVERY_DRIVER}
@@ -73,11 +77,11 @@ class Runner(Closing):
 
     def problem(self, route: Route) -> str | None:
         """The reasons why a route cannot draw on this machine, tool by tool; ``None`` if it can."""
-        return problem(route, self._states)
+        return problem(route, self.states)
 
     def versions(self, route: Route) -> dict[str, str]:
         """The versions of a route's tools, as far as they are known."""
-        return versions(route, self._states)
+        return versions(route, self.states)
 
     def device(self, route: Route) -> Device:
         """The device that a route draws with. Raises ``DriverError``.

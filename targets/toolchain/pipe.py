@@ -1,8 +1,8 @@
 """Packets between Burnish and a process that it has started: a line of JSON, and bytes behind it.
 
-``workers.py`` is Burnish's side of the pipe. Workers of Burnish's own (drivers, the reference)
-answer by ``serve``, or ask
-back by ``converse``; compilers' workers, which import nothing of Burnish, write lines only.
+``workers.py`` is Burnish's side of the pipe. Workers of Burnish's own answer by ``serve``, such as
+drivers; those that judge for ``burnish conform`` also ask back, by ``converse``. Workers of
+compilers, which import nothing of Burnish, write lines only.
 """
 
 from __future__ import annotations

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 from .children import Family
@@ -17,10 +18,11 @@ HERE = Path(__file__).parent
 class Toolbox:
     """Runs tools for the ``check`` functions of checkers."""
 
-    def __init__(self, parallel: int, time_limit: float) -> None:
+    def __init__(self, parallel: int, time_limit: float, states: Mapping[str, ToolState]) -> None:
+        """``states`` are those of the tools that were looked for before."""
         self.time_limit = time_limit
         """The time limit of one run of one tool, in seconds."""
-        self._states: dict[str, ToolState] = {}
+        self._states = dict(states)
         self._running = Family()
         self.dxc = Pool(parallel, lambda: Worker(self._dxc_command, COMPILERS))
         self.tint = Pool(1, lambda: Worker(self._tint_command, COMPILERS))

@@ -15,6 +15,7 @@ from ..closing import Closing
 from .checkers import CHECKERS, Checker
 from .job import Job, Message, Verdict
 from .toolbox import Toolbox
+from .tools import ToolState
 
 TIME_LIMIT = 60.0
 
@@ -22,10 +23,19 @@ TIME_LIMIT = 60.0
 class Toolchain(Closing):
     """Owns the worker processes. Use it as a context manager, one for many calls of ``check``."""
 
-    def __init__(self, *, time_limit: float = TIME_LIMIT, parallel: int | None = None) -> None:
-        """``time_limit`` is in seconds for each run of a tool; ``parallel`` tools run at once."""
+    def __init__(
+        self,
+        *,
+        time_limit: float = TIME_LIMIT,
+        parallel: int | None = None,
+        states: Mapping[str, ToolState] | None = None,
+    ) -> None:
+        """``time_limit`` is in seconds for each run of a tool; ``parallel`` tools run at once.
+
+        Tools that have no state among ``states`` are looked for when they are needed.
+        """
         self._parallel = parallel or os.cpu_count() or 1
-        self._toolbox = Toolbox(self._parallel, time_limit)
+        self._toolbox = Toolbox(self._parallel, time_limit, states or {})
         self._threads = ThreadPoolExecutor(self._parallel)
 
     def close(self) -> None:

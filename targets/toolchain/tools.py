@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -68,6 +68,10 @@ class Tool:
     """The source to get it from."""
     minimum: tuple[int, ...] = ()
     """The oldest version that works; empty if any does."""
+
+    def __reduce__(self) -> tuple[Callable[[str], Tool], tuple[str]]:
+        """Pickled, a tool is its name: another process of Burnish has the same table."""
+        return tool_named, (self.name,)
 
     @property
     def install(self) -> str:

@@ -70,6 +70,11 @@ class Worker:
         with self._lock:
             return self._answer(Packet(request, data), time_limit)
 
+    def restart(self) -> None:
+        """End the child process, if there is one: the next request starts another."""
+        with self._lock:
+            self._bury()
+
     def close(self) -> None:
         """End the child process, if there is one; a request that it works on gets no answer."""
         self._closed = True

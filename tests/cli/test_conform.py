@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+from burnish.commands import judge
+from burnish.commands.compared import subjects_in
 from burnish.compiler.reference.picture import Expected
 from burnish.targets.conformance import contents
 from burnish.targets.runner import routes
@@ -393,3 +395,21 @@ def test_native_stages(folder: Path) -> None:
     assert rows["lavapipe:wgsl-naga"] == ["not", "run"]
     assert "not run by lavapipe:wgsl-naga: wgsl:webgpu has no geometry stage" in result.stdout
     assert result.exit_code == 1  # It was named.
+
+
+@pytest.mark.parametrize("options", [(), ("--explain", "36,28", "--case", "defaults")])
+def test_files_are_compiled_once(options: tuple[str, ...], monkeypatch: pytest.MonkeyPatch) -> None:
+    """This process compiles few files, and those whose pixels it explains, and judges them."""
+    compiled: list[str] = []
+
+    def noted(path: Path, *of: Any, **options: Any) -> Any:
+        compiled.append(path.name)
+        return subjects_in(path, *of, **options)
+
+    monkeypatch.setattr(judge, "subjects_in", noted)
+    names = [f"m{number}.burnish" for number in range(2 + (judge.KEPT if options else 0))]
+    for name in names:
+        Path(name).write_text(UP)
+    result = invoke("conform", *names, "--routes", "llvmpipe:gl330", *options)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert compiled == names

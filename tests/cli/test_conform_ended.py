@@ -33,9 +33,17 @@ ENDING = {
     "int": (signal.SIGINT, False, 130),
     "int to the group": (signal.SIGINT, True, 130),
     "term": (signal.SIGTERM, False, 143),
+    "hangup": (signal.SIGHUP, False, 129),
 }
 """The signal, whether all processes of the terminal get it, and the exit code."""
 LINE = "--routes lavapipe:glsl,llvmpipe:gl330 --report report"
+EXPLAINED = "--routes lavapipe:glsl --explain 36,28"
+BURNISH = """
+import os, runpy
+os.cpu_count = lambda: 2
+runpy.run_module("burnish", run_name="__main__")
+"""
+"""Burnish on a machine of two processors, so that one can be busy with what takes long."""
 
 
 @pytest.fixture
@@ -48,14 +56,17 @@ def place(tmp_path: Path) -> Path:
     return tmp_path / "place"
 
 
-def command(names: Sequence[str]) -> list[str]:
+def command(names: Sequence[str], line: str = LINE) -> list[str]:
     files = [f"{name}.burnish" for name in names]
-    return [sys.executable, "-m", "burnish", "conform", *files, *LINE.split()]
+    return [sys.executable, "-c", BURNISH, "conform", *files, *line.split()]
 
 
 def environment(place: Path) -> dict[str, str]:
-    """An environment in which no picture is known yet."""
-    return {**os.environ, "BURNISH_CACHE": str(place.parent / "cache")}
+    """An environment in which no picture is known yet, with a folder for temporary files."""
+    temporary = place.parent / "temporary"
+    temporary.mkdir(exist_ok=True)
+    cache = place.parent / "cache"
+    return {**os.environ, "BURNISH_CACHE": str(cache), "TMPDIR": str(temporary)}
 
 
 class Screen:
@@ -116,11 +127,13 @@ def test_without_a_terminal(how: str, place: Path) -> None:
         lines = [program.line().decode() for _ in range(10)]
         assert lines[1::3] == [f"{name}.burnish: Quick\n" for name in "abc"]
         assert [line.split()[1] for line in lines if line.startswith("  l")] == ["agrees"] * 6
+        assert list((place.parent / "temporary").iterdir())
         program.signal(number, everybody=everybody)
         ended = program.ended()
         until(lambda: not program.family(), "the end of all that was started", limit=20)
     assert (ended.returncode, ended.stderr) == (code, "")
     assert "\nunfinished, 6 of 8 rows: 6 agree\n" in ended.stdout
+    assert not list((place.parent / "temporary").iterdir())
     check_report(place, 6, 8)
 
 
@@ -139,6 +152,19 @@ def test_on_a_terminal(how: str, place: Path) -> None:
     check_report(place, 6, 8)
 
 
+@pytest.mark.parametrize("how", ENDING)
+def test_explaining(how: str, place: Path) -> None:
+    """Nothing is explained, also of what was drawn, and no error is told."""
+    number, everybody, code = ENDING[how]
+    with on_terminal(command("ad", EXPLAINED), place) as (program, screen):
+        until(lambda: "50%" in screen.text, "one of two materials")
+        program.signal(number, everybody=everybody)
+        assert program.exit_code(20) == code
+        until(lambda: not program.family(), "the end of all that was started", limit=20)
+        text = screen.ended()
+    assert not any(word in text for word in ("Traceback", "error", "pixel", "unfinished"))
+
+
 def test_many_signals(place: Path) -> None:
     """A terminal sends one, and a parent process another: the report is whole.
 
@@ -153,6 +179,32 @@ def test_many_signals(place: Path) -> None:
         until(lambda: not program.family(), "the end of all that was started", limit=20)
     assert (ended.returncode in (130, 143), ended.stderr) == (True, "")
     check_report(place, 6, 8)
+
+
+SIGNALLED = """
+import os, runpy, signal
+from burnish.commands import conform
+write = conform.write_report
+def write_report(*arguments, **options):
+    os.kill(os.getpid(), signal.SIGTERM)
+    write(*arguments, **options)
+conform.write_report = write_report
+runpy.run_module("burnish", run_name="__main__")
+"""
+"""Burnish, to which a signal comes when it begins to write the report."""
+
+
+def test_when_all_is_known(place: Path) -> None:
+    """The run ends, but nothing is unfinished."""
+    words = [sys.executable, "-c", SIGNALLED, *command("abc")[3:]]
+    with started(words, cwd=place, env=environment(place)) as program:
+        ended = program.ended()
+    assert (ended.returncode, ended.stderr) == (143, "")
+    assert ended.stdout.endswith("\n6 agree\nreport: report/index.html\n")
+    report = json.loads((place / "report" / "report.json").read_text())
+    assert len(report["rows"]) == 6 and not report.get("unfinished")
+    suites = ElementTree.parse(place / "report" / "junit.xml").getroot()
+    assert (suites.get("tests"), suites.get("errors")) == ("6", "0")
 
 
 def test_rows_behind_one_that_is_missing(place: Path) -> None:

@@ -2,27 +2,35 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 from burnish.commands import conform_run, judges
 from burnish.commands.compared import ConformRequest
-from burnish.commands.judge import Judge
+from burnish.commands.group import burnish
+from burnish.commands.judge import KEPT, Judge, Unit
+from burnish.targets.conformance.rows import CaseResult, Row
 from burnish.targets.conformance.scheduling import begun
+from burnish.targets.conformance.trials import Trial
 from burnish.targets.runner.routes import select
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 from burnish.targets.toolchain.workers import Worker
 
 from .kit import invoke
+from .test_conform import UP, without
 
 LITTLE = "vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453))"
 FILES = {
-    "up": "material Up { color = 0.5 + 0.5 * normal }\n",
+    "up": UP,
     "little": f"material Hash {{ color = {LITTLE} }}\n",
     "kernel": "kernel Two { result two : float[4] = 2 }\n",
     "captures": "material M { color = vec3(uv, 0) }\npass P { capture place : vec2 = uv }\n",
@@ -31,7 +39,8 @@ FILES = {
         "frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }\n"
     ),
 }
-LINE = ("--routes", "lavapipe:glsl,lavapipe:hlsl-glslang")
+ROUTES = ("lavapipe:glsl", "lavapipe:hlsl-glslang")
+LINE = ("--routes", ",".join(ROUTES))
 
 
 @pytest.fixture(autouse=True)
@@ -59,6 +68,12 @@ def alone(monkeypatch: pytest.MonkeyPatch) -> Callable[..., tuple[int, str, str]
             return conform(*names)
 
     return judged
+
+
+@pytest.fixture
+def one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Makes one process judge, one subject after the other."""
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
 
 
 def test_processes_judge_the_same(alone: Callable[..., tuple[int, str, str]]) -> None:
@@ -101,12 +116,105 @@ def test_a_process_that_hangs(
     assert conform() == alone()
 
 
-def test_a_process_that_lacks_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    answer = "print('{\"lacks_memory\": true}', flush=True)"
-    monkeypatch.setattr(judges, "Worker", starting(answer))
-    assert conform() == (
-        1, "", "error: there is not enough memory to draw this: a smaller picture may do\n"
-    )  # fmt: skip
+LACKING = """
+import json, os, sys
+while line := sys.stdin.buffer.readline():
+    sys.stdin.buffer.read(json.loads(line)["following"])
+    with open({asked!r}, "a") as asked:
+        print(os.getpid(), file=asked)
+    print('{{"lacks_memory": true}}', flush=True)
+"""
+"""A process that never has enough memory; a file tells which process was asked."""
+
+
+@pytest.mark.usefixtures("one_process")
+def test_processes_that_lack_memory(
+    folder: Path,
+    alone: Callable[..., tuple[int, str, str]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A fresh one is asked once more, as the first may have kept much; then it is done here."""
+    monkeypatch.setattr(judges, "Worker", starting(LACKING.format(asked=str(folder / "asked"))))
+    assert conform() == alone()
+    asked = (folder / "asked").read_text().split()
+    assert len(asked) == len({*asked}) == judges.TRIES * (len(FILES) + 6)
+
+
+def test_memory_that_nobody_has(
+    folder: Path,
+    alone: Callable[..., tuple[int, str, str]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The rows of this subject have failed; the others are as they are."""
+
+    def results(self: Trial, *rest: Any) -> Iterator[CaseResult]:
+        if self.label == "kernel.burnish: Two":
+            raise MemoryError
+        return of_others(self, *rest)
+
+    of_others = Trial.results
+    monkeypatch.setattr(Trial, "results", results)
+    monkeypatch.setattr(judges, "Worker", starting(LACKING.format(asked=str(folder / "asked"))))
+    code, output, errors = conform()
+    assert (code, output.splitlines()[-1]) == (1, "8 agree, 2 prove little, 2 failed")
+    assert errors.count("failed\n  there is not enough memory to draw this\n") == 2
+    assert alone()[0] == 1 and alone()[2] == errors
+
+
+@pytest.mark.usefixtures("one_process")
+def test_a_bug_in_the_judge_of_one_subject(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The rows before it are printed and reported, and then the error is told."""
+
+    def rows(self: Judge, unit: Unit) -> Sequence[Row]:
+        assert unit.label != "kernel.burnish: Two", "a bug"
+        return of_others(self, unit)
+
+    of_others = Judge.rows
+    monkeypatch.setattr(Judge, "rows", rows)
+    monkeypatch.setattr(judges, "Worker", starting("pass"))
+    command = ["conform", *(f"{name}.burnish" for name in FILES), *LINE, "--report", "report"]
+    result = CliRunner().invoke(burnish, command)
+    assert isinstance(result.exception, AssertionError)
+    assert re.findall(r"^\S+\.burnish: .*", result.stdout, re.MULTILINE) == [
+        "up.burnish: Up", "little.burnish: Hash",
+    ]  # fmt: skip
+    assert "\nunfinished, 4 of 12 rows: 2 agree, 2 prove little\n" in result.stdout
+    report = json.loads((folder / "report" / "report.json").read_text())
+    assert report["unfinished"] == {"known": 4, "of": 12} and len(report["rows"]) == 4
+
+
+GROWN = """
+import std.frames.{FullScreen}
+pass Grown : FullScreen { target value : rgba32f = vec4(uv, 0, 1) }
+frame F {
+    param n : int
+    grown = Grown(screen, ivec2(n, n))
+    output picture = grown.value
+}
+"""
+
+
+def test_a_frame_whose_size_nobody_has_set(
+    folder: Path, alone: Callable[..., tuple[int, str, str]]
+) -> None:
+    """Its rows have failed; the others are as they are."""
+    (folder / "frame.burnish").write_text(GROWN)
+    found = conform()
+    assert found == alone()
+    code, output, errors = found
+    assert code == 1 and output.endswith("\n8 agree, 2 prove little, 2 failed\n")
+    told = "error: frame.burnish: F, {}: failed\n  F needs values for\n    `n` : int\n"
+    assert errors.endswith("".join(map(told.format, ROUTES)))
+
+
+def test_tools_are_looked_for_once(
+    alone: Callable[..., tuple[int, str, str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Judges get to know what is missing here; the route is not run, whatever they would find."""
+    without(monkeypatch, "glslang")
+    found = conform()
+    assert found == alone()
+    assert "glslang is missing" in found[1] and found[1].endswith("\n12 not run\n")
 
 
 def test_a_process_has_the_limits_of_the_command() -> None:
@@ -126,33 +234,43 @@ def test_the_errors_of_all_files(folder: Path) -> None:
     assert [*re.findall("unknown name `(.*)`", errors)] == ["norml", "uvw"]
 
 
-def test_a_file_that_changes_meanwhile(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A process that has compiled it before judges what it was then; for others, it has failed."""
+@pytest.mark.usefixtures("one_process")
+@pytest.mark.parametrize("text", [UP.replace("0.5 +", "0.4 +"), UP.replace("normal", "norml"), ""])
+def test_a_file_that_changes_meanwhile(
+    text: str, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A process that has compiled it lately judges it as it was then; else its rows have failed."""
+    names = [f"m{number}" for number in range(KEPT + 1)]
+    for name in names:
+        (folder / f"{name}.burnish").write_text(UP)
 
     def change(costs: Sequence[float], processes: int) -> list[int]:
-        (folder / "up.burnish").write_text(FILES["up"].replace("Up", "Down"))
-        return begun(costs, processes)
+        for name in names[0], names[-1]:
+            (folder / f"{name}.burnish").write_text(text)
+        number, *others = begun(costs, processes)
+        return [others.pop(), number, *others]
 
     monkeypatch.setattr(conform_run, "begun", change)
-    code, output, errors = conform()
-    heading = "error: up.burnish: Up, lavapipe:glsl: failed\n  it is not in its file any more\n"
-    if code:
-        assert heading in errors
-        assert output.endswith("\n8 agree, 2 prove little, 2 failed\n")
-    else:
-        assert output.endswith("\n10 agree, 2 prove little\n")
+    code, output, errors = conform(*names)
+    assert (code, output.splitlines()[-1]) == (1, f"{2 * KEPT} agree, 2 failed")
+    assert errors == "".join(
+        f"error: m0.burnish: Up, {route}: failed\n  its file has changed meanwhile\n"
+        for route in ROUTES
+    )
 
 
-def test_a_subject_that_is_not_there_any_more(folder: Path) -> None:
+def test_a_file_that_others_compile_anew(folder: Path) -> None:
+    """A judge judges what it has compiled itself, even if the file has changed meanwhile."""
     routes = select([LINE[1]])
     with Runner(routes) as runner, Toolchain() as toolchain:
-        judge = Judge(request(folder / "up.burnish"), routes, runner, toolchain)
+        judge, other, third = (
+            Judge(request(folder / "up.burnish"), routes, runner, toolchain) for _ in range(3)
+        )
         (unit,) = judge.contents(folder / "up.burnish").units
-        (folder / "up.burnish").write_text(FILES["up"].replace("Up", "Down"))
-        other = Judge(request(folder / "up.burnish"), routes, runner, toolchain)
-        problems = {row.problem for row in other.rows(unit)}
+        assert {row.status for row in other.rows(unit)} == {"agrees"}
+        (folder / "up.burnish").write_text(UP.replace("Up", "Down"))
         assert {row.status for row in judge.rows(unit)} == {"agrees"}
-    assert problems == {"it is not in its file any more"}
+        assert {row.problem for row in third.rows(unit)} == {"its file has changed meanwhile"}
 
 
 def request(file: Path) -> ConformRequest:

@@ -10,6 +10,7 @@ import pytest
 
 import burnish
 from burnish.targets.conformance.conform import conform
+from burnish.targets.conformance.gathering import Gathering
 from burnish.targets.conformance.rows import CaseResult
 from burnish.targets.conformance.trials import Trial
 from burnish.targets.runner.routes import ROUTES, Route
@@ -52,7 +53,7 @@ def test_rows_under_way_end_early(
     with pytest.raises(KeyboardInterrupt):
         conform(
             [(name, _subject(SUBJECTS[name]))], [QUICK, SLOW], studio.runner, studio.toolchain,
-            done=_interrupt,
+            gathering=Gathering(_interrupt),
         )  # fmt: skip
     assert len(compared) < CASES
 

@@ -70,6 +70,11 @@ def test_the_order_of_files() -> None:
     assert begun(costs, 4) == [5, 3, 0, 1, 2, 4, *range(6, 66)]
 
 
+def test_a_single_process() -> None:
+    """It begins in the order of the files, as no order is faster."""
+    assert begun([1.0, 300.0, 2.0, 500.0], 1) == [0, 1, 2, 3]
+
+
 def test_no_order_is_far_from_the_best() -> None:
     """The last process ends at most the time of a subject that is not long behind the ideal."""
     chance = random.Random(1)

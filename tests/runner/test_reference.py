@@ -44,7 +44,7 @@ def asked(
 def name(
     question: tuple[Program, SceneState], rules: RasterRules = RULES, errors: Errors | None = None
 ) -> str:
-    return reference._digest(*question, rules, errors)
+    return reference._digest(*question, errors, rules)
 
 
 def test_every_allowed_error_has_a_part_in_the_name() -> None:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
+
+import pytest
 
 from .processes import run
 from .quick import TESTS
-from .units import OF_QUICK, OF_SLOW, is_slow, units_of
+from .units import OF_QUICK, OF_SLOW, Units, is_slow, units_of
 
 QUICK, SLOW = "tests/syntax/test_cache.py", "tests/conformance/test_planted.py"
 
@@ -39,6 +43,44 @@ def test_modules_of_slow_folders_are_slow() -> None:
     assert is_slow("tests/cli/test_kills.py")
     assert not is_slow(QUICK)
     assert (TESTS.parent / QUICK).exists()
+
+
+class Worker:
+    """A worker that notes which tests it shall run."""
+
+    gateway = SimpleNamespace(id="worker")
+    shutting_down = False
+
+    def __init__(self) -> None:
+        self.given: list[int] = []
+
+    def send_runtest_some(self, numbers: list[int]) -> None:
+        self.given += numbers
+
+    def shutdown(self) -> None:
+        """Called when nothing is left."""
+
+
+class Config:
+    """The part of pytest's configuration that the scheduler asks for."""
+
+    option = SimpleNamespace(loadscopereorder=True)
+
+    def getvalue(self, _name: str) -> list[str]:
+        return ["2*popen"]
+
+
+def test_slow_units_are_handed_out_first() -> None:
+    """Also those that workers get at the very beginning."""
+    collected = names(QUICK, 5 * OF_QUICK) + names(SLOW, 4 * OF_SLOW)
+    scheduler = Units(cast(pytest.Config, Config()), None)
+    workers = [Worker(), Worker()]
+    for worker in workers:
+        scheduler.add_node(worker)
+        scheduler.add_node_collection(worker, collected)
+    scheduler.schedule()
+    given = [collected[number] for worker in workers for number in worker.given]
+    assert given == names(SLOW, 2 * OF_SLOW)
 
 
 def test_workers_run_each_test_once(tmp_path: Path) -> None:

@@ -36,11 +36,20 @@ class Units(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist brings n
     workqueue: OrderedDict[str, dict[str, bool]]
     """The units that no worker has got yet; of each, which of its tests are complete."""
 
+    _is_sorted = False
+
     def schedule(self) -> None:
         """Called when all workers have collected the tests, and again after one was replaced."""
+        self._is_sorted = False
         super().schedule()
-        ordered = sorted(self.workqueue.items(), key=lambda unit: _place(list(unit[1])))
-        self.workqueue = OrderedDict(ordered)
+
+    def _assign_work_unit(self, node: Any) -> None:
+        """Called by ``schedule``, when all units are known, and whenever a worker needs more."""
+        if not self._is_sorted:
+            ordered = sorted(self.workqueue.items(), key=lambda unit: _place(list(unit[1])))
+            self.workqueue = OrderedDict(ordered)
+            self._is_sorted = True
+        super()._assign_work_unit(node)
 
     def mark_test_complete(self, node: Any, item_index: int, duration: float = 0.0) -> None:
         """Called after each test; a unit whose tests are all complete is forgotten."""
