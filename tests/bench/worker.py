@@ -9,7 +9,7 @@ lines of JSON, and so do the answers.
 from __future__ import annotations
 
 import gc
-import importlib
+import importlib.util
 import json
 import resource
 import sys
@@ -23,10 +23,12 @@ from burnish.compiler.diagnostics.render import render_all
 HOOKS = (
     ("parse", "burnish.compiler.frontend", "Frontend.open_file"),
     ("semantics", "burnish.compiler.frontend", "Frontend.shaders"),
-    ("passes", "burnish.api.entry_points", "stage"),
-    ("emission", "burnish.api.entry_points", "emit"),
+    ("passes", "burnish.api.compiling", "stage"),
+    ("emission", "burnish.api.compiling", "emit"),
 )
 """The work of each phase: the function or method, at the place where its caller looks it up."""
+BEFORE = {"burnish.api.compiling": "burnish.api.entry_points"}
+"""The names of modules in older checkouts."""
 
 MEMORY_LIMIT = 6 << 30
 
@@ -48,7 +50,8 @@ class Phases:
     def hook(self, phase: str, module: str, path: str) -> None:
         """Time every call of what is found at ``path`` in ``module``."""
         *owners, name = path.split(".")
-        owner: Any = importlib.import_module(module)
+        there = importlib.util.find_spec(module) is not None
+        owner: Any = importlib.import_module(module if there else BEFORE[module])
         for part in owners:
             owner = getattr(owner, part)
         work = getattr(owner, name)
