@@ -41,7 +41,7 @@ WARM = (
 LAYERS, LAYERS_AIM = 200, 300.0
 """The depth of the deepest surface of closures, and the milliseconds to aim at."""
 COLD_AIM, UNCHANGED_AIM = 130.0, 50.0
-CHAIN_AIM = 15_000.0
+CHAIN_AIM = 6000.0
 
 Measure = Callable[[], float]
 """Does something once, or a few times, and says how many milliseconds of CPU it took at best."""
