@@ -123,9 +123,10 @@ def member(graph: Graph, operand: Node, name: str) -> Node:
 
 
 def in_body(node: Node) -> Node | None:
-    """A member of a call's result as the function's body computes it, if it puts a struct together.
+    """A call's result, or a member of it, as the function's body computes it.
 
-    Such facts as hold for the body's variables hold for the member.
+    ``None`` for other nodes, and for a member of what the body does not put together itself. The
+    facts of the node in the body hold for the call's, too.
     """
     if node.op != "member":
         return node.operands[0] if node.op == "apply" else None

@@ -39,7 +39,7 @@ from ...ir.types import (
 )
 from ...syntax import ast
 from ..names.modules import Symbol
-from ..state.context import Context, Form, Given, Shape, SharedBody, Signature
+from ..state.context import Context, Given, Shape, SharedBody, Signature, Unfixed
 from ..state.scope import FAILURE, Failure, Instance
 from ..types.coercion import is_constant, is_negated_literal
 from .bodies import settle_body
@@ -80,7 +80,7 @@ def shared_call(
         return None
     given, parts = kinds
     shapes = tuple(_shape(ctx, part) if repeated else _literal(part) for part in parts)
-    if Form.ADAPTS in shapes:
+    if Unfixed.ADAPTS in shapes:
         return None
     units = () if repeated else tuple(_is_unit(ctx, part) for part in parts)
     signature = Signature(symbol, given, shapes, units, base, tuple(slots), repeated)
@@ -131,8 +131,8 @@ def _shape(ctx: Context, part: Node) -> Shape:
     if ctx.constants.is_known(node):
         return _written(node)
     if is_constant(node):
-        return Form.ADAPTS
-    return Form.SPLAT if node.op == "splat" else None
+        return Unfixed.ADAPTS
+    return Unfixed.SPLAT if node.op == "splat" else None
 
 
 def _literal(part: Node) -> Shape:
@@ -151,7 +151,7 @@ def _written(root: Node) -> Shape:
     while pending:
         node = bare(pending.pop())
         if len(written) == LARGEST_CONSTANT:
-            return Form.ADAPTS
+            return Unfixed.ADAPTS
         written.append(f"{node.op} {node.type} {node.data!r}")
         pending += node.operands
     return "; ".join(written)
@@ -164,7 +164,7 @@ def _is_fixed(shape: Shape) -> bool:
 
 def _varying(part: Node, shape: Shape) -> Node:
     """The part of a value for which bodies have a variable, or the value if it is constant."""
-    return bare(part).operands[0] if shape is Form.SPLAT else part
+    return bare(part).operands[0] if shape is Unfixed.SPLAT else part
 
 
 def _is_unit(ctx: Context, part: Node) -> bool:
@@ -233,7 +233,7 @@ def stand_ins(
         if isinstance(constant, Node):
             parts.append(constant)
             return constant
-        is_splat = constant is Form.SPLAT
+        is_splat = constant is Unfixed.SPLAT
         formals.append(Formal(name))
         varying = Scalar(type_.kind) if is_splat and isinstance(type_, Vector) else type_
         variable = ctx.tree.node("formal", varying, (), formals[-1])
@@ -346,7 +346,7 @@ def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
 
 
 def _parted(ctx: Context, body: Node, call: Node) -> Node:
-    """The value of a call: of a structure, its members, which are the body's if they are constant.
+    """The value of a call: of a structure, its members; of the body, where no argument counts.
 
     So checks see the constants of a structure, as they do where a body is repeated.
     """

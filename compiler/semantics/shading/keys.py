@@ -46,12 +46,15 @@ class Keys:
     def readers(self, name: str) -> set[str]:
         """The names of the declarations that name another one, directly or not."""
         found: set[str] = set()
-        pending = [name]
-        while pending:
-            new = self._named_by[pending.pop()] - found
-            found |= new
-            pending += new
+        _spread(self._named_by, name, found)
         return found
+
+    def add_named(self, name: str, found: set[str]) -> None:
+        """Add to ``found`` what a declaration names, directly or not.
+
+        Names that are there already are not followed again.
+        """
+        _spread(self._named, name, found)
 
     @cached_property
     def _of_drawn(self) -> bytes:
@@ -121,6 +124,17 @@ class Keys:
             own = (_bytes(self._texts[name]) for name in sorted(circle))
             wholes.update(dict.fromkeys(circle, _digest((*own, *sorted(behind)))))
         return wholes
+
+
+def _spread(
+    graph: Mapping[str, frozenset[str]] | Mapping[str, set[str]], start: str, found: set[str]
+) -> None:
+    """Add to ``found`` all to which arrows lead from a start, without going through known ones."""
+    pending = [start]
+    while pending:
+        new = graph[pending.pop()] - found
+        found |= new
+        pending += new
 
 
 def _circles(graph: Mapping[str, frozenset[str]]) -> Iterator[frozenset[str]]:

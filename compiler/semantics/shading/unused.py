@@ -115,6 +115,8 @@ class UnusedDeclarations:
         """The outcomes for declarations that were right."""
         self._skipped: dict[Symbol, Outcome] = {}
         """The records that were not tried, as they are known to be right."""
+        self._named: set[str] = set()
+        """The names of all declarations that these may reach."""
 
     def check(self) -> None:
         """Reports the errors in declarations; those that records use count as checked with them."""
@@ -146,6 +148,7 @@ class UnusedDeclarations:
         self._reached.update(self._module.declared[name][at] for name, at in outcome.reached)
         if isinstance(symbol.declaration, ast.Record):
             self._skipped[symbol] = outcome
+            self._keys.add_named(symbol.name, self._named)
         return True
 
     def _try_readers(self, symbol: Symbol) -> None:
@@ -153,7 +156,7 @@ class UnusedDeclarations:
 
         What one of them reached is only known as far as no other had reached it before.
         """
-        readers = self._keys.readers(symbol.name) if self._skipped else set()
+        readers = self._keys.readers(symbol.name) if symbol.name in self._named else set()
         for each in [known for known in self._skipped if known.name in readers]:
             outcome = self._skipped.pop(each)
             self._records.work.nodes -= outcome.nodes

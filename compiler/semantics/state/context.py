@@ -201,14 +201,14 @@ wrong, or is defined by its own override.
 """
 
 
-class Form(Enum):
-    """A form of values that are not constant."""
+class Unfixed(Enum):
+    """A form of values with which no body is checked as they are."""
 
     SPLAT = "one number in all lanes"
     ADAPTS = "a choice between literals, or a large constant expression"
 
 
-Shape: TypeAlias = "str | Form | None"
+Shape: TypeAlias = "str | Unfixed | None"
 """What checks may see in an argument besides its type: of a constant, the expression as a text."""
 
 
