@@ -91,19 +91,19 @@ def rows_of(
     """
     gathering = gathering or Gathering()
     interrupted = Event()
-    # Threads mostly wait for the processes of compilers, drivers and the reference. The routes of
-    # one material share its pictures, so those of another are what a thread can go on with.
+
+    def judged(trial: Tried, route: Route) -> Sequence[Row]:
+        return (_row(trial, route, runner, toolchain, interrupted, brief=brief),)
+
+    # Threads mostly wait for the processes of compilers and drivers, or for the pictures of the
+    # reference, which the routes of a trial share: the first of them draws.
     pool = ThreadPoolExecutor(threads or 2 * (os.cpu_count() or 1))
     try:
-        works = [
-            pool.submit(_rows, trial, route, runner, toolchain, interrupted, brief=brief)
-            for trial in trials
-            for route in routes
-        ]
+        works = [pool.submit(judged, trial, route) for trial in trials for route in routes]
         gathering.wait_for(works, len(works))
     finally:
-        # After Ctrl-C, the threads end with the processes for which they wait: whoever has opened
-        # the runner and the toolchain, closes them.
+        # After Ctrl-C, threads end with the processes for which they wait, which whoever has opened
+        # the runner and the toolchain closes; those that compute, when they see that it has come.
         interrupted.set()
         pool.shutdown(wait=False, cancel_futures=True)
     return gathering.rows
@@ -126,18 +126,6 @@ def _trial(
         return ShaderTrial(label, subject, content, seed, size, meant)
     except ValueError as error:
         return label, str(error)
-
-
-def _rows(
-    trial: Tried,
-    route: Route,
-    runner: Runner,
-    toolchain: Toolchain,
-    interrupted: Event,
-    *,
-    brief: bool,
-) -> Sequence[Row]:
-    return (_row(trial, route, runner, toolchain, interrupted, brief=brief),)
 
 
 def _row(
