@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 import pytest
 
-from .library_kit import Floats, close, of, unit
+from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.reference.namespace import Lanes
+
+from ..semantics.kit import at, shader
+from .kit import MESH, Floats, close, lanes, of, shown, unit
+from .truth import truth
 
 IMPORTS = """
 import std.sampling.{axes_along, cosine_direction, facet_normal, hammersley, radical_inverse}
@@ -26,6 +35,7 @@ def mean(expression: str) -> Floats:
     )
 
 
+@truth("std.sampling.radical_inverse", "std.sampling.hammersley")
 def test_points_cover_a_square() -> None:
     # 6 is 110 in binary, and 0.011 is three eighths.
     numbers = ("radical_inverse(0)", "radical_inverse(1)", "radical_inverse(6)")
@@ -33,6 +43,7 @@ def test_points_cover_a_square() -> None:
     assert value("hammersley(3, 8), 0") == close([3.5 / 8, 0.75, 0])
 
 
+@truth("std.sampling.axes_along")
 @pytest.mark.parametrize("axis", [(0, 0, 1), (0, 0, -1), (2, -1, 2), (0.1, 3, -0.2), (-1, 0, 0)])
 def test_axes_are_at_right_angles(axis: tuple[float, float, float]) -> None:
     along = unit(axis)
@@ -43,6 +54,7 @@ def test_axes_are_at_right_angles(axis: tuple[float, float, float]) -> None:
     assert np.linalg.det(axes) == pytest.approx(1)
 
 
+@truth("std.sampling.cosine_direction", "std.sampling.on_circle")
 def test_directions_are_as_likely_as_their_cosine_is_large() -> None:
     # The integrals of z, z² and x² over the half sphere, times z / pi.
     assert mean("cosine_direction(p).z")[0] == pytest.approx(2 / 3, abs=2e-3)
@@ -59,6 +71,7 @@ def middles(count: int, end: float) -> Floats:
     return np.asarray((np.arange(count) + 0.5) * (end / count), np.float64)
 
 
+@truth("std.sampling.facet_normal")
 @pytest.mark.parametrize("width", [0.09, 0.5, 1.0])
 def test_facets_are_as_likely_as_the_surface_has_them(width: float) -> None:
     angle = middles(20_000, np.pi / 2)
@@ -92,12 +105,70 @@ def mirrored(cosine: float, roughness: float) -> tuple[float, float]:
     return float((weight * (1 - rim)).sum()), float((weight * rim).sum())
 
 
+@truth("std.environments.mirrored_share", "std.environments.share_of")
 @pytest.mark.parametrize(("cosine", "roughness"), [(0.9, 0.5), (0.5, 0.7), (0.2, 0.6), (0.6, 1.0)])
 def test_the_table_is_what_a_surface_mirrors_of_even_light(cosine: float, roughness: float) -> None:
     found = value(f"mirrored_share({cosine}, {roughness}, {MANY}), 0")
     assert found[:2] == pytest.approx(mirrored(cosine, roughness), abs=6e-3)
 
 
+@truth("std.environments.mirrored_share", "std.environments.share_of")
 def test_a_smooth_surface_mirrors_all_of_what_its_facets_mirror() -> None:
     found = value("mirrored_share(0.5, 0.02, 64), 0")
     assert found[:2] == pytest.approx([1 - 0.5**5, 0.5**5], abs=1e-3)
+
+
+@truth("std.environments.MirroredShare")
+def test_the_table_goes_right_by_the_cosine_and_down_by_the_roughness() -> None:
+    """The triangle's second vertex, at (2, 1), is outside of the picture: ``uv`` is given."""
+    text = (
+        "import std.environments.{MirroredShare}\nmaterial M {}\n"
+        "pass P : MirroredShare { uv = vec2(0.6, 0.7) }"
+    )
+    whole = shader(text, pass_="P")
+    (target,) = whole.results_of(TARGET)
+    found = at(whole, target.value, MESH)[:2]
+    assert found == pytest.approx(mirrored(0.6, 0.7), abs=2e-2)
+
+
+@dataclass
+class Read:
+    """A texture that notes where it is read."""
+
+    seen: Callable[[tuple[Any, ...]], None]
+    value: Lanes
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of a read."""
+        assert name == "sample_level", name
+        place, (level,) = operands
+        self.seen((tuple(map(float, place)), float(level)))
+        return self.value
+
+
+@truth("std.environments.lit_from_around")
+def test_light_from_around_is_scattered_and_mirrored() -> None:
+    """B. Karis, "Real Shading in Unreal Engine 4": f0 times the first share, and the second one."""
+    levels, roughness = 5, 0.25
+    asked: dict[str, tuple[Any, ...]] = {}
+
+    def reading(name: str, *value: float) -> Read:
+        return Read(lambda where: asked.update({name: where}), value)
+
+    normal, to_eye = unit((0.3, 0.8, 0.5)), unit((-0.2, 0.9, 0.6))
+    found = shown(
+        "import std.environments.{lit_from_around}\n"
+        "material M { map matt : texture_cube  map glossy : texture_cube  map shares : texture2d\n"
+        "param n : direction<world>  param v : direction<world>\n"
+        f"color = lit_from_around(matt, glossy, shares, {levels}, n, v,"
+        f" rgb(0.5, 0.25, 1), rgb(0.04, 0.5, 1), {roughness}) }}",
+        matt=reading("matt", 0.5, 1, 2, 1), glossy=reading("glossy", 3, 2, 1, 1),
+        shares=reading("shares", 0.75, 0.125, 0, 1), n=lanes(normal), v=lanes(to_eye),
+    )  # fmt: skip
+    f0 = np.array((0.04, 0.5, 1.0))
+    wanted = np.array((0.5, 0.25, 1)) * (0.5, 1, 2) + np.array((3, 2, 1)) * (f0 * 0.75 + 0.125)
+    assert found == close(wanted)
+    cosine = normal @ to_eye
+    assert asked["matt"] == (pytest.approx(normal), 0)
+    assert asked["glossy"] == (pytest.approx(2 * cosine * normal - to_eye), roughness * 4)
+    assert asked["shares"] == (pytest.approx((cosine, roughness)), 0)

@@ -1,6 +1,6 @@
 """The library's surfaces, mixins and transforms, against NumPy.
 
-``library_kit`` says why.
+``truth.py`` says why.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import pytest
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
-from .kit import Painted, at, shader
-from .library_kit import (
+from ..semantics.kit import Painted, at, shader
+from .kit import (
     CLIP,
     EYE,
     MESH,
@@ -29,12 +29,14 @@ from .library_kit import (
     Floats,
     close,
     columns,
+    matrix,
     moved,
     of,
     shown,
     unit,
     upright,
 )
+from .truth import truth
 
 CHANCE = np.random.default_rng(20)
 """Numbers without a pattern, so that an exchange of lanes is seen."""
@@ -42,6 +44,7 @@ CHANCE = np.random.default_rng(20)
 # --- surfaces ------------------------------------------------------------------------------------
 
 
+@truth("std.prelude.Surface", "std.prelude.pi")
 @pytest.mark.parametrize(
     ("slot", "expected"),
     [
@@ -62,10 +65,12 @@ def clip_position(text: str, **given: Any) -> Lanes:
     return at(whole, whole.results_of(CLIP_POSITION)[0].value, {**MESH, **given})
 
 
+@truth("std.prelude.Surface")
 def test_a_surface_in_clip_space() -> None:
     assert clip_position("material M {}") == close(CLIP @ [*POSITION_IN_WORLD, 1.0])
 
 
+@truth("std.prelude.Forward")
 def test_the_librarys_pass_writes_colour_and_alpha() -> None:
     whole = shader("material M { color = vec3(0.5, 0.25, 0.75)  alpha = 0.125 }")
     (target,) = whole.results_of(TARGET)
@@ -77,6 +82,7 @@ def test_the_librarys_pass_writes_colour_and_alpha() -> None:
 TANGENT = (0.7, -0.2, 0.4)
 
 
+@truth("std.tangents.Tangents")
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_tangents(sign: float) -> None:
     header, imports = "M : Surface + Tangents", "import std.tangents.{Tangents}"
@@ -91,6 +97,7 @@ def test_tangents(sign: float) -> None:
     assert found == close(basis)
 
 
+@truth("std.tangents.Bumped")
 def test_a_normal_map_bends_the_normal() -> None:
     def texel(u: float, v: float) -> Lanes:
         return (0.2 + 0.5 * u, 0.9 - 0.4 * v, 0.85, 1.0)
@@ -114,6 +121,7 @@ SKINNED = {
 }  # fmt: skip
 
 
+@truth("std.skinning.Skinned")
 def test_bones_move_a_vertex() -> None:
     header, imports = "M : Surface + Skinned", "import std.skinning.{Skinned}"
     place = moved(WORLD, moved(np.asarray(SKIN), PLACE))
@@ -122,6 +130,7 @@ def test_bones_move_a_vertex() -> None:
     assert of("normal", header, imports, **SKINNED) == close(normal)
 
 
+@truth("std.skinning.SkinnedTangents")
 def test_bones_move_a_tangent() -> None:
     found = of("tangent", "M : Surface + Tangents + Skinned + SkinnedTangents",
                "import std.skinning.{Skinned, SkinnedTangents}\nimport std.tangents.{Tangents}",
@@ -129,6 +138,7 @@ def test_bones_move_a_tangent() -> None:
     assert found == close(unit(WORLD[:3, :3] @ np.asarray(SKIN)[:3, :3] @ TANGENT))
 
 
+@truth("std.morphing.Morphed")
 def test_a_mesh_on_its_way_to_another_shape() -> None:
     header, imports = "M : Surface + Morphed", "import std.morphing.{Morphed}"
     given = {"morph": 0.3, "morph_position": (0.5, -0.2, 0.7), "morph_normal": (-0.4, 0.1, 0.6)}
@@ -138,6 +148,7 @@ def test_a_mesh_on_its_way_to_another_shape() -> None:
     assert of("normal", header, imports, **given) == close(normal)
 
 
+@truth("std.instancing.Instanced")
 def test_an_instance_stands_where_its_transform_says() -> None:
     header, imports = "M : Surface + Instanced", "import std.instancing.{Instanced}"
     own = np.eye(4)
@@ -149,6 +160,7 @@ def test_an_instance_stands_where_its_transform_says() -> None:
     assert of("normal", header, imports, **given) == close(normal)
 
 
+@truth("std.billboards.Billboard")
 def test_a_billboard_faces_the_viewer() -> None:
     header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
     center = WORLD[:3, 3]
@@ -159,6 +171,7 @@ def test_a_billboard_faces_the_viewer() -> None:
     assert of("normal", header, imports) == close(unit(turned @ (np.array(NORMAL) / scale)))
 
 
+@truth("std.vertices.VertexColors", "std.vertices.SecondUv")
 def test_more_attributes() -> None:
     imports = "import std.vertices.{VertexColors, SecondUv}"
     given = {"vertex_color": (0.5, 0.25, 0.125, 0.3), "vertex_uv2": (0.6, 0.9)}
@@ -175,6 +188,7 @@ def test_more_attributes() -> None:
 # --- spaces and transforms -----------------------------------------------------------------------
 
 
+@truth("std.spaces.moved", "std.spaces.upright", "std.spaces.upright_back", "std.spaces.matrix")
 @pytest.mark.parametrize(
     ("expression", "expected"),
     [
@@ -195,19 +209,6 @@ def test_from_one_space_to_another(expression: str, expected: Any) -> None:
     assert of(expression) == close(expected)
 
 
-def matrix(expression: str) -> Floats:
-    """The value of a matrix of the module of transforms."""
-    targets = "\n".join(f"target t{i} : rgba32f = material.m[{i}]" for i in range(4))
-    whole = shader(
-        "import std.transforms.{translation, scaling, rotation, look_at}\n"
-        "import std.transforms.{perspective, orthographic}\n"
-        "import std.shadows.{cascade}\n"
-        f"material M {{ m = {expression} }}\npass P {{ {targets} }}",
-        pass_="P",
-    )
-    return np.array([at(whole, result.value) for result in whole.results_of(TARGET)]).T
-
-
 def turning(axis: Sequence[float], angle: float) -> Floats:
     """The rotation as the exponential of its generator, by its series."""
     x, y, z = unit(axis)
@@ -219,6 +220,7 @@ def turning(axis: Sequence[float], angle: float) -> Floats:
     return total
 
 
+@truth("std.transforms.translation", "std.transforms.scaling")
 def test_translation_and_scale() -> None:
     expected = np.eye(4)
     expected[:3, 3] = (0.2, -0.7, 0.5)
@@ -226,6 +228,7 @@ def test_translation_and_scale() -> None:
     assert matrix("scaling(vec3(2, 3, 5))") == close(np.diag((2, 3, 5, 1)))
 
 
+@truth("std.transforms.rotation", "std.transforms.turned")
 @pytest.mark.parametrize("angle", [0.7, -2.5])
 def test_rotation(angle: float) -> None:
     expected = np.eye(4)
@@ -234,6 +237,7 @@ def test_rotation(angle: float) -> None:
     assert matrix(f"rotation({axis}, {angle}rad)") == close(expected)
 
 
+@truth("std.transforms.look_at")
 def test_looking_at_a_place() -> None:
     eye, target, up = np.array((1.0, 2.0, 3.0)), np.array((-0.5, 0.4, 0.2)), (0.1, 1.0, 0.0)
     seen = matrix(
@@ -249,6 +253,7 @@ def test_looking_at_a_place() -> None:
     assert np.linalg.det(seen[:3, :3]) == pytest.approx(1.0)
 
 
+@truth("std.transforms.perspective")
 def test_perspective() -> None:
     lens = matrix("perspective(50deg, 1.5, 0.5, 20)")
     edge = math.tan(math.radians(25.0))
@@ -263,6 +268,7 @@ def test_perspective() -> None:
     assert lens @ (0, 0, -7, 1) == close((0, 0, 20 / 19.5 * 7 - 10 / 19.5, 7))
 
 
+@truth("std.transforms.orthographic")
 def test_orthographic() -> None:
     lens = matrix("orthographic(6, 4, 0.5, 20)")
     assert lens @ (3, 2, -0.5, 1) == close((1, 1, 0, 1))
@@ -273,6 +279,7 @@ SUN = np.array([0.36, -0.8, 0.48])
 """The direction in which the light travels."""
 
 
+@truth("std.shadows.cascade", "std.shadows.corner", "std.shadows.how_far", "std.shadows.slice_end", "std.shadows.seen_by_sun")
 @pytest.mark.parametrize("number", [0, 1, 2])
 def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int) -> None:
     camera = "perspective(60deg, 2, 1, 9) * look_at({eye}, {target}, {up})".format(

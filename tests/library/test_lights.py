@@ -1,4 +1,4 @@
-"""The library's lights and terms, against NumPy (``library_kit`` says why)."""
+"""The library's lights and terms, against NumPy (``truth.py`` says why)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .library_kit import (
+from .kit import (
     NORMAL_IN_WORLD,
     POSITION_IN_WORLD,
     TO_EYE,
@@ -18,6 +18,7 @@ from .library_kit import (
     shown,
     unit,
 )
+from .truth import truth
 
 # --- lights --------------------------------------------------------------------------------------
 
@@ -40,6 +41,7 @@ def lambert(to_light: Any, arriving: Any) -> Floats:
     return max(float(NORMAL_IN_WORLD @ to_light), 0.0) * np.asarray(arriving)
 
 
+@truth("std.lights.Directional", "std.prelude.Light", "std.terms.lambert")
 def test_a_directional_light_travels_along_its_direction() -> None:
     direction = unit((-0.2, -0.9, -0.4))
     found = lit("Directional", LIT, direction=lanes(direction), diffuse_color=TINT)
@@ -53,11 +55,13 @@ LAMP = POSITION_IN_WORLD + np.array((0.3, 1.4, 0.8))
 TO_LAMP = unit(LAMP - POSITION_IN_WORLD)
 
 
+@truth("std.lights.Point")
 def test_a_point_light_shines_from_its_place() -> None:
     found = lit("Point", LIT, place=lanes(LAMP), diffuse_color=TINT)
     assert found == close(lambert(TO_LAMP, TINT))
 
 
+@truth("std.lights.Spot")
 @pytest.mark.parametrize("turn", [0.0, 14.0, 22.0, 29.0, 31.0, 80.0])
 def test_a_spot_fades_between_its_cones(turn: float) -> None:
     inner, outer = math.radians(15.0), math.radians(30.0)
@@ -72,6 +76,7 @@ def test_a_spot_fades_between_its_cones(turn: float) -> None:
     assert (falloff > 0) == (turn < 30.0)
 
 
+@truth("std.lights.Spot", "std.prelude.Light")
 def test_highlights_fade_like_the_rest() -> None:
     """Exactly between the cones, in the cosine, half of both arrives."""
     inner, outer = math.radians(10.0), math.radians(50.0)
@@ -84,6 +89,7 @@ def test_highlights_fade_like_the_rest() -> None:
     assert lit("Spot", "phong(vec3(1), 5)", axis=lanes(axis), **given) == close(there / 2)
 
 
+@truth("std.lights.FocusedSpot")
 @pytest.mark.parametrize("turn", [10.0, 60.0, 120.0])
 def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
     across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
@@ -101,6 +107,7 @@ def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
 SURFACE = (0.7, 0.4, 0.25)
 
 
+@truth("std.terms.ambient")
 def test_ambient_light() -> None:
     found = shown(
         "import std.terms.{ambient}\nmaterial M { color = ambient(vec3(0.7, 0.4, 0.25)) }",
@@ -114,6 +121,7 @@ GRAZING = POSITION_IN_WORLD - ACROSS - 0.1 * NORMAL_IN_WORLD
 """A place behind the surface whose mirrored direction goes to the eye."""
 
 
+@truth("std.terms.phong", "std.terms.mirrored")
 @pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8), GRAZING])
 def test_a_highlight_after_phong(place: Any) -> None:
     to_lamp = unit(place - POSITION_IN_WORLD)
@@ -124,6 +132,7 @@ def test_a_highlight_after_phong(place: Any) -> None:
     assert found == close(power * np.multiply(SURFACE, TINT))
 
 
+@truth("std.terms.blinn_phong", "std.terms.blinn_coefficients")
 @pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8)])
 def test_a_surface_after_blinn_and_phong(place: Any) -> None:
     to_lamp = unit(place - POSITION_IN_WORLD)

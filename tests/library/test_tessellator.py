@@ -16,7 +16,8 @@ from burnish.compiler.reference.namespace import Lanes
 from burnish.compiler.reference.tessellation import ONE
 
 from ..reference.test_tessellation import SPACINGS, cells, divided, level
-from .kit import leaves, shader
+from ..semantics.kit import leaves, shader
+from .truth import truth
 
 CALLS = {
     "triangle": "triangle_vertex(edges.xyz, insides.x, {spacing}, index)",
@@ -61,6 +62,7 @@ def levels(seed: str) -> list[tuple[Lanes, Lanes]]:
             ((2.0, 0.0, 2.0, 2.0), (2.0, 2.0)), *some]  # fmt: skip
 
 
+@truth(*(f"std.tessellator.{name}" for name in ("triangle_vertex", "quad_vertex", "line_vertex")))
 @pytest.mark.parametrize("spacing", SPACINGS)
 @pytest.mark.parametrize("kind", CALLS)
 def test_vertices_lie_where_the_reference_has_them(kind: str, spacing: str) -> None:

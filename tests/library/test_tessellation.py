@@ -14,15 +14,18 @@ from burnish.compiler.ir.stages import TARGET
 from ..passes.kit import elaborated
 from ..passes.test_lower_expansion import Primitive
 from ..passes.test_lower_tessellation import directly
+from .truth import truth
 
 Floats = NDArray[np.float64]
 
 
-def drawn(mixin: str, value: str, points: Floats, where: Sequence[float] | Floats) -> Floats:
+def drawn(
+    mixin: str, value: str, points: Floats, where: Sequence[float] | Floats, members: str = ""
+) -> Floats:
     """The value of a slot at a place of a patch; its control points are given with normals."""
     (shader,) = elaborated(
         f"import std.tessellation.{{{mixin}}}\n"
-        f"material M : Surface + {mixin} {{ color = vec3({value}.x, {value}.y, {value}.z) }}"
+        f"material M : Surface + {mixin} {{ {members} color = vec3({value}.x, {value}.y, {value}.z) }}"
     )
     values = {
         (name, number): tuple(map(float, lanes))
@@ -54,6 +57,7 @@ PART_OF_A_BALL = on_a_ball([1, 0, 0.2], [0.3, 1, 0], [0, 0.1, 1])
 PLACES = [(1, 0, 0), (0, 0, 1), (0.5, 0.5, 0), (0.25, 0.25, 0.5), (0.2, 0.3, 0.5)]
 
 
+@truth("std.tessellation.PhongTessellation", "std.tessellation.PNTriangles")
 @pytest.mark.parametrize("mixin", ["PhongTessellation", "PNTriangles"])
 @pytest.mark.parametrize("where", PLACES)
 def test_triangles_are_drawn_towards_the_ball_that_their_normals_are_of(
@@ -68,6 +72,7 @@ def test_triangles_are_drawn_towards_the_ball_that_their_normals_are_of(
         assert abs(1 - radius) < 0.5 * missing
 
 
+@truth("std.tessellation.PhongTessellation", "std.tessellation.PNTriangles")
 @pytest.mark.parametrize("mixin", ["PhongTessellation", "PNTriangles"])
 @pytest.mark.parametrize("where", PLACES)
 def test_a_flat_triangle_stays_flat(mixin: str, where: tuple[float, ...]) -> None:
@@ -76,6 +81,7 @@ def test_a_flat_triangle_stays_flat(mixin: str, where: tuple[float, ...]) -> Non
     assert found == pytest.approx(np.array(where) @ corners[:, :3])
 
 
+@truth("std.tessellation.PhongTessellation", "std.tessellation.to_plane")
 def test_phong_tessellation_is_what_the_paper_says() -> None:
     where = np.array([0.2, 0.5, 0.3])
     corners, normals = PART_OF_A_BALL[:, :3], PART_OF_A_BALL[:, 3:]
@@ -85,6 +91,7 @@ def test_phong_tessellation_is_what_the_paper_says() -> None:
     assert drawn("PhongTessellation", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
 
 
+@truth("std.tessellation.PNTriangles", "std.tessellation.bulge", "std.tessellation.moved", "std.tessellation.between")
 def test_pn_triangles_are_what_the_paper_says() -> None:
     """Vlachos and others, equations 1 to 3."""
     where = np.array([0.2, 0.5, 0.3])
@@ -142,6 +149,7 @@ NETS = {
 }
 
 
+@truth("std.tessellation.BezierPatches", "std.tessellation.SplinePatches", "std.tessellation.QuadraticSplines", "std.tessellation.bernstein", "std.tessellation.bernstein_slope", "std.tessellation.spline", "std.tessellation.spline_slope", "std.tessellation.quadratic_spline", "std.tessellation.quadratic_slope")
 @pytest.mark.parametrize("mixin", NETS)
 @pytest.mark.parametrize("where", [(0.0, 0.0), (0.3, 0.75), (0.99, 0.1)])
 def test_a_net_is_mixed_by_its_weights(mixin: str, where: tuple[float, float]) -> None:
@@ -163,3 +171,16 @@ def test_a_net_is_mixed_by_its_weights(mixin: str, where: tuple[float, float]) -
     normal = np.cross(along_u, along_v)
     normal /= np.linalg.norm(normal)
     assert drawn(mixin, "normal", points, where) == pytest.approx(normal, abs=1e-3)
+
+
+@truth("std.tessellation.Displaced", "std.tessellation.DisplacedQuads")
+@pytest.mark.parametrize("mixin", ["Displaced", "DisplacedQuads"])
+def test_what_is_between_moves_along_the_normal(mixin: str) -> None:
+    if mixin == "Displaced":
+        corners, where = flat([0, 0, 1], [2, 0, 1], [1, 3, 1]), np.array((0.25, 0.25, 0.5))
+        plain = where @ corners[:, :3]
+    else:
+        corners, where = flat([0, 0, 1], [2, 0, 1], [2, 3, 1], [0, 3, 1]), np.array((0.25, 0.5))
+        plain = np.array((0.5, 1.5, 1.0))
+    found = drawn(mixin, "position", corners, where, "displacement = 0.25")
+    assert found == pytest.approx(plain + (0, 0, 0.25))

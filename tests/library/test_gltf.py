@@ -13,6 +13,7 @@ import pytest
 
 import burnish
 from burnish import Texture
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.runner.cameras import looking
 from burnish.targets.runner.meshes import plane
@@ -20,10 +21,15 @@ from burnish.targets.runner.reference import expected
 from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
+from ..semantics.kit import Painted, at, shader
+from .kit import MESH, close
+from .truth import truth
+
 SIDE = 9
 TEXT = """\
 import std.gltf.{{MetallicRoughness, Masked, PunctualPoint, PunctualSpot}}
 import std.lights.{{Directional}}
+
 
 material Square : MetallicRoughness {{ }}
 pass Shown : {pass_} {{ }}
@@ -66,6 +72,7 @@ def reflected(base: float, metallic: float, roughness: float, angle: float) -> f
     return (diffuse + specular) * n_dot_l
 
 
+@truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough", "std.gltf.trowbridge_reitz", "std.gltf.smith", "std.gltf.squared")
 @pytest.mark.parametrize(
     ("metallic", "roughness", "degrees"),
     [(0, 1, 0), (0, 0.5, 40), (1, 0.3, 20), (0.5, 0.7, 75), (1, 1, 60)],
@@ -81,6 +88,7 @@ def test_what_is_reflected(metallic: float, roughness: float, degrees: float) ->
     assert np.allclose(found, [*wanted, 1], rtol=2e-5)
 
 
+@truth("std.gltf.MetallicRoughness")
 def test_pictures_multiply_numbers() -> None:
     found = middle(
         "Directional", lamp_direction=(0, 0, -1), lamp_diffuse_color=(1, 1, 1),
@@ -94,6 +102,7 @@ def test_pictures_multiply_numbers() -> None:
     assert np.allclose(found, [wanted[0] + 3, wanted[1], wanted[2], 0.5 * half], rtol=2e-5)
 
 
+@truth("std.gltf.MetallicRoughness")
 def test_occlusion_keeps_light_from_all_around_away() -> None:
     found = middle(
         "Directional", lamp_diffuse_color=(0, 0, 0), ambient_light=(1, 1, 1), metallic=0,
@@ -103,6 +112,7 @@ def test_occlusion_keeps_light_from_all_around_away() -> None:
     assert np.allclose(found[:3], 0.5 * 0.25, rtol=1e-6)
 
 
+@truth("std.gltf.leaning")
 def test_bumps_lean_as_far_as_their_scale_says() -> None:
     """A texel that leans by 45 degrees towards u; half as far, it leans by less."""
     texel = Texture.solid((1, 0.5, 1))
@@ -116,12 +126,14 @@ def test_bumps_lean_as_far_as_their_scale_says() -> None:
     assert flat[0] > leaning[0] > leaning[1] > 0.2
 
 
+@truth("std.gltf.Masked")
 @pytest.mark.parametrize(("alpha", "is_drawn"), [(0.3, False), (0.7, True)])
 def test_the_cutoff(alpha: float, is_drawn: bool) -> None:
     found = middle("Directional", "Masked", base_color=(1, 1, 1, alpha), alpha_cutoff=0.5)
     assert (found[3] > 0) == is_drawn
 
 
+@truth("std.gltf.PunctualPoint")
 def test_light_fades_with_the_square_of_the_distance() -> None:
     near, far = (
         middle("PunctualPoint", lamp_place=(0, 0, distance), lamp_diffuse_color=(8, 8, 8))[0]
@@ -136,6 +148,7 @@ def test_light_fades_with_the_square_of_the_distance() -> None:
     assert beyond[0] == 0
 
 
+@truth("std.gltf.PunctualSpot")
 @pytest.mark.parametrize(
     ("degrees", "share"),
     [(0, 1), (20, 1), (40, 0.5), (60, 0)],
@@ -151,3 +164,18 @@ def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
         lamp_outer=outer, lamp_axis=(math.sin(axis), 0, -math.cos(axis)),
     )  # fmt: skip
     assert found[0] == pytest.approx(reflected(1, 1, 1, 0) * share**2, rel=1e-4, abs=1e-6)
+
+
+@truth("std.gltf.PaintedVertices")
+def test_colours_of_vertices_multiply_the_base() -> None:
+    text = (
+        "import std.gltf.{MetallicRoughness, PaintedVertices}\n"
+        "material M : MetallicRoughness + PaintedVertices { color = base.rgb  alpha = base.a }"
+    )
+    whole = shader(text)
+    given = {
+        **MESH, "vertex_tangent": (1.0, 0.0, 0.0, 1.0), "base_color": (0.5, 0.8, 1.0, 0.5),
+        "vertex_color": (0.5, 0.25, 1.0, 0.4), "base_color_map": Painted(lambda u, v: (1.0,) * 4),
+    }  # fmt: skip
+    found = at(whole, whole.results_of(TARGET)[0].value, given)
+    assert found == close((0.25, 0.2, 1.0, 0.2))

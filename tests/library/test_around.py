@@ -10,7 +10,8 @@ from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 
-from .kit import of_text
+from ..frames.kit import of_text
+from .truth import truth
 
 AROUND = """
 import std.environments.{FaceOfCube, GlossyLight, MattLight}
@@ -58,6 +59,7 @@ def cosine_of_glossy(width: float) -> float:
     return float((weight * light).sum() / weight.sum())
 
 
+@truth("std.environments.FaceOfCube", "std.environments.MattLight", "std.environments.GlossyLight", "std.environments.mirrored_along", "std.environments.weight")
 def test_light_from_around_is_filtered_as_surfaces_do() -> None:
     """A surface sees light 1 + a·d as 1 + c a·n. For matt ones c is the mean of the squared cosine
     over that of the cosine, which is two thirds."""

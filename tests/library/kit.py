@@ -1,7 +1,6 @@
 """A mesh of one point, and what the library makes of it: for tests that compare it with NumPy.
 
-Devices and the reference draw the same library, so no comparison of pictures finds a wrong formula
-in it. These tests write the formulas anew, from what the library's comments say.
+The tests write the library's formulas anew, from what papers and its comments say (``truth.py``).
 """
 
 from __future__ import annotations
@@ -12,9 +11,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 
-from .kit import Given, color
+from ..semantics.kit import Given, at, color, shader
 
 Floats = NDArray[np.float64]
 
@@ -77,3 +77,16 @@ def of(expression: str, header: str = "M", imports: str = "", /, **given: Any) -
 
 def close(expected: Any) -> Any:
     return pytest.approx(np.asarray(expected, np.float64), rel=1e-9, abs=1e-12)
+
+
+def matrix(expression: str, imports: str = "") -> Floats:
+    """The value of a matrix."""
+    targets = "\n".join(f"target t{i} : rgba32f = material.m[{i}]" for i in range(4))
+    whole = shader(
+        "import std.transforms.{translation, scaling, rotation, look_at}\n"
+        "import std.transforms.{perspective, orthographic}\n"
+        "import std.shadows.{cascade}\n"
+        f"{imports}\nmaterial M {{ m = {expression} }}\npass P {{ {targets} }}",
+        pass_="P",
+    )
+    return np.array([at(whole, result.value) for result in whole.results_of(TARGET)]).T

@@ -1,0 +1,36 @@
+"""The parameters of the library: their types, ranges and defaults, as ``parameters.txt`` lists them.
+
+Users' hosts depend on all of these, and no formula says what they are. The list was read by people:
+lengths and angles are those of the manual, and ranges end before anything has no meaning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from burnish.compiler import library
+from burnish.compiler.diagnostics.diagnostic import Report
+from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax import ast
+from burnish.compiler.syntax.parser import parse
+
+from ..golden import assert_golden
+
+GOLDEN = Path(__file__).parent / "parameters.txt"
+
+
+def parameters() -> Iterator[str]:
+    """Each parameter of the library as it is written, below the name of its owner."""
+    for path in sorted(library.FOLDER.glob("*.burnish")):
+        text = path.read_text("utf-8")
+        for declaration in parse(Source(path.name, text), Report()).declarations:
+            for member in getattr(declaration, "members", ()):
+                if isinstance(member, ast.Param | ast.Texture):
+                    span = member.span
+                    said = " ".join(text[span.start : span.end].split())
+                    yield f"std.{path.stem}.{declaration.name.text}: {said}"
+
+
+def test_parameters_are_as_they_were() -> None:
+    assert_golden("\n".join(parameters()) + "\n", GOLDEN)

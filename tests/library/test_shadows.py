@@ -1,0 +1,135 @@
+"""Shadow maps: which texels are compared, and which of several maps shows a point."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pytest
+
+from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.reference.namespace import Lanes
+
+from ..semantics.kit import at, shader
+from .kit import (
+    EYE,
+    MESH,
+    NORMAL_IN_WORLD,
+    POSITION_IN_WORLD,
+    Floats,
+    close,
+    columns,
+    lanes,
+    shown,
+    unit,
+)
+from .truth import truth
+
+SIZE = (64, 32)
+
+
+@dataclass
+class Compared:
+    """A map of depths that notes what is compared, and finds everything left of a line lit."""
+
+    line: float = 0.5
+    asked: list[tuple[float, ...]] = field(default_factory=list)
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of a read."""
+        if name == "texture_size":
+            return SIZE
+        assert name == "compare", name
+        place, *others = operands
+        self.asked.append((*map(float, place), *(float(each[0]) for each in others)))
+        return (float(place[0] < self.line),)
+
+
+def around(x: float, y: float, spread: float) -> Floats:
+    """3 by 3 places, so many texels apart."""
+    steps = spread * np.array([-1.0, 0.0, 1.0])
+    across, down = np.meshgrid(x + steps / SIZE[0], y + steps / SIZE[1], indexing="ij")
+    return np.stack([across.ravel(), down.ravel()], axis=1)
+
+
+@truth("std.shadows.share_lit", "std.shadows.neighbour")
+@pytest.mark.parametrize(
+    ("kind", "layer", "others"),
+    [("depth2d", "", (0.5,)), ("depth2d_array", "2, ", (2.0, 0.5))],
+)
+def test_nine_comparisons_around_a_place(
+    kind: str, layer: str, others: tuple[float, ...]
+) -> None:
+    shadow = Compared(line=0.4 + 0.7 / SIZE[0])
+    found = shown(
+        f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
+        f"color = vec3(share_lit(shadow, {layer}vec3(0.4, 0.7, 0.75), 0.25, 1.5)) }}",
+        shadow=shadow,
+    )
+    assert found == close([6 / 9] * 3)
+    asked = np.array(sorted(set(shadow.asked)))
+    assert asked[:, :2] == close(around(0.4, 0.7, 1.5))
+    assert (asked[:, 2:] == others).all()
+
+
+@truth("std.shadows.ShadowedSpot")
+def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
+    """The point is on the lamp's axis: in the middle of the map, at the depth of a perspective."""
+    away, near, far = 1.5, 0.2, 9.0
+    to_lamp = unit((0.3, 1.4, 0.8))
+    shadow = Compared(line=2.0)
+    text = (
+        "import std.shadows.{ShadowedSpot}\nimport std.terms.{ambient, lambert}\n"
+        "material M { color = ambient(#000) + lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }"
+    )
+    given: dict[str, Any] = {
+        "lamp.place": lanes(POSITION_IN_WORLD + away * to_lamp), "lamp.axis": lanes(-to_lamp),
+        "lamp.inner": math.radians(15), "lamp.outer": math.radians(30), "lamp.nearest": near,
+        "lamp.farthest": far, "lamp.bias": 0.01, "lamp.spread": 2.0,
+    }  # fmt: skip
+    lit = shown(text, **given, **{"lamp.shadow": shadow})
+    asked = np.array(sorted(set(shadow.asked)))
+    assert asked[:, :2] == close(around(0.5, 0.5, 2.0))
+    assert asked[:, 2] == close(np.full(9, far / (far - near) * (1 - near / away) - 0.01))
+    assert lit == close([max(NORMAL_IN_WORLD @ to_lamp, 0.0)] * 3)
+    dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
+    assert dark == close((0, 0, 0))
+
+
+@truth("std.shadows.DepthOnly")
+def test_a_map_has_distances() -> None:
+    whole = shader("import std.shadows.{DepthOnly}\nmaterial M {}", pass_="DepthOnly")
+    (target,) = whole.results_of(TARGET)
+    distance = np.linalg.norm(POSITION_IN_WORLD - EYE)
+    assert at(whole, target.value, MESH)[0] == pytest.approx(distance)
+
+
+def seeing(middle: tuple[float, float, float]) -> Floats:
+    """A camera whose clip space is a cube of size 2, 2 and 1 around a place."""
+    camera = np.eye(4)
+    camera[:3, 3] = -np.array(middle)
+    return camera
+
+
+@truth("std.shadows.first_to_show")
+@pytest.mark.parametrize(
+    ("place", "number"),
+    [
+        ((0.0, 0.0, 0.5), 0),  # all three show it
+        ((0.9, 0.9, 0.9), 0),
+        ((2.0, 0.0, 0.5), 1),  # beside the first one
+        ((0.0, -2.0, 0.5), 2),  # below all but the last one
+        ((0.0, 9.0, 0.5), 2),  # nowhere
+    ],
+)
+def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int) -> None:
+    cameras = (seeing((0, 0, 0)), seeing((1.5, 0, 0)), seeing((0, -2.5, 0)))
+    found = shown(
+        "import std.shadows.{first_to_show}\n"
+        "material M { param cameras : transform<world, clip>[3]  param at : point<world>\n"
+        "color = vec3(float(first_to_show(cameras, at))) }",
+        cameras=tuple(map(columns, cameras)), at=place,
+    )  # fmt: skip
+    assert found == close([number] * 3)
