@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -52,6 +53,12 @@ def test_axes_are_at_right_angles(axis: tuple[float, float, float]) -> None:
     assert axes[2] == close(along)
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-6)
     assert np.linalg.det(axes) == pytest.approx(1)
+    # Listing 3 of the paper, whose axes are found again where others could be.
+    x, y, z = along
+    sign = math.copysign(1.0, z)
+    a = -1.0 / (sign + z)
+    assert axes[0] == close((1.0 + sign * x * x * a, sign * x * y * a, -sign * x))
+    assert axes[1] == close((x * y * a, sign + y * y * a, -y))
 
 
 @truth("std.sampling.cosine_direction", "std.sampling.on_circle")

@@ -119,10 +119,12 @@ def test_ambient_light() -> None:
 ACROSS = unit(np.cross(NORMAL_IN_WORLD, np.cross(TO_EYE, NORMAL_IN_WORLD)))
 GRAZING = POSITION_IN_WORLD - ACROSS - 0.1 * NORMAL_IN_WORLD
 """A place behind the surface whose mirrored direction goes to the eye."""
+AWAY = POSITION_IN_WORLD + ACROSS + 0.1 * NORMAL_IN_WORLD
+"""A place before it whose mirrored direction goes away from the eye."""
 
 
 @truth("std.terms.phong", "std.terms.mirrored")
-@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8), GRAZING])
+@pytest.mark.parametrize("place", [LAMP, POSITION_IN_WORLD - (0.3, 1.4, 0.8), GRAZING, AWAY])
 def test_a_highlight_after_phong(place: Any) -> None:
     to_lamp = unit(place - POSITION_IN_WORLD)
     cosine = float(NORMAL_IN_WORLD @ to_lamp)

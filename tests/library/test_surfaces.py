@@ -97,6 +97,19 @@ def test_tangents(sign: float) -> None:
     assert found == close(basis)
 
 
+@truth("std.spaces.upright", "std.spaces.upright_back")
+def test_what_is_at_a_right_angle_stays_so_in_any_axes() -> None:
+    """The tangent leans towards the normal, so the inverse transpose is no longer the matrix."""
+    header, imports = "M : Surface + Tangents", "import std.tangents.{Tangents}"
+    tangent = unit(WORLD[:3, :3] @ TANGENT)
+    axes = np.stack([tangent, np.cross(NORMAL_IN_WORLD, tangent), NORMAL_IN_WORLD], axis=1)
+    arrow, given = np.array((0.3, -0.6, 0.9)), {"vertex_tangent": (*TANGENT, 1.0)}
+    there = of("(vec3(0.3, -0.6, 0.9) as covector<tangent>) in world", header, imports, **given)
+    assert there == close(np.linalg.inv(axes).T @ arrow)
+    back = of("(vec3(0.3, -0.6, 0.9) as covector<world>) in tangent", header, imports, **given)
+    assert back == close(axes.T @ arrow)
+
+
 @truth("std.tangents.Bumped")
 def test_a_normal_map_bends_the_normal() -> None:
     def texel(u: float, v: float) -> Lanes:
