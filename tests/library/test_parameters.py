@@ -1,4 +1,4 @@
-"""The parameters of the library: their types, ranges and defaults, as ``parameters.txt`` lists them.
+"""The parameters of the library, and slots that are numbers, as ``parameters.txt`` lists them.
 
 Users' hosts depend on all of these, and no formula says what they are. The list was read by people:
 lengths and angles are those of the manual, and ranges end before anything has no meaning.
@@ -26,7 +26,8 @@ def parameters() -> Iterator[str]:
         text = path.read_text("utf-8")
         for declaration in parse(Source(path.name, text), Report()).declarations:
             for member in getattr(declaration, "members", ()):
-                if isinstance(member, ast.Param | ast.Texture):
+                named = isinstance(member, ast.Param | ast.Texture)
+                if named or (isinstance(member, ast.Slot) and isinstance(member.value, ast.Number)):
                     span = member.span
                     said = " ".join(text[span.start : span.end].split())
                     yield f"std.{path.stem}.{declaration.name.text}: {said}"

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from burnish.compiler.documents.plan import DrawStep, ResultSource
 from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 
+from ..frames.kit import inputs_of, of_text
 from ..semantics.kit import at, shader
 from .kit import (
     EYE,
@@ -79,7 +81,7 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     """The point is on the lamp's axis: in the middle of the map, at the depth of a perspective."""
     away, near, far = 1.5, 0.2, 9.0
     to_lamp = unit((0.3, 1.4, 0.8))
-    shadow = Compared(line=2.0)
+    shadow = Compared(line=0.5 + 0.5 * 2.0 / SIZE[0])  # Six of nine places are lit.
     text = (
         "import std.shadows.{ShadowedSpot}\nimport std.terms.{ambient, lambert}\n"
         "material M { color = ambient(#000) + lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }"
@@ -93,7 +95,7 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.5, 0.5, 2.0))
     assert asked[:, 2] == close(np.full(9, far / (far - near) * (1 - near / away) - 0.01))
-    assert lit == close([max(NORMAL_IN_WORLD @ to_lamp, 0.0)] * 3)
+    assert lit == close([6 / 9 * max(NORMAL_IN_WORLD @ to_lamp, 0.0)] * 3)
     dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
     assert dark == close((0, 0, 0))
 
@@ -133,3 +135,20 @@ def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int)
         cameras=tuple(map(columns, cameras)), at=place,
     )  # fmt: skip
     assert found == close([number] * 3)
+
+
+@truth("std.shadows.ShadowedSpot")
+def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
+    frame = of_text(
+        "import std.shadows.{ShadowedSpot}\nimport std.terms.{lambert}\n"
+        "material M { color = lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }\n"
+        "frame F { models scene : M  drawn = Forward(scene)  output shown = drawn.color }"
+    )
+    seen, drawn = frame.plan.steps
+    assert isinstance(seen, DrawStep) and isinstance(drawn, DrawStep)
+    assert (seen.pass_, drawn.pass_) == ("DepthOnly", "Forward")
+    assert [row.name for row in inputs_of(seen)] == ["view_projection", "eye"]
+    (read,) = inputs_of(drawn)
+    assert isinstance(read.source, ResultSource)
+    assert (read.name, read.source.result) == ("lamp.shadow", "lamp.seen.depth")
+    assert seen.depth is not None and seen.depth.result == "lamp.seen.depth"

@@ -308,11 +308,14 @@ def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int
     corners = np.array([
         (x * 2 * steep * d, y * steep * d, 5 - d) for d in ends for x in (-1, 1) for y in (-1, 1)
     ])  # fmt: skip
-    shown = np.array([moved(cascade, corner) for corner in corners])
-    assert np.abs(shown[:, :2]).max() <= 1 + 1e-9
-    assert np.linalg.norm(shown[:, :2], axis=1).max() > 0.5
-    assert shown[:, 2].min() > 0 and shown[:, 2].max() <= 1 + 1e-9
-    for corner in corners:
-        before = moved(cascade, corner - 7 * SUN)
-        assert before[:2] == close(moved(cascade, corner)[:2])
-        assert before[2] >= -1e-9
+    # A ball around the corners, seen from behind everything that shades it.
+    middle = corners.mean(axis=0)
+    radius = np.linalg.norm(corners - middle, axis=1).max()
+    for place in (*corners, *(corners - 7 * SUN)):
+        x, y, depth = moved(cascade, place)
+        along = float((place - middle) @ SUN)
+        beside = np.linalg.norm(place - middle - along * SUN)
+        assert math.hypot(x, y) == pytest.approx(beside / radius)
+        assert depth == pytest.approx((along + radius + 7) / (2 * radius + 7))
+        assert depth > -1e-9
+    assert np.linalg.det(cascade[:3, :3]) < 0  # Depths grow away from the sun: not mirrored.
