@@ -5,6 +5,7 @@ The tests write the library's formulas anew, from what papers and its comments s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -90,3 +91,8 @@ def matrix(expression: str, imports: str = "") -> Floats:
         pass_="P",
     )
     return np.array([at(whole, result.value) for result in whole.results_of(TARGET)]).T
+
+
+def written(v: Sequence[float] | Floats, kind: str = "point<world>") -> str:
+    """A vector as an expression."""
+    return f"(vec3({', '.join(map(repr, map(float, v)))}) as {kind})"

@@ -59,7 +59,13 @@ def cosine_of_glossy(width: float) -> float:
     return float((weight * light).sum() / weight.sum())
 
 
-@truth("std.environments.FaceOfCube", "std.environments.MattLight", "std.environments.GlossyLight", "std.environments.mirrored_along", "std.environments.weight")
+@truth(
+    "std.environments.FaceOfCube",
+    "std.environments.MattLight",
+    "std.environments.GlossyLight",
+    "std.environments.mirrored_along",
+    "std.environments.weight",
+)
 def test_light_from_around_is_filtered_as_surfaces_do() -> None:
     """A surface sees light 1 + a·d as 1 + c a·n. For matt ones c is the mean of the squared cosine
     over that of the cosine, which is two thirds."""

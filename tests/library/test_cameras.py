@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -11,7 +10,7 @@ import pytest
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 
 from ..semantics.kit import at, shader
-from .kit import CLIP, MESH, Floats, close, columns, matrix, of, unit
+from .kit import CLIP, MESH, Floats, close, columns, matrix, of, unit, written
 from .truth import truth
 
 IMPORTS = """
@@ -29,11 +28,6 @@ FACES = {
 """For each face of a cube its number, and the numbers s, t and r of a direction: Vulkan, "Cube Map
 Face Selection and Transformations". The direction meets the face at s / r and t / r, from -1 at the
 left, and at the top, to 1."""
-
-
-def written(v: Sequence[float] | Floats, kind: str = "point<world>") -> str:
-    """A vector as an expression."""
-    return f"(vec3({', '.join(map(repr, map(float, v)))}) as {kind})"
 
 
 def projected(camera: Floats, place: Floats) -> Floats:

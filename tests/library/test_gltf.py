@@ -72,7 +72,13 @@ def reflected(base: float, metallic: float, roughness: float, angle: float) -> f
     return (diffuse + specular) * n_dot_l
 
 
-@truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough", "std.gltf.trowbridge_reitz", "std.gltf.smith", "std.gltf.squared")
+@truth(
+    "std.gltf.MetallicRoughness",
+    "std.gltf.metallic_rough",
+    "std.gltf.trowbridge_reitz",
+    "std.gltf.smith",
+    "std.gltf.squared",
+)
 @pytest.mark.parametrize(
     ("metallic", "roughness", "degrees"),
     [(0, 1, 0), (0, 0.5, 40), (1, 0.3, 20), (0.5, 0.7, 75), (1, 1, 60)],

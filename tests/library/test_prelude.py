@@ -31,9 +31,7 @@ def test_changes_in_both_directions_are_added() -> None:
 
 @truth("std.prelude.Daylight", "std.prelude.Light")
 def test_a_file_without_a_rig_is_lit_from_above() -> None:
-    found = shown(
-        "import std.terms.{lambert}\nmaterial M { color = lambert(vec3(0.25, 0.5, 1)) }"
-    )
+    found = shown("import std.terms.{lambert}\nmaterial M { color = lambert(vec3(0.25, 0.5, 1)) }")
     assert found == close(NORMAL_IN_WORLD[1] * np.array((0.25, 0.5, 1)))
 
 

@@ -24,8 +24,11 @@ from .kit import (
     close,
     columns,
     lanes,
+    matrix,
+    moved,
     shown,
     unit,
+    written,
 )
 from .truth import truth
 
@@ -61,9 +64,7 @@ def around(x: float, y: float, spread: float) -> Floats:
     ("kind", "layer", "others"),
     [("depth2d", "", (0.5,)), ("depth2d_array", "2, ", (2.0, 0.5))],
 )
-def test_nine_comparisons_around_a_place(
-    kind: str, layer: str, others: tuple[float, ...]
-) -> None:
+def test_nine_comparisons_around_a_place(kind: str, layer: str, others: tuple[float, ...]) -> None:
     shadow = Compared(line=0.4 + 0.7 / SIZE[0])
     found = shown(
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
@@ -152,3 +153,28 @@ def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
     assert isinstance(read.source, ResultSource)
     assert (read.name, read.source.result) == ("lamp.shadow", "lamp.seen.depth")
     assert seen.depth is not None and seen.depth.result == "lamp.seen.depth"
+
+
+@truth("std.shadows.seen_by_sun")
+@pytest.mark.parametrize(
+    ("direction", "up"),
+    [
+        ((0.36, -0.8, 0.48), (0, 1, 0)),
+        ((-0.6, 0.0, 0.8), (0, 1, 0)),
+        ((0.0, -1.0, 0.0), (0, 0, 1)),  # Straight down: there is another way up.
+        ((0.1, 0.95, 0.2), (0, 0, 1)),
+        ((0.5, -0.88, 0.1), (0, 1, 0)),
+    ],
+)
+def test_the_sun_sees_a_ball(direction: tuple[float, ...], up: tuple[float, ...]) -> None:
+    sun, middle, radius, reach = unit(direction), np.array((0.5, -2.0, 1.0)), 3.0, 4.0
+    camera = matrix(
+        f"seen_by_sun({written(sun, 'direction<world>')}, {written(middle)}, {radius}, {reach})",
+        "import std.shadows.{seen_by_sun}",
+    )
+    assert moved(camera, middle - radius * sun - reach * sun) == close((0, 0, 0))
+    assert moved(camera, middle + radius * sun) == close((0, 0, 1))
+    above = unit(np.array(up) - (np.array(up) @ sun) * sun)
+    right = np.cross(sun, above)
+    assert moved(camera, middle + radius * above)[:2] == close((0, 1))
+    assert moved(camera, middle + radius * right)[:2] == close((1, 0))

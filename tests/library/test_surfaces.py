@@ -292,7 +292,13 @@ SUN = np.array([0.36, -0.8, 0.48])
 """The direction in which the light travels."""
 
 
-@truth("std.shadows.cascade", "std.shadows.corner", "std.shadows.how_far", "std.shadows.slice_end", "std.shadows.seen_by_sun")
+@truth(
+    "std.shadows.cascade",
+    "std.shadows.corner",
+    "std.shadows.how_far",
+    "std.shadows.slice_end",
+    "std.shadows.seen_by_sun",
+)
 @pytest.mark.parametrize("number", [0, 1, 2])
 def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int) -> None:
     camera = "perspective(60deg, 2, 1, 9) * look_at({eye}, {target}, {up})".format(

@@ -91,7 +91,12 @@ def test_phong_tessellation_is_what_the_paper_says() -> None:
     assert drawn("PhongTessellation", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
 
 
-@truth("std.tessellation.PNTriangles", "std.tessellation.bulge", "std.tessellation.moved", "std.tessellation.between")
+@truth(
+    "std.tessellation.PNTriangles",
+    "std.tessellation.bulge",
+    "std.tessellation.moved",
+    "std.tessellation.between",
+)
 def test_pn_triangles_are_what_the_paper_says() -> None:
     """Vlachos and others, equations 1 to 3."""
     where = np.array([0.2, 0.5, 0.3])
@@ -149,7 +154,17 @@ NETS = {
 }
 
 
-@truth("std.tessellation.BezierPatches", "std.tessellation.SplinePatches", "std.tessellation.QuadraticSplines", "std.tessellation.bernstein", "std.tessellation.bernstein_slope", "std.tessellation.spline", "std.tessellation.spline_slope", "std.tessellation.quadratic_spline", "std.tessellation.quadratic_slope")
+@truth(
+    "std.tessellation.BezierPatches",
+    "std.tessellation.SplinePatches",
+    "std.tessellation.QuadraticSplines",
+    "std.tessellation.bernstein",
+    "std.tessellation.bernstein_slope",
+    "std.tessellation.spline",
+    "std.tessellation.spline_slope",
+    "std.tessellation.quadratic_spline",
+    "std.tessellation.quadratic_slope",
+)
 @pytest.mark.parametrize("mixin", NETS)
 @pytest.mark.parametrize("where", [(0.0, 0.0), (0.3, 0.75), (0.99, 0.1)])
 def test_a_net_is_mixed_by_its_weights(mixin: str, where: tuple[float, float]) -> None:
