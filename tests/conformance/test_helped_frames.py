@@ -14,6 +14,8 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.conformance import frames
 from burnish.targets.conformance.frame_pictures import FramePictures, dumped
 from burnish.targets.conformance.frames import FrameTrial
+from burnish.targets.runner.frames import helped
+from burnish.targets.runner.frames.independent import independent_steps
 from burnish.targets.runner.frames.subjects import FrameSubject
 
 EXAMPLES = Path(burnish.__file__).parent / "examples" / "frames"
@@ -112,3 +114,57 @@ def test_pictures_are_the_same(source: str | Path, errors: Errors | None, who: s
     helped = FrameTrial("F", subject, SIZE, helpers=helping)._drawn(profile, RULES, errors)
     assert dumped(FramePictures(helped, frozenset())) == dumped(FramePictures(alone, frozenset()))
     assert (helping.helped > 4) == (who in ("other", "any"))
+
+
+def test_large_textures_stay_where_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(helped, "MOST_SENT", 20_000)
+    subject = subject_of(FRAME)
+    helping = Helping(FrameTrial("F", subject, SIZE), by("other"))
+    found = FrameTrial("F", subject, SIZE, helpers=helping)._drawn(None, RULES, None)
+    alone = FrameTrial("F", subject, SIZE)._drawn(None, RULES, None)
+    assert not helping.helped
+    assert dumped(FramePictures(found, frozenset())) == dumped(FramePictures(alone, frozenset()))
+
+
+PASSES = """
+import std.frames.{FullScreen}
+pass One : FullScreen { target value : rgba16f = vec4(uv, 1, 1) }
+pass Next : FullScreen {
+    map last : texture2d with { filter = nearest, mip = none }
+    target value : rgba16f = 2 * last(uv)
+}
+pass Deep : Forward { }
+material Lit { color = vec3(uv, 1) }
+frame F {
+    models scene
+    FRAME
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("frame", "groups"),
+    [
+        ("a = One(screen)  b = One(screen)  output x = a.value  output y = b.value", ["a b"]),
+        (
+            "a = One(screen)  b = Next(screen) with { last = a.value }  output x = b.value",
+            ["a", "b"],
+        ),
+        ("a = Deep(scene)  output x = a.color", ["a"]),
+        (
+            "a = Deep(scene)  c = One(screen)  b = Deep(scene, a)  output x = b.color  "
+            "output y = c.value",
+            ["a", "a copy", "a copy", "b", "c"],
+        ),
+        (
+            "a = One(screen)  b = One(screen)  c = Next(screen) with { last = previous(b.value) }  "
+            "output x = a.value  output y = c.value",
+            ["a c b"],
+        ),
+    ],
+    ids=["apart", "in a row", "alone", "over depths", "what the last frame left"],
+)
+def test_steps_together_need_nothing_of_each_other(frame: str, groups: list[str]) -> None:
+    plan = subject_of(PASSES.replace("FRAME", frame.replace("  ", "\n    "))).plan_of_reference
+    found = independent_steps(plan, range(len(plan.steps)))
+    assert [" ".join(plan.steps[number].name for number in group) for group in found] == groups

@@ -21,10 +21,14 @@ from ....compiler.documents.plan import DrawStep
 from ....compiler.reference.picture import Counted
 from .by_reference import Progress, ReferenceFrames
 from .independent import independent_steps, textures_needed
-from .reference_textures import DrawnTexture, place_of
+from .reference_textures import DrawnTexture, place_of, size_of_drawn
 from .step_draws import StepDraw
 
 Arrays = tuple[NDArray[Any], ...]
+
+MOST_SENT = 1 << 28
+"""The most bytes of textures that are sent to other processes, and that they send back, for some
+independent steps: there are a few copies of them on the way, and processes have limits."""
 
 
 class Offered(Protocol):
@@ -87,7 +91,7 @@ class HelpedFrames(ReferenceFrames):
     ) -> None:
         """Draw some steps, and offer those that are independent of each other."""
         for group in independent_steps(self.host.plan, numbers):
-            if self.helpers is not None and self.pays(group):
+            if self.helpers is not None and self.pays(group) and self._sent(group) <= MOST_SENT:
                 self._draw_with(self.helpers, group, is_first)
             else:
                 ReferenceFrames._draw_steps(self, group, progress, is_first)
@@ -109,6 +113,16 @@ class HelpedFrames(ReferenceFrames):
                 self._put(layers[part], pickle.loads(data))
             elif part not in own:
                 self._draw_one(*work[part])
+
+    def _sent(self, numbers: Sequence[int]) -> int:
+        """The bytes of the textures that some steps need or draw to."""
+        steps = [self._step_of(number) for number in numbers]
+        found = {texture for step in steps for texture in textures_needed(step)}
+        found |= {
+            place.texture for step in steps for row in step.attachments for place in row.places
+        }
+        rows = self.host.plan.textures
+        return sum(size_of_drawn(rows[each], self.host.size_of(each)) for each in found)
 
     def _step_of(self, number: int) -> DrawStep:
         step = self.host.plan.steps[number]
