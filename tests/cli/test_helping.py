@@ -9,16 +9,22 @@ from concurrent.futures import Executor, Future
 from functools import partial
 from pathlib import Path
 from threading import Event
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
 from burnish.commands import conform_run
 from burnish.commands.helping import LentHelpers, Offers
+from burnish.commands.judge import Judge, PartOf
 from burnish.commands.judges import Judges
+from burnish.compiler.reference.picture import RasterRules
+from burnish.targets.runner.frames.helped import Given, LayerOf
+from burnish.targets.runner.frames.subjects import is_frame
+from burnish.targets.runner.routes import select
 from burnish.targets.toolchain.pipe import Packet
 
 from .kit import invoke
+from .test_judges import request
 
 FACES = """
 import std.environments.{FaceOfCube}
@@ -135,6 +141,24 @@ def test_a_process_that_crashes_while_others_help(
     monkeypatch.setattr(Offers, "withdraw", noticed)
     assert conform() == alone
     assert all(part.done() for offers in withdrawn for part in offers._parts)
+
+
+def test_a_judge_helps_only_with_the_frame_that_is_meant() -> None:
+    """It makes the same part as any other judge; nothing if the file is another one now."""
+    routes, file = select(["lavapipe:glsl"]), Path("faces.burnish")
+    nothing = cast(Any, None)  # Only pictures of the reference are made.
+    one, other = (Judge(request(file), routes, nothing, nothing) for _ in range(2))
+    (unit,) = one.contents(file).units
+    assert 0 < unit.shared < unit.cost
+    ((_label, subject),) = one.forms(file).drawn
+    assert is_frame(subject)
+    steps = subject.plan_of_reference.steps
+    layers = [LayerOf(n, 0) for n, step in enumerate(steps) if step.name.startswith("sky")]
+    common = pickle.dumps((None, RasterRules(1, 1), None, pickle.dumps(Given(0, {}, layers))))
+    made = [one.part(PartOf(unit, common, n)) for n in range(6)]
+    assert all(made) and len({*made}) == 6
+    assert other.part(PartOf(unit, common, 5)) == made[5]
+    assert other.part(PartOf(unit._replace(read="another"), common, 5)) is None
 
 
 class Line(Executor):
