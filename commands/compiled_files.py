@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from ..support.frozen import frozen
 from .compile_options import CompileRequest
 
 if TYPE_CHECKING:
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
 
 
-class Compiled(NamedTuple):
+@frozen
+class Compiled:
     """What one file has become."""
 
     texts: Mapping[str, str]

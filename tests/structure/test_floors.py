@@ -18,7 +18,8 @@ pytestmark = pytest.mark.xdist_group("imports")  # One process reads all modules
 BACKENDS = registry.names()
 
 FLOORS: dict[str, str] = {
-    "support.frozen": "",
+    "support.initialisers": "",
+    "support.frozen": "initialisers",
     "support.arguments": "",
     "support.stack": "",
     "support.locks": "",
