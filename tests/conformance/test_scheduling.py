@@ -18,6 +18,8 @@ FOLDER = Path(burnish.__file__).parent / "examples"
 EXAMPLES = sorted([*FOLDER.glob("*.burnish"), *FOLDER.glob("frames/*.burnish")])
 PROFILE = "glsl:vulkan"
 
+pytestmark = pytest.mark.xdist_group("scheduling")  # One process estimates the costs.
+
 
 def share(costs: Sequence[float], order: Sequence[int], processes: int) -> float:
     """The part of the time of one process that several need, if each begins with the next piece of
