@@ -26,6 +26,8 @@ MEASURED = Path(__file__).with_name("measured_costs.json")
 """Seconds of CPU that one process took to compile and to judge the subjects of the examples by the
 four lavapipe routes, from nothing."""
 
+pytestmark = pytest.mark.xdist_group("scheduling")  # One process estimates the costs.
+
 
 def share(works: Sequence[Work], order: Sequence[int], processes: int) -> float:
     """The part of the time of one process that several need."""
