@@ -48,6 +48,7 @@ lint: $(VENV)/dev build/mypy/burnish ## Check style and types
 	$(BIN)/mypy
 
 bench: tools ## Measure; prints tables and writes build/bench.json
+	@$(MAKE) --no-print-directory $(VENV)/bench || echo 'the tables say "not run" of what is missing'
 	$(BIN)/python -m tests.bench
 
 fuzz: tools ## Try random programs: make fuzz SECONDS=600 SEED=1
@@ -58,6 +59,7 @@ tools: $(VENV)/dev ## Install the downstream compilers, the drivers and the brow
 
 locks: ## Choose newer versions of all Python packages; needs uv, and is for who looks after Burnish
 	$(LOCK) --extra dev --output-file .ci/dev.txt pyproject.toml
+	$(LOCK) --extra bench --constraint .ci/dev.txt --output-file .ci/bench.txt pyproject.toml
 	echo 'setuptools>=77' | $(LOCK) --extra render --output-file .ci/render.txt pyproject.toml -
 	echo 'pip' | $(LOCK) --output-file .ci/pip.txt -
 
@@ -76,6 +78,11 @@ $(VENV)/installed: .ci/render.txt pyproject.toml setup.py | $(BIN)/python
 
 $(VENV)/dev: .ci/dev.txt $(VENV)/installed
 	$(PIP) install $(LOCKED) --requirement .ci/dev.txt
+	@touch $@
+
+# Other compilers, to be measured beside Burnish.
+$(VENV)/bench: .ci/bench.txt $(VENV)/dev
+	$(PIP) install $(LOCKED) --requirement .ci/bench.txt
 	@touch $@
 
 # The checkout as a package called burnish, whatever its folder is called, for mypy.

@@ -18,6 +18,7 @@ from .compiler.library import trees_to_generate
 from .compiler.precomputed import Precomputations, precomputed
 from .compiler.reflection.roles import scene_names_to_generate
 from .compiler.syntax.lalr_tables import tables_to_generate
+from .support.initialisers import texts_to_generate
 from .targets import registry
 from .targets.emit.templates import functions_to_generate
 from .targets.web_host.checking import write_for_checking
@@ -33,7 +34,7 @@ def generate(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder / "__init__.py", (_HEAD,))
     for name, values in _modules().items():
-        _write(folder / f"{name}.py", (_functions if name == "skeletons" else _data)(values))
+        _write(folder / f"{name}.py", _WRITERS.get(name, _data)(values))
 
 
 def is_current() -> bool:
@@ -53,6 +54,7 @@ def _modules() -> dict[str, Precomputations]:
         "scene": scene_names_to_generate(),
         "skeletons": functions_to_generate(dict.fromkeys(skeletons)),
         "builtin_table": module_to_generate(),
+        "initialisers": dict.fromkeys(texts_to_generate(), str),  # Their keys are all of them.
     }
 
 
@@ -71,6 +73,16 @@ def _functions(values: Precomputations) -> Iterator[str]:
     yield "VALUES = {"
     yield from (f"    {key!r}: render_{key}," for key, code in codes.items() if code is not None)
     yield "}"
+
+
+def _codes(values: Precomputations) -> Iterator[str]:
+    """The lines of a module whose ``VALUES`` are the codes of functions, by their texts."""
+    yield from (_HEAD, "VALUES = {}")
+    for text in values:
+        yield from (text, f"VALUES[{text!r}] = __init__.__code__")
+
+
+_WRITERS = {"skeletons": _functions, "initialisers": _codes}
 
 
 def _write(path: Path, lines: Iterable[str]) -> None:

@@ -25,7 +25,7 @@ from ..compiler.passes.lower_stages import keep_stages, lower_stages
 from ..compiler.passes.pipeline import Options, Staged, stage
 from ..compiler.semantics.names.modules import Module
 from ..compiler.source_map import SourceMap
-from ..support.frozen import changed
+from ..support.frozen import changed, frozen
 from ..support.garbage import seldom_collected
 from ..targets.availability import way_out, with_as_many
 from ..targets.description.profile import Profile
@@ -80,7 +80,8 @@ def result_of(asked: Asked) -> CompileResult:
     return CompileResult(tuple(materials), report.diagnostics, inputs, tuple(frames))
 
 
-class _Computed(NamedTuple):
+@frozen
+class _Computed:
     """Everything that a compile computes before it makes the records of a result."""
 
     graphs: ResultGraphs

@@ -12,7 +12,7 @@ from importlib import import_module
 from os import PathLike
 from pathlib import Path
 from types import NoneType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from ..compiler.documents.writing import to_json
@@ -20,6 +20,7 @@ from ..compiler.frontend import Frontend, current_library
 from ..compiler.passes.pipeline import Options
 from ..compiler.semantics.names.modules import Module
 from ..support.arguments import expect, expect_all
+from ..support.frozen import frozen
 from ..support.garbage import seldom_collected
 from ..targets.emit.emitter import EmitOptions
 from ..targets.selection import DEFAULT
@@ -145,7 +146,8 @@ def has_frames(
     return frontend.has_frames(module, material)
 
 
-class Declared(NamedTuple):
+@frozen
+class Declared:
     """The names of declarations that ``compile`` accepts, in the order of the file."""
 
     frames: tuple[str, ...]

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Hashable
-from typing import NamedTuple
 
 from ..compiler.watching import is_watched
+from ..support.frozen import frozen
 from ..support.locks import lock
 from .compiled import CompileResult
 
@@ -27,7 +27,8 @@ MOST_CHARACTERS = 2 << 20
 some 5 bytes for each of them; with graphs that somebody wanted to stay, 25, which is 50 MB."""
 
 
-class _Kept(NamedTuple):
+@frozen(eq=False)
+class _Kept:
     result: CompileResult
     library: object
     """The library with which the result was made: another one after a change of its files."""

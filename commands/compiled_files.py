@@ -7,19 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from ..support.frozen import frozen
 from .compile_options import CompileRequest
 
 if TYPE_CHECKING:
     from ..api.compiled import CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
-    from ..compiler.documents.plan import FramePlan
-    from ..compiler.documents.reflection import Reflection
     from ..compiler.inputs import Inputs
 
 
-class Compiled(NamedTuple):
+@frozen
+class Compiled:
     """What one file has become."""
 
     texts: Mapping[str, str]
@@ -84,6 +84,8 @@ def _complaints(result: CompileResult) -> tuple[Diagnostic, ...]:
 def _written(
     request: CompileRequest, result: CompileResult, warnings: tuple[Diagnostic, ...]
 ) -> Compiled:
+    from ..compiler.documents.writing import to_text
+
     texts = {file.name: file.text for material in result.materials for file in material.files}
     reflections: dict[str, str] = {}
     plans: dict[str, str] = {}
@@ -92,12 +94,12 @@ def _written(
         return Compiled(texts, {}, {}, (), (), warnings, result.inputs)
     for material in result.materials:
         reflection = f"{material.name}.json"
-        reflections[reflection] = _as_json(material.reflection)
+        reflections[reflection] = to_text(material.reflection)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
     for frame in result.frames:
         plan = f"{frame.name}.plan.json"
-        plans[plan] = _as_json(frame.plan)
+        plans[plan] = to_text(frame.plan)
         count = len(frame.plan.steps)
         steps = "1 step" if count == 1 else f"{count} steps"
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
@@ -113,11 +115,3 @@ def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
     for target in map(registry.load, dict.fromkeys(names)):
         if target.unproven:
             yield f"texts in {target.title}: {target.unproven}\n"
-
-
-def _as_json(document: Reflection | FramePlan) -> str:
-    import json
-
-    from ..compiler.documents.writing import to_json
-
-    return json.dumps(to_json(document), indent=2, ensure_ascii=False) + "\n"

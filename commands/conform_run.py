@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
 import click
 
 from ..targets.conformance.conform import conform
+from ..targets.conformance.costs import START
 from ..targets.conformance.gathering import Gathering, NextRow, Work
-from ..targets.conformance.scheduling import begun
+from ..targets.conformance.scheduling import begun, saved
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
 from .compared import ConformRequest, Subjects, show_said
@@ -27,7 +26,8 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 SEVERAL = 4
-"""The number of files, or of subjects, from which on processes pay, which take a while to start."""
+"""The number of files, or of subjects, from which on processes pay, however short they are. Fewer
+subjects have to be long, as processes take a while to start."""
 
 
 class Run:
@@ -76,26 +76,24 @@ class Run:
             with (
                 self._stopping.later(),
                 Judges(request, size, judge, runner) as judges,
-                _threads(size) as threads,
                 self._stopping.at_once(),
             ):
                 if request.explain is None and len(request.files) >= SEVERAL:
-                    units = _units(threads.map(judges.contents, request.files))
-                    self._judge(units, judges, threads)
+                    self._judge(_units(judges.contents(request.files)), judges)
                     return
                 forms = [judge.forms(file) for file in request.files]
                 units = _units(map(contents_of, request.files, forms))
-                if request.explain is None and len(units) >= SEVERAL:
-                    self._judge(units, judges, threads)
+                if request.explain is None and (len(units) >= SEVERAL or _pays(units, size)):
+                    self._judge(units, judges)
                 else:
                     self._judge_here(forms, runner, toolchain)
 
-    def _judge(self, units: Sequence[Unit], judges: Judges, threads: ThreadPoolExecutor) -> None:
-        """Have processes judge subjects, one process a whole subject."""
+    def _judge(self, units: Sequence[Unit], judges: Judges) -> None:
+        """Have processes judge subjects: each a whole one, or parts of a frame as a helper."""
         self.total = len(units) * len(self._routes)
         works: dict[int, Work] = {}
         for number in begun([unit.cost for unit in units], os.cpu_count() or 1):
-            works[number] = threads.submit(judges.rows, units[number])
+            works[number] = judges.begin(units[number])
         with self._stopping.by(self._gathering.end):
             self._gathering.wait_for([works[number] for number in sorted(works)], self.total)
 
@@ -120,6 +118,12 @@ def _units(contents: Iterable[Contents]) -> Sequence[Unit]:
     return [unit for each in found for unit in each.units]
 
 
+def _pays(units: Sequence[Unit], processes: int) -> bool:
+    """True if processes are worth while for a few subjects."""
+    costs = [(unit.cost, unit.shared) for unit in units]
+    return saved(costs, processes) > START
+
+
 def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Row]:
     """The rows, with reasons in the source if they differ or prove little."""
     from ..targets.conformance.explaining import with_reasons
@@ -128,16 +132,6 @@ def _with_reasons(subjects: Subjects, rows: Sequence[Row], seed: int) -> list[Ro
     materials = dict(subjects)
     groups = by_material(rows).items()
     return [row for label, own in groups for row in with_reasons(materials[label], own, seed)]
-
-
-@contextmanager
-def _threads(count: int) -> Iterator[ThreadPoolExecutor]:
-    """Threads that wait for processes, and end with these: nobody waits for the threads."""
-    threads = ThreadPoolExecutor(count)
-    try:
-        yield threads
-    finally:
-        threads.shutdown(wait=False, cancel_futures=True)
 
 
 def _check_pixel(request: ConformRequest, subjects: Subjects) -> None:

@@ -10,8 +10,9 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from ..support.frozen import frozen
 from .terminal import wants_color
 
 if TYPE_CHECKING:
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
     from ..compiler.diagnostics.diagnostic import Diagnostic, Severity
 
 
-class Styled(NamedTuple):
+@frozen
+class Styled:
     """A piece of a line that is highlighted, if there are colours."""
 
     text: str

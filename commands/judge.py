@@ -15,7 +15,9 @@ from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
 
 if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
+    from ..targets.conformance.frames import FrameTrial
     from ..targets.conformance.rows import Row
+    from ..targets.runner.frames.helped import Helpers
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
     from ..targets.toolchain import Toolchain
@@ -33,6 +35,17 @@ class Unit(NamedTuple):
     """The digest of what was read to compile the file."""
     cost: float
     """The estimated cost of judging it."""
+    shared: float
+    """The part of this cost for which other processes can help."""
+
+
+class PartOf(NamedTuple):
+    """A part of the work that another process has with a subject."""
+
+    unit: Unit
+    common: bytes
+    """What is common to all parts."""
+    number: int
 
 
 class Forms(NamedTuple):
@@ -61,11 +74,16 @@ class Judge:
         routes: Sequence[Route],
         runner: Runner,
         toolchain: Toolchain,
+        helpers: Helpers | None = None,
     ) -> None:
+        """``helpers`` may draw parts of frames."""
         self._request, self._routes = request, routes
         self._runner, self._toolchain = runner, toolchain
+        self._helpers = helpers
         self.forms = lru_cache(KEPT)(self._compiled)
         """The subjects of a file; those of the last few files are kept."""
+        self._trial = lru_cache(1)(self._trial_of)
+        """The trial of a subject for whose parts this judge is asked, one after the other."""
 
     def contents(self, file: Path) -> Contents:
         """The contents of a file. Its subjects are kept, as this judge may be asked for them."""
@@ -85,17 +103,44 @@ class Judge:
         if read != unit.read:
             return self.failed(unit, "its file has changed meanwhile")
         mine = [pair for pair in drawn if pair[0] == unit.label]
-        trials = trials_of(mine, seed=self._request.seed, meant=dict(meant))
+        seed = self._request.seed
+        trials = trials_of(mine, seed=seed, meant=dict(meant), helpers=self._helpers)
         rows = rows_of(trials, self._routes, self._runner, self._toolchain, threads=1)
         if any(row.problem == LACKS_MEMORY for row in rows):
             raise MemoryError
-        return with_reasons(dict(meant)[unit.label], rows, self._request.seed)
+        return with_reasons(dict(meant)[unit.label], rows, seed)
+
+    def part(self, about: PartOf) -> bytes | None:
+        """A part of the pictures of a frame, which another judge draws; ``None`` if it fails.
+
+        The other one then draws the part, and finds the reason. Raises ``MemoryError``.
+        """
+        from ..targets.conformance.refusals import REFUSALS
+
+        try:
+            trial = self._trial(about.unit)
+            return None if trial is None else trial.part(about.common, about.number)
+        except REFUSALS:
+            return None
 
     def failed(self, unit: Unit, problem: str) -> Sequence[Row]:
         """The rows of a subject that cannot be judged."""
         from ..targets.conformance.rows import Row
 
         return [Row(unit.label, route, "failed", problem) for route in self._routes]
+
+    def _trial_of(self, unit: Unit) -> FrameTrial | None:
+        """The trial of a frame, without help; ``None`` if its file is another one now."""
+        from ..targets.conformance.cases import SIZE
+        from ..targets.conformance.frames import FrameTrial
+        from ..targets.runner.frames.subjects import is_frame
+
+        drawn, _meant, _said, read = self.forms(unit.file)
+        subject = dict(drawn).get(unit.label)
+        if read != unit.read or subject is None:
+            return None
+        assert is_frame(subject), "only frames have parts"
+        return FrameTrial(unit.label, subject, SIZE)
 
     def _compiled(self, file: Path) -> Forms:
         request, profiles = self._request, profiles_of(self._routes)
@@ -112,9 +157,12 @@ class Judge:
 
 def contents_of(file: Path, forms: Forms) -> Contents:
     """The contents of a file whose subjects were compiled."""
-    from ..targets.conformance.costs import cost_of
+    from ..targets.conformance.costs import cost_of, shared_cost_of
 
-    units = (Unit(file, label, forms.read, cost_of(subject)) for label, subject in forms.meant)
+    units = (
+        Unit(file, label, forms.read, cost_of(subject), shared_cost_of(subject))
+        for label, subject in forms.meant
+    )
     return Contents(tuple(units), forms.said)
 
 

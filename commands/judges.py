@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import os
 import pickle
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -26,9 +28,11 @@ from ..targets.toolchain.surroundings import python_worker
 from ..targets.toolchain.tools import ToolState
 from ..targets.toolchain.workers import Answer, Pool, Worker
 from .compared import ConformRequest
-from .judge import Contents, Judge, Unit
+from .helping import Offers, Part, asks_help
+from .judge import Contents, Judge, PartOf, Unit
 
 if TYPE_CHECKING:
+    from ..targets.conformance.gathering import Work
     from ..targets.conformance.rows import Row
 
 T = TypeVar("T")
@@ -56,7 +60,7 @@ class Setting(NamedTuple):
 
 
 class Judges(Closing):
-    """A few processes; several threads may ask them at once."""
+    """A few processes, and a thread for each that waits for it."""
 
     def __init__(self, request: ConformRequest, size: int, here: Judge, runner: Runner) -> None:
         """``here`` does the work of processes that fail, and the runner's drivers draw for all of
@@ -67,19 +71,29 @@ class Judges(Closing):
             request, os.getcwd(), self._temporary.name, current(), runner.states,  # noqa: PTH109
         )  # fmt: skip
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(_PROCESS), WORKERS))
+        self._threads = ThreadPoolExecutor(size)
+        """Each of them waits for a process."""
         self._closed = False
 
     def close(self) -> None:
-        """End all processes; whoever waits for one of them gets a ``DriverError``."""
+        """End all processes; whoever waits for one of them gets a ``DriverError``.
+
+        Threads end with the processes for which they wait: nobody waits for the threads.
+        """
+        self._threads.shutdown(wait=False, cancel_futures=True)
         self._closed = True
         self._pool.close()
         self._temporary.cleanup()
 
-    def contents(self, file: Path) -> Contents:
-        """The contents of a file. Raises ``DriverError`` and ``MemoryError``."""
-        return self._asked(self._here.contents, file)
+    def contents(self, files: Iterable[Path]) -> Iterator[Contents]:
+        """The contents of some files. Raises ``DriverError`` and ``MemoryError``."""
+        return self._threads.map(partial(self._asked, self._here.contents), files)
 
-    def rows(self, unit: Unit) -> Sequence[Row]:
+    def begin(self, unit: Unit) -> Work:
+        """Have a process judge a subject, behind all with which others were asked to begin."""
+        return self._threads.submit(self._rows, unit)
+
+    def _rows(self, unit: Unit) -> Sequence[Row]:
         """The rows of a subject. Raises ``DriverError``."""
         from ..targets.conformance.rows import LACKS_MEMORY
 
@@ -88,12 +102,24 @@ class Judges(Closing):
         except MemoryError:
             return self._here.failed(unit, LACKS_MEMORY)
 
+    def _part(self, about: Path | Unit, common: bytes, number: int) -> Part:
+        """A part of the work of another process; ``None`` if this one has failed, too.
+
+        Raises ``DriverError``.
+        """
+        assert isinstance(about, Unit), "only pictures have parts"
+        question = self._question(self._here.part, PartOf(about, common, number))
+        with self._pool.borrow() as worker:
+            answer = self._reply(worker, question)
+        found: Part = pickle.loads(answer.data) if answer.data else None
+        return found
+
     def _asked(self, work: Callable[[Any], T], about: Path | Unit) -> T:
         """Have a process do what a method of ``Judge`` does here."""
-        question = Packet({}, pickle.dumps((self._setting, work.__name__, about)))
+        question = self._question(work, about)
         with self._pool.borrow() as worker:
             for _ in range(TRIES):
-                answer = self._answer(worker, question)
+                answer = self._answer(worker, question, about)
                 if "lacks_memory" not in answer.reply:
                     break
                 worker.restart()  # Earlier work may have left much in its memory.
@@ -102,12 +128,24 @@ class Judges(Closing):
         found: T = pickle.loads(answer.data)
         return found
 
-    def _answer(self, worker: Worker, question: Packet) -> Answer:
+    def _question(self, work: Callable[[Any], object], about: Path | Unit | PartOf) -> Packet:
+        return Packet({}, pickle.dumps((self._setting, work.__name__, about)))
+
+    def _answer(self, worker: Worker, question: Packet, about: Path | Unit) -> Answer:
         """The answer of a process, whose own questions are answered meanwhile."""
-        answer = self._reply(worker, question)
-        while asks_driver(answer.reply):
-            answer = self._reply(worker, asked_for(self._drivers, answer))
-        return answer
+        offers = Offers(self._threads, partial(self._part, about))
+        try:
+            answer = self._reply(worker, question)
+            while True:
+                if asks_driver(answer.reply):
+                    packet = asked_for(self._drivers, answer)
+                elif asks_help(answer.reply):
+                    packet = offers.answer(answer.reply, answer.data)
+                else:
+                    return answer
+                answer = self._reply(worker, packet)
+        finally:
+            offers.withdraw()
 
     def _reply(self, worker: Worker, packet: Packet) -> Answer:
         """The reply of a process to a packet. Raises ``DriverError`` once the run has ended."""

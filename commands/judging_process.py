@@ -13,7 +13,8 @@ from ..targets.runner.routes import select
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
 from ..targets.toolchain.pipe import Ask, Packet, converse
-from .judge import Judge, Unit
+from .helping import LentHelpers
+from .judge import Judge, PartOf, Unit
 from .judges import TIME_LIMIT, Setting
 
 
@@ -24,10 +25,10 @@ class _Process:
         self._judge: Judge | None = None
 
     def answer(self, question: Packet, ask: Ask) -> Packet:
-        """Do what the main process wants; it may be asked for its drivers meanwhile."""
+        """Do what the main process wants, which may be asked for drivers and for help meanwhile."""
         setting: Setting
         work: str
-        about: Path | Unit
+        about: Path | Unit | PartOf
         setting, work, about = pickle.loads(question.data)
         if self._judge is None:
             self._judge = _judge_in(setting, ask)
@@ -45,7 +46,7 @@ def _judge_in(setting: Setting, ask: Ask) -> Judge:
     routes = select([setting.request.routes])
     runner = Runner(routes, drivers=LentDrivers(ask), states=setting.states)
     toolchain = Toolchain(parallel=1, states=setting.states)
-    return Judge(setting.request, routes, runner, toolchain)
+    return Judge(setting.request, routes, runner, toolchain, LentHelpers(ask))
 
 
 if __name__ == "__main__":

@@ -3,9 +3,9 @@
 Almost every record of the compiler is declared with it. ``dataclasses`` writes and compiles eight
 methods for each class while the module is imported. This takes most of a millisecond for each
 class; for a hundred classes, it would be the larger part of the time to start Burnish. Here only
-the initialiser is made for each class, when its first record is made, and of code that is compiled
-once for all classes with as many fields. All other methods are shared. Records are also made and
-unpickled faster, because nothing goes through ``__setattr__``.
+the initialiser is made for each class, when its first record is made, and of code that is the same
+for all classes with as many fields: ``initialisers.py`` has it. All other methods are shared.
+Records are also made and unpickled faster, because nothing goes through ``__setattr__``.
 """
 
 from __future__ import annotations
@@ -13,9 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 from operator import attrgetter
-from types import CodeType, FunctionType, MappingProxyType
+from types import FunctionType, MappingProxyType
 from typing import Any, Generic, Self, TypeVar, cast, dataclass_transform, overload
 from weakref import WeakValueDictionary
+
+from .initialisers import storing
 
 T = TypeVar("T")
 
@@ -180,7 +182,7 @@ def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callab
     used: dict[str, object] = {"keep_hash": cls._hash.__set__} if keeps_hash else {}
     for number, name in enumerate(names):
         used[f"set_{number}"] = _setter(getattr(cls, name).__set__, defaults.get(name))
-    code = _storing(len(names), keeps_hash).replace(co_varnames=("self", *names))
+    code = storing(len(names), keeps_hash).replace(co_varnames=("self", *names))
     if kw_only:
         code = code.replace(co_argcount=1, co_kwonlyargcount=len(names))
     initialiser = FunctionType(code, used)
@@ -189,23 +191,6 @@ def _initialiser(cls: Any, defaults: dict[str, object], kw_only: bool) -> Callab
     else:
         initialiser.__defaults__ = tuple(defaults[name] for name in names if name in defaults)
     return initialiser
-
-
-@cache
-def _storing(count: int, keeps_hash: bool) -> CodeType:
-    """The code of an initialiser that stores ``count`` arguments, with names that mean nothing.
-
-    It is compiled once for all classes that have as many fields, since to compile takes ten times
-    as long as to give the code of another class the names of its own fields.
-    """
-    fields = [f"field_{number}" for number in range(count)]
-    body = [f"set_{number}(self, {field})" for number, field in enumerate(fields)] or ["pass"]
-    if keeps_hash:
-        body.append(f"keep_hash(self, hash(({', '.join(fields)},)))")
-    known: dict[str, Any] = {}
-    exec(f"def __init__({', '.join(['self', *fields])}):\n    " + "\n    ".join(body), known)
-    code: CodeType = known["__init__"].__code__
-    return code
 
 
 def _setter(store: Callable[[Any, object], None], default: object) -> Callable[[Any, object], None]:

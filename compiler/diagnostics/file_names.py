@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 
-_SURROGATE = re.compile("[\ud800-\udfff]")
+_SURROGATE = "[\ud800-\udfff]"
 
 
 def readable(name: str) -> str:
     """``name`` with each byte that is no text written out, as in ``caf\\xe9.burnish``."""
-    return name if name.isascii() else _SURROGATE.sub(_written_out, name)
+    return name if name.isascii() else re.sub(_SURROGATE, _written_out, name)
 
 
 def why_unreadable(error: OSError | ValueError) -> str:

@@ -1,9 +1,17 @@
-"""Makes JSON of documents: ``burnish.compile`` and the packages of web pages call ``to_json``."""
+"""Makes JSON of documents.
+
+``burnish.compile`` and the packages of web pages call ``to_json``, and ``burnish compile`` writes
+what ``to_text`` returns.
+"""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
 from functools import cache
+from json.encoder import encode_basestring
+from math import isfinite
+from types import NoneType
 from typing import Any
 
 from .shapes import keys_of, left_out, spelling_of
@@ -21,6 +29,41 @@ def to_json(value: object) -> Any:
     if isinstance(value, Mapping):
         return {key: to_json(each) for key, each in value.items()}
     return _writer(kind)(value)
+
+
+def to_text(document: object) -> str:
+    """The JSON of a document as the text of a file, in which each value has a line.
+
+    ``json.dumps`` writes the same with ``indent=2``, but in Python, and so generally that it takes
+    twice as long: a tenth of a short compile.
+    """
+    return _indented(to_json(document), "\n") + "\n"
+
+
+def _indented(value: Any, line: str) -> str:
+    """The text of data for JSON; ``line`` ends a line, and indents the next one."""
+    if (leaf := _LEAVES.get(type(value))) is not None:
+        return leaf(value)
+    inner = f"{line}  "
+    if isinstance(value, dict):
+        members = [f"{encode_basestring(key)}: {_indented(v, inner)}" for key, v in value.items()]
+        return f"{{{inner}{f',{inner}'.join(members)}{line}}}" if members else "{}"
+    elements = [_indented(each, inner) for each in value]
+    return f"[{inner}{f',{inner}'.join(elements)}{line}]" if elements else "[]"
+
+
+def _float(number: float) -> str:
+    return repr(number) if isfinite(number) else json.dumps(number)
+
+
+_LEAVES: Mapping[type, Callable[[Any], str]] = {
+    str: encode_basestring,
+    int: repr,
+    float: _float,
+    bool: json.dumps,
+    NoneType: json.dumps,
+}
+"""Writers of values without parts."""
 
 
 @cache

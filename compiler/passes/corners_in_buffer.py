@@ -21,9 +21,6 @@ from .corner_inputs import INSTANCE_INDEX
 from .lower_reads import lower_reads
 from .mesh_buffers import member_name, mesh_buffer
 
-MOST_INPUTS = 16
-"""The number of vertex inputs that every profile has."""
-
 
 def corners_in_buffer(shader: Shader) -> Shader:
     """Replaces inputs per instance at corners by reads of a buffer; changes no other shader.

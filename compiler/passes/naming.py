@@ -34,12 +34,13 @@ class Naming:
 
     def learn(self, nodes: Iterable[Node]) -> None:
         """Find the named value that each unnamed one is a part of; users come before operands."""
+        wholes, names, context = self._notes.wholes, self._notes.names, self._context
         for node in nodes:
-            own = self._notes.wholes.get(node.id) or self._notes.names.get(node.id)
-            within = own or self._context.get(node.id)
+            id_ = node.id
+            within = wholes.get(id_) or names.get(id_) or context.get(id_)
             if within is not None:
                 for operand in node.operands:
-                    self._context.setdefault(operand.id, within)
+                    context.setdefault(operand.id, within)
 
     def name(self, node: Node) -> str:
         """The suggestion for ``node``."""

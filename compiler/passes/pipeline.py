@@ -16,7 +16,6 @@ from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Shader
 from ..ir.stages import EXTENT, LENGTH
 from .checkpoint import announce, verified, verified_results
-from .corners_in_buffer import MOST_INPUTS, corners_in_buffer
 from .expand_builtins import expand_builtins
 from .fuse import fuse
 from .guard import Decisions, Guard, Guarding
@@ -34,6 +33,9 @@ from .rename_variables import rename_variables
 from .replace_aggregates import replace_aggregates
 from .simplify import Simplifier
 from .split_stages import split_stages
+
+MOST_INPUTS = 16
+"""The number of vertex inputs that every profile has."""
 
 
 @frozen
@@ -132,6 +134,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     shader = changed(shader, results=results)
     form = made(whole_texels(shader))
     if form.program.input_locations > MOST_INPUTS:
+        from .corners_in_buffer import corners_in_buffer
+
         form = made(corners_in_buffer(shader))
     drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(decisions.kept.values())

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, bodies_of, formals_of
@@ -32,10 +33,12 @@ from ..ir.statements import (
 from ..ir.types import TextureType
 from ..ir.walks import in_order_of_use, operands_of
 from .choices import Choices, chooses, has_to_branch, short_circuits
-from .emit_strips import GroupValues
 from .naming import Naming
 from .path_conditions import DEEPEST
 from .uniformity import compares
+
+if TYPE_CHECKING:
+    from .emit_strips import GroupValues
 
 INLINE_DEPTH = 7
 """Expressions nest at most so deeply before a part of them gets a name of its own."""

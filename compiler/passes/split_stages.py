@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
+from typing import TYPE_CHECKING
 
 from ...support.frozen import frozen
 from ..ir import build
@@ -42,12 +43,14 @@ from ..ir.stages import (
 from ..ir.types import UINT, scalar_kind
 from ..ir.walks import called_functions, visible
 from ..layout import blocks_of
-from .emit_strips import GroupValues, groups_of
 from .hoist import Derived
 from .interfaces import Interfaces
 from .naming import Naming
 from .schedule import Scheduler
 from .uniformity import needing_uniform_flow
+
+if TYPE_CHECKING:
+    from .emit_strips import GroupValues
 
 
 def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
@@ -105,6 +108,8 @@ def _groups(
     emitted = [result.value for result in own if result.kind == EMITTING]
     if not emitted or shader.expansion is None:
         return ()
+    from .emit_strips import groups_of
+
     values = [output.value for output in outputs]
     return groups_of(shader.graph, shader.notes, shader.expansion, emitted, values)
 

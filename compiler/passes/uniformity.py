@@ -36,7 +36,7 @@ def needing_uniform_flow(nodes: Iterable[Node]) -> frozenset[int]:
     turning: set[Node] = set()
     """Nodes that contain a comparison of pixels, and among these the nodes that differ."""
     for node in nodes:
-        own = compares(node)
+        own = node.head in _COMPARING
         if own or not inside.isdisjoint(node.operands):
             inside.add(node)
         if (own and node.variables) or not turning.isdisjoint(node.operands):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from ..documents.steps import StepRow
 from ..documents.values import BufferRow, LayoutRow, MemberRow, ResultRow, StructRow
@@ -56,17 +56,19 @@ def extent_steps(shader: Shader) -> tuple[StepRow, ...] | None:
     return steps(extents[0].value) if extents else None
 
 
-class _Elements(TypedDict):
-    """The fields that both kinds of buffers have."""
+if TYPE_CHECKING:  # Python would compile the annotations while it loads this module.
 
-    name: str
-    type: str
-    representation: str
-    group: str
-    layout: LayoutRow
-    members: tuple[MemberRow, ...]
-    structs: tuple[StructRow, ...]
-    doc: str
+    class _Elements(TypedDict):
+        """The fields that both kinds of buffers have."""
+
+        name: str
+        type: str
+        representation: str
+        group: str
+        layout: LayoutRow
+        members: tuple[MemberRow, ...]
+        structs: tuple[StructRow, ...]
+        doc: str
 
 
 def _elements(info: BufferInfo) -> _Elements:

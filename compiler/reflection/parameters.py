@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from ..constraints import Lanes
 from ..documents.values import DerivedRow, LayoutRow, LightRow, MemberRow, ParameterRow
@@ -45,13 +45,15 @@ class Places:
         return [member for (_, derived), (_, member) in self._places.items() if derived]
 
 
-class Placed(TypedDict):
-    """The fields of a row that say where a value lies."""
+if TYPE_CHECKING:  # Python would compile the annotations while it loads this module.
 
-    block: str | None
-    offset: int | None
-    size: int
-    layout: LayoutRow
+    class Placed(TypedDict):
+        """The fields of a row that say where a value lies."""
+
+        block: str | None
+        offset: int | None
+        size: int
+        layout: LayoutRow
 
 
 def _place(found: tuple[Block, StoredMember] | None, further: int, packed: Packing) -> Placed:
@@ -84,15 +86,17 @@ def _parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -
     )
 
 
-class Declared(TypedDict):
-    """The fields of a row that say how a value is declared."""
+if TYPE_CHECKING:  # Python would compile the annotations while it loads this module.
 
-    type: str
-    representation: str
-    range: tuple[float, float] | None
-    default: Lanes
-    doc: str
-    library: str | None
+    class Declared(TypedDict):
+        """The fields of a row that say how a value is declared."""
+
+        type: str
+        representation: str
+        range: tuple[float, float] | None
+        default: Lanes
+        doc: str
+        library: str | None
 
 
 def _declaration(info: ParameterInfo) -> Declared:

@@ -12,6 +12,7 @@ from functools import partial
 from threading import Event
 
 from ...support.frozen import EMPTY
+from ..runner.frames.helped import Helpers
 from ..runner.frames.subjects import FrameSubject, is_frame, is_shader
 from ..runner.job_sizes import check_work
 from ..runner.reference import STORE
@@ -61,16 +62,18 @@ def trials_of(
     size: Size = SIZE,
     keep: bool = True,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
+    helpers: Helpers | None = None,
 ) -> list[Tried]:
     """The trial of each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
     the one that routes draw. Without ``keep``, what the reference draws is not kept: random
-    programs are drawn only once.
+    programs are drawn only once. ``helpers`` may draw parts of frames.
     """
     store = Store(STORE) if keep else None
     return [
-        _trial(label, subject, seed, store, size, meant.get(label)) for label, subject in subjects
+        _trial(label, subject, seed, store, size, meant.get(label), helpers)
+        for label, subject in subjects
     ]
 
 
@@ -116,9 +119,10 @@ def _trial(
     store: Store | None,
     size: Size,
     meant: Subject | FrameSubject | None,
+    helpers: Helpers | None,
 ) -> Tried:
     if is_frame(subject):
-        return FrameTrial(label, subject, size, store)
+        return FrameTrial(label, subject, size, store, helpers)
     assert is_shader(subject)
     assert meant is None or is_shader(meant)
     content = content_of(subject.reflection, store or Store(STORE, limit=0))

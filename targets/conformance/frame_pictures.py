@@ -109,7 +109,6 @@ def loaded(data: bytes) -> FramePictures:
 @cache
 def _code_digest() -> str:
     """A digest of the code that draws frames, with that of the host which prepares their draws."""
-    own = (
-        Path(__file__).with_name(name).read_bytes() for name in ("frames.py", Path(__file__).name)
-    )
+    names = "frames.py", "judged_frames.py", Path(__file__).name
+    own = (Path(__file__).with_name(name).read_bytes() for name in names)
     return digest(code_digest(), digest_of_sources(Path(runner_file).parent), *own)

@@ -8,22 +8,21 @@ other, are cases.
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from ...compiler.documents.plan import FramePlan
 from ...compiler.reference.bounds.errors import Errors
 from ...compiler.reference.picture import Expected, RasterRules
 from ..runner.drivers.device import Device
-from ..runner.frames.by_reference import ReferenceFrames
 from ..runner.frames.checking import PlanError
+from ..runner.frames.helped import Given, HelpedFrames, Helpers
 from ..runner.frames.host import FrameHost
 from ..runner.frames.pixel_origins import FollowedFrames, Origin
 from ..runner.frames.reference_textures import DEPTHS
-from ..runner.frames.scenery import in_a_row
 from ..runner.frames.subjects import FrameSubject, PlannedFrame
 from ..runner.kernels import is_drawn
 from ..runner.reference import Program
@@ -36,15 +35,12 @@ from .bounds import Bounds, bounds_of, precise
 from .cases import Size
 from .compare import Level
 from .contents import as_drawn
+from .costs import help_pays
 from .frame_pictures import FramePictures, OutputPicture, ingredients_of, remembered
+from .judged_frames import Meant, frames_of, host_of
 from .judging import Answer, Compared, Floats, all_covered
 from .known_values import Known
 from .trials import Trial
-
-MESH = "torus"
-"""The mesh of all models of a frame."""
-SEVERAL = 2
-"""The number of frames that are drawn if one reads what the last one left."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,15 +49,6 @@ class _Sized:
 
     width: int
     height: int
-
-
-class _Meant:
-    """A frame with a plan that nobody else executes."""
-
-    def __init__(self, subject: FrameSubject) -> None:
-        self.name = subject.name
-        self.shaders = subject.shaders
-        self.plan = subject.plan_of_reference
 
 
 def _turned_over(bounds: Bounds) -> Bounds:
@@ -78,15 +65,20 @@ class FrameTrial(Trial):
     """The outputs of one frame, drawn several times if one frame reads what the last one left."""
 
     def __init__(
-        self, label: str, subject: FrameSubject, size: Size, store: Store | None = None
+        self,
+        label: str,
+        subject: FrameSubject,
+        size: Size,
+        store: Store | None = None,
+        helpers: Helpers | None = None,
     ) -> None:
         """``size`` is that of the outputs, as far as the frame does not say another one. ``store``
-        keeps the reference's pictures."""
+        keeps the reference's pictures, and ``helpers`` may draw parts of these."""
         super().__init__(label, subject.shaders)
         self._subject = subject
-        self._meant = meant = _Meant(subject)
+        self._meant = meant = Meant(subject)
         self._size = size
-        self._store = store
+        self._store, self._helpers = store, helpers
         self._count = frames_of(meant.plan)
         self._names = [row.name for row in meant.plan.outputs if row.texture is not None]
         self._expected: Known[FramePictures] = Known()
@@ -166,9 +158,7 @@ class FrameTrial(Trial):
         programs = self._programs_for(profile)
 
         def made() -> FramePictures:
-            drawing = ReferenceFrames(
-                self._host(self._meant), rules, errors, lambda number: programs[number].shader
-            )
+            drawing = self._drawing(profile, rules, errors)
             found = []
             for _ in range(self._count):
                 drawing.draw()
@@ -189,6 +179,26 @@ class FrameTrial(Trial):
         )
         return found.frames
 
+    def _drawing(
+        self, profile: str | None, rules: RasterRules, errors: Errors | None
+    ) -> HelpedFrames:
+        """Draws a profile's texts, or the source, from the first frame on."""
+        programs, host = self._programs_for(profile), self._host(self._meant)
+        return HelpedFrames(
+            host, rules, errors, lambda number: programs[number].shader, helpers=self._helpers,
+            pays=lambda numbers: help_pays(host, numbers),
+            common=lambda given: pickle.dumps((profile, rules, errors, given)),
+        )  # fmt: skip
+
+    def part(self, common: bytes, number: int) -> bytes:
+        """A part of what the trial of the same frame draws in another process, which offers it.
+
+        Raises the exceptions of ``REFUSALS``, and ``MemoryError``.
+        """
+        profile, rules, errors, data = pickle.loads(common)
+        given: Given = pickle.loads(data)
+        return pickle.dumps(self._drawing(profile, rules, errors).drawn_for(given, number))
+
     def _ingredients(self, programs: Sequence[Program]) -> Sequence[str]:
         texts = [program.text for program in programs]
         return ingredients_of(self._meant, texts, self._size, self._count)
@@ -208,23 +218,6 @@ class FrameTrial(Trial):
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
         return host_of(subject, self._size)
-
-
-def frames_of(plan: FramePlan) -> int:
-    """The number of frames that are drawn."""
-    return SEVERAL if plan.kept else 1
-
-
-def judged_host(subject: FrameSubject, size: Size) -> FrameHost:
-    """A frame as the reference draws it."""
-    return host_of(_Meant(subject), size)
-
-
-def host_of(subject: PlannedFrame, size: Size) -> FrameHost:
-    """A frame with the scene that it is judged in: a model of each material."""
-    tags = {row.name: row.materials for row in subject.plan.models}
-    materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-    return FrameHost(subject, in_a_row(materials, tags, MESH), size)
 
 
 def _sides(shape: Sequence[int]) -> str:

@@ -26,3 +26,14 @@ def begun(costs: Sequence[float], processes: int) -> list[int]:
     long = [number for number, cost in enumerate(costs) if cost > most]
     others = [number for number, cost in enumerate(costs) if cost <= most]
     return sorted(long, key=lambda number: -costs[number]) + others
+
+
+def saved(costs: Sequence[tuple[float, float]], processes: int) -> float:
+    """The part of the whole work for which nobody waits if several processes do it.
+
+    ``costs`` are those of each subject, and the part of them for which other processes can help:
+    the rest of a subject is done by one process, one thing after the other.
+    """
+    whole = sum(cost for cost, _shared in costs)
+    alone = max((cost - shared for cost, shared in costs), default=0.0)
+    return whole - max(alone, whole / processes)

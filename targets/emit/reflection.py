@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from ...compiler.diagnostics.source import Span
 from ...compiler.documents.backends import (
@@ -97,13 +97,15 @@ def _captures(program: Program, language: Language, names: Names) -> dict[str, V
     }
 
 
-class _Place(TypedDict):
-    """The fields of a row that say where something is bound."""
+if TYPE_CHECKING:  # Python would compile the annotations while it loads this module.
 
-    identifier: str
-    group: int | None
-    binding: int | None
-    register: str | None
+    class _Place(TypedDict):
+        """The fields of a row that say where something is bound."""
+
+        identifier: str
+        group: int | None
+        binding: int | None
+        register: str | None
 
 
 class _Bindings:

@@ -67,15 +67,22 @@ class Worker:
         enough: float = 0.3,
         runs: int = 7,
         limit: float = 600.0,
+        remember: bool = False,
+        check: bool = False,
+        times: int = 1,
     ) -> dict[str, Any] | None:
         """The best times of the phases of compiling a file, and the codes of its errors.
 
-        The file is compiled until ``enough`` seconds have been spent, at most ``runs`` times.
-        ``None`` if the process ended over it, as it does after ``limit`` seconds of CPU time.
+        The file is compiled until ``enough`` seconds have been spent, at most ``runs`` times. With
+        ``remember``, the process uses what it has kept of earlier requests that said so, too. With
+        ``check``, the file is only checked. Each run does it ``times`` times, of which the mean
+        counts. ``None`` if the process ended over it, as it does after ``limit`` seconds of CPU
+        time.
         """
         request = {
             "path": str(path), "targets": list(targets), "reflect": reflect,
             "enough": enough, "runs": runs, "limit": limit,
+            "remember": remember, "check": check, "times": times,
         }  # fmt: skip
         assert self._process.stdin is not None
         assert self._process.stdout is not None

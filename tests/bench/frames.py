@@ -11,12 +11,10 @@ from time import process_time
 import burnish
 
 from ..frames.kit import EXAMPLES, compiled, memory_share
-from .aims import EXAMPLES as MATERIALS
+from .aims import DEFERRED
 from .drawing import command_times
 from .table import Row, Section
 
-DEFERRED = MATERIALS / "frames" / "deferred.burnish"
-"""A frame with up to 32 lights."""
 TARGETS = ("hlsl", "glsl", "wgsl")
 COMPILE_AIM, RENDER_AIM, MEMORY_AIM = 0.1, 3.0, 0.6
 RUNS = 12

@@ -13,7 +13,8 @@ import importlib.util
 import json
 import resource
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from pathlib import Path
 from time import process_time
 from typing import Any
 
@@ -68,47 +69,66 @@ def compiled(path: str, targets: list[str], reflect: bool, phases: Phases) -> li
         result = burnish.compile(path, targets)
     except burnish.CompileError as error:
         phases.timed("messages", render_all, error.diagnostics)
-        return sorted({found.rule.code for found in error.diagnostics if found.severity == "error"})
+        return errors_in(error.diagnostics)
     for material in result.materials:
         if reflect:
             phases.timed("reflection", getattr, material, "reflection")
     return []
 
 
+def worked(request: dict[str, Any], phases: Phases) -> list[str]:
+    """Compile or check a file; the codes of what is wrong with it."""
+    if request["check"]:
+        return errors_in(burnish.check(Path(request["path"])))
+    return compiled(request["path"], request["targets"], request["reflect"], phases)
+
+
+def errors_in(diagnostics: Iterable[Any]) -> list[str]:
+    """The codes of the errors among some diagnostics."""
+    return sorted({found.rule.code for found in diagnostics if found.severity == "error"})
+
+
 def measured(request: dict[str, Any], phases: Phases) -> dict[str, Any]:
     """The best time of each phase over several compiles, and what came of them."""
     best: dict[str, float] = {}
+    codes: list[str] = []
     spent, runs = 0.0, 0
     while runs == 0 or (spent < request["enough"] and runs < request["runs"]):
         gc.collect()
         phases.seconds.clear()
         start = process_time()
-        codes = compiled(request["path"], request["targets"], request["reflect"], phases)
+        for _ in range(request["times"]):
+            codes = worked(request, phases)
         phases.seconds["all"] = process_time() - start
         for phase, seconds in phases.seconds.items():
-            best[phase] = min(seconds, best.get(phase, seconds))
+            each = seconds / request["times"]
+            best[phase] = min(each, best.get(phase, each))
         spent, runs = spent + phases.seconds["all"], runs + 1
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     return {"seconds": best, "codes": codes, "megabytes": peak}
 
 
-def remember_nothing() -> None:
-    """Have each compile do its work: otherwise, the same again returns what was made before.
+class Memory:
+    """What the compiler keeps in a process, as far as this checkout's compiler keeps something."""
 
-    Older checkouts remember nothing anyway.
-    """
-    entry_points = importlib.import_module("burnish.api.entry_points")
-    remembered = getattr(entry_points, "_REMEMBERED", None)
-    if remembered is not None:
-        setattr(entry_points, "_REMEMBERED", type(remembered)(results=0))  # noqa: B010
-    frontend = importlib.import_module("burnish.compiler.frontend")
-    if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
-        setattr(frontend, "KNOWN_RIGHT", nothing)  # noqa: B010
+    def __init__(self) -> None:
+        self._places: list[tuple[Any, str, Any, Any]] = []
+        entry_points = importlib.import_module("burnish.api.entry_points")
+        if (usual := getattr(entry_points, "_REMEMBERED", None)) is not None:
+            self._places.append((entry_points, "_REMEMBERED", usual, type(usual)(results=0)))
+        frontend = importlib.import_module("burnish.compiler.frontend")
+        if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
+            self._places.append((frontend, "KNOWN_RIGHT", frontend.KNOWN_RIGHT, nothing))
+
+    def use(self, remember: bool) -> None:
+        """Have compiles remember; or have each of them do its work, also if it is the same."""
+        for owner, name, usual, nothing in self._places:
+            setattr(owner, name, usual if remember else nothing)
 
 
 def main() -> None:
     """Answer requests until there are no more."""
-    remember_nothing()
+    memory = Memory()
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
     phases = Phases()
     for hook in HOOKS:
@@ -117,6 +137,7 @@ def main() -> None:
         request = json.loads(line)
         limit = int(process_time() + request["limit"]) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
+        memory.use(request["remember"])
         try:
             answer = measured(request, phases)
         except Exception as error:  # Whatever it is, the size is one that cannot be compiled.

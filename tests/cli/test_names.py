@@ -13,6 +13,7 @@ import burnish
 from burnish.compiler.diagnostics.display import harmless as escaped
 from burnish.targets.toolchain import Job, Toolchain, Verdict, count_instructions
 
+from ..suite.verdicts import refused
 from .kit import PLAIN, invoke, shell, tree
 
 TARGETS = ("hlsl", "glsl", "glsl:gl330", "glsl:gl450", "glsl:es300", "glsl:es310", "wgsl")
@@ -95,31 +96,32 @@ def toolchain() -> Iterator[Toolchain]:
         yield tools
 
 
-def judged(toolchain: Toolchain, *sources: str) -> list[Verdict]:
-    """The verdicts of the compilers of all profiles about the only material of each source."""
+def jobs(*sources: str) -> list[Job]:
+    """The texts of the only material of each source, for the compilers of all profiles."""
     stages = {"vertex": "vert", "fragment": "frag"}
-    jobs = [
+    return [
         Job(checker, stages[file.stage], file.text, name=file.name)
         for source in sources
         for file in burnish.compile(source, TARGETS).materials[0].files
         for checker in file.checkers
     ]
-    verdicts = toolchain.check(jobs, keep_spirv=True)
-    refused = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
-    assert not refused, "\n".join(refused)
-    return verdicts
 
 
 @pytest.mark.parametrize("word", WORDS)
 def test_reserved_words_are_names_like_any_other(word: str, toolchain: Toolchain) -> None:
-    judged(
-        toolchain,
+    asked = jobs(
         f"material M {{ param {word} : rgb = #fff\n color = {word} * {word}.r }}",
         f"material M {{ {word} = uv.x * 0.5\n color = vec3({word}, {word}, 1) }}",
         f"material M {{ map {word} : texture2d\n color = {word}(uv).rgb }}",
         f"material {word} {{ color = vec3(uv, 1) }}",
         f"fn {word}(x: float) -> float = x + 1\nmaterial M {{ color = vec3({word}(uv.x)) }}",
     )
+    assert_accepted(refused(asked, toolchain))
+
+
+def assert_accepted(verdicts: list[Verdict]) -> None:
+    wrong = [verdict.report() for verdict in verdicts if verdict.status != "accepted"]
+    assert not wrong, "\n".join(wrong)
 
 
 def documented(doc: str) -> str:
@@ -147,20 +149,22 @@ HARMFUL = {
 }
 
 
-def sizes(verdicts: list[Verdict]) -> list[int]:
+def sizes(toolchain: Toolchain, source: str) -> list[int]:
     """The number of instructions of each text for which the checker makes SPIR-V."""
+    verdicts = toolchain.check(jobs(source), keep_spirv=True)
+    assert_accepted(verdicts)
     return [count_instructions(verdict.spirv) for verdict in verdicts if verdict.spirv]
 
 
 @pytest.fixture(scope="module")
 def harmless(toolchain: Toolchain) -> list[int]:
     """The sizes of the texts with a comment that nobody could take for code."""
-    return sizes(judged(toolchain, documented("harmless")))
+    return sizes(toolchain, documented("harmless"))
 
 
 @pytest.mark.parametrize("doc", HARMFUL.values(), ids=HARMFUL)
 def test_comments_do_nothing(doc: str, toolchain: Toolchain, harmless: list[int]) -> None:
-    assert sizes(judged(toolchain, documented(doc))) == harmless != []
+    assert sizes(toolchain, documented(doc)) == harmless != []
 
 
 def test_harmful_comments_do_not_disturb_the_terminal(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from burnish.compiler.documents.drawing import MeshInputRow
 from burnish.compiler.ir import build
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.stages import VERTEX
-from burnish.compiler.passes import corners_in_buffer
+from burnish.compiler.passes import corners_in_buffer, pipeline
 from burnish.compiler.passes.mesh_buffers import member_name
 from burnish.targets import registry
 from burnish.targets.description.capabilities import buffers_of
@@ -108,7 +108,7 @@ def drawn_both(studio: Studio, name: str, route: str) -> tuple[Floats, Floats]:
     """The pictures that are drawn from a buffer by a route, and with native stages."""
     lowered, native = made(name, route, native=False), made(name, NATIVE, native=True)
     rows = lowered.reflection.vertex_inputs
-    assert sum(row.buffer is not None for row in rows) > corners_in_buffer.MOST_INPUTS
+    assert sum(row.buffer is not None for row in rows) > pipeline.MOST_INPUTS
     (found,) = studio.draw(route, lowered, state_of(lowered))
     (expected,) = studio.draw(NATIVE, native, state_of(native))
     return found, expected

@@ -15,7 +15,7 @@ from burnish.compiler.reference.picture import RasterRules
 from burnish.targets.conformance import frames
 from burnish.targets.conformance.frame_pictures import FramePictures, dumped, loaded
 from burnish.targets.conformance.frames import FrameTrial
-from burnish.targets.runner.frames.by_reference import ReferenceFrames
+from burnish.targets.runner.frames.helped import HelpedFrames
 from burnish.targets.runner.store import Store
 
 FRAME = """
@@ -47,12 +47,12 @@ def drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     monkeypatch.setenv("BURNISH_CACHE", str(tmp_path))
     counted: list[int] = []
 
-    class Counting(ReferenceFrames):
+    class Counting(HelpedFrames):
         def draw(self, *of: Any) -> None:
             counted.append(self.frames)
             super().draw(*of)
 
-    monkeypatch.setattr(frames, "ReferenceFrames", Counting)
+    monkeypatch.setattr(frames, "HelpedFrames", Counting)
     return counted
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,20 @@ from .kit import EXAMPLES, VARIANTS, Variant, jobs_of
 
 OF_ROUTES = {route.compiler for route in ROUTES.values()}
 """The checkers that compile for routes, by which every example is drawn as well."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    """A variant of an example, and all that it comes to."""
+
+    variant: Variant
+    result: CompileResult
+
+
+@pytest.fixture(scope="module", params=VARIANTS, ids=str)
+def compiled(request: pytest.FixtureRequest) -> Compiled:
+    """Each variant; tests of one variant follow each other, so that it is compiled once."""
+    return Compiled(request.param, request.param.compile())
 
 
 def jobs(result: CompileResult) -> Iterator[Job]:
@@ -43,9 +58,14 @@ def check_accepted(result: CompileResult, toolchain: Toolchain) -> None:
     assert len(asked) >= wanted
 
 
-@pytest.mark.parametrize("variant", VARIANTS, ids=str)
-def test_accepted(variant: Variant, toolchain: Toolchain) -> None:
-    check_accepted(variant.compile(), toolchain)
+def test_accepted(compiled: Compiled, toolchain: Toolchain) -> None:
+    check_accepted(compiled.result, toolchain)
+
+
+def test_only_profiles_that_lack_something_are_left_out(compiled: Compiled) -> None:
+    for material in compiled.result:
+        lacking = compiled.variant.lacking(material.name)
+        assert material.lacking.keys() == lacking, material.name
 
 
 @pytest.mark.parametrize("path", FRAMES, ids=lambda path: path.stem)
@@ -59,9 +79,3 @@ def test_frames_are_accepted(path: Path, toolchain: Toolchain) -> None:
 
 def test_every_example_is_tried() -> None:
     assert {variant.path for variant in VARIANTS} == set(EXAMPLES)
-
-
-@pytest.mark.parametrize("variant", VARIANTS, ids=str)
-def test_only_profiles_that_lack_something_are_left_out(variant: Variant) -> None:
-    for material in variant.compile():
-        assert material.lacking.keys() == variant.lacking(material.name), material.name

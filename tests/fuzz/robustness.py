@@ -39,9 +39,16 @@ def problem(text: str, native_stages: bool = False) -> str | None:
 
 def refused(text: str, toolchain: Toolchain) -> str | None:
     """The compilers' errors about the shaders of a text; ``None`` if there are none."""
-    verdicts = toolchain.check(list(_jobs(text)))
+    verdicts = toolchain.check(list(jobs(text)))
     reports = [each.report() for each in verdicts if each.status != "accepted"]
     return "\n".join(reports) or None
+
+
+def jobs(text: str) -> Iterator[Job]:
+    """The checks of the shaders of a text by the compilers behind Burnish, if it compiles."""
+    result = _compiled(text)
+    for material in result.materials if result else ():
+        yield from jobs_of(material)
 
 
 def found(seed: int, seconds: float) -> Iterator[tuple[int, str, str]]:
@@ -86,9 +93,3 @@ def _show(subject: CompiledMaterial | CompiledFrame) -> None:
 def _is_inside(found: Diagnostic) -> bool:
     spans = [edit.span for fix in found.fixes for edit in fix.edits]
     return all(0 <= span.start <= span.end <= len(span.source.text) for span in spans)
-
-
-def _jobs(text: str) -> Iterator[Job]:
-    result = _compiled(text)
-    for material in result.materials if result else ():
-        yield from jobs_of(material)

@@ -18,7 +18,8 @@ pytestmark = pytest.mark.xdist_group("imports")  # One process reads all modules
 BACKENDS = registry.names()
 
 FLOORS: dict[str, str] = {
-    "support.frozen": "",
+    "support.initialisers": "",
+    "support.frozen": "initialisers",
     "support.arguments": "",
     "support.stack": "",
     "support.locks": "",
@@ -109,21 +110,21 @@ FLOORS: dict[str, str] = {
         "frozen garbage inputs diagnostics ir documents passes planning reflection description "
         "legalise emit selection graphs runner"
     ),
-    "api.remembered": "locks watching compiled",
+    "api.remembered": "frozen locks watching compiled",
     "api.compiling": (
         "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
         "description emit legalise availability selection graphs compiled"
     ),
     "api.entry_points": (
-        "arguments garbage diagnostics documents passes names frontend emit selection runner "
-        "compiled remembered compiling"
+        "frozen arguments garbage diagnostics documents passes names frontend emit selection "
+        "runner compiled remembered compiling"
     ),
     "commands": (
         "frozen garbage stack cache watching inputs diagnostics syntax ir documents passes "
         "frontend formula budget closing description emit registry availability selection runner "
         "web_host web_view conformance toolchain serving compiled entry_points"
     ),
-    "generate": "precomputed library syntax reflection emit registry web_host serving",
+    "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "__main__": "commands",
 }
 """The modules that each folder or module may import, by their last names; lowest first.

@@ -26,7 +26,9 @@ DATA = {
     ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css", ".html", ".svg",
     ".burnish", ".typed",
 }  # fmt: skip
-GENERATED = ("__init__", "builtin_table", "grammar", "library", "scene", "skeletons")
+GENERATED = (
+    "__init__", "builtin_table", "grammar", "initialisers", "library", "scene", "skeletons",
+)  # fmt: skip
 
 
 pytestmark = pytest.mark.xdist_group("wheel")  # One process builds the wheels, for all tests.

@@ -20,6 +20,7 @@ _COMMANDS = "start the command line again and again"
 _LARGE = "compile huge programs, or many random ones"
 
 LEFT_OUT: Mapping[str, str] = {
+    "bench/test_aims.py": _COMMANDS,
     "builtins/test_properties.py": _LARGE,
     "cli/test_commands.py": _COMMANDS,
     "cli/test_conform.py": _DRAW,
@@ -31,6 +32,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_graph.py": _LARGE,
     "cli/test_hostile_outputs.py": _COMMANDS,
     "cli/test_hostile_sources.py": _COMMANDS,
+    "cli/test_helping.py": _DRAW,
     "cli/test_judges.py": _DRAW,
     "cli/test_kills.py": _COMMANDS,
     "cli/test_names.py": _COMPILERS,

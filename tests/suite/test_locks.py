@@ -12,7 +12,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
-LOCKS = {"render": ROOT / ".ci" / "render.txt", "dev": ROOT / ".ci" / "dev.txt"}
+LOCKS = {extra: ROOT / ".ci" / f"{extra}.txt" for extra in ("render", "dev", "bench")}
 """The lock of each extra."""
 
 
@@ -63,8 +63,16 @@ def test_the_versions_are_those_that_are_wanted(extra: str) -> None:
             assert pinned.version in wanted.specifier, f"{package}, but {wanted}: `make locks`"
 
 
-def test_what_builds_the_package_is_in_both_locks() -> None:
+@pytest.mark.parametrize("extra", ["render", "dev"])
+def test_what_builds_the_package_is_in_the_lock(extra: str) -> None:
     system = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["build-system"]
-    for lock in LOCKS.values():
-        names = {canonicalize_name(package.name) for package, _ in _locked(lock)}
-        assert {canonicalize_name(Requirement(text).name) for text in system["requires"]} <= names
+    names = {canonicalize_name(package.name) for package, _ in _locked(LOCKS[extra])}
+    assert {canonicalize_name(Requirement(text).name) for text in system["requires"]} <= names
+
+
+def test_what_is_in_two_locks_has_one_version() -> None:
+    """The bench's packages are installed beside those of development."""
+    known = {(p.name, str(p.marker)): p.specifier for p, _ in _locked(LOCKS["dev"])}
+    for package, _ in _locked(LOCKS["bench"]):
+        here = package.name, str(package.marker)
+        assert known.get(here, package.specifier) == package.specifier

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import burnish
-from burnish.targets.conformance.frames import host_of
+from burnish.targets.conformance.judged_frames import host_of
 from burnish.targets.runner.frames import by_route
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner

@@ -9,8 +9,8 @@ it is tried with, as far as they count. ``unused.py`` asks for the keys.
 from __future__ import annotations
 
 import re
+from _blake2 import blake2b  # As in hashlib, which takes longer to load than a dozen modules.
 from collections.abc import Hashable, Iterable, Iterator, Mapping
-from hashlib import blake2b
 
 from ....support.frozen import cached_property
 from ...syntax import ast

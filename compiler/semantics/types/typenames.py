@@ -108,8 +108,9 @@ _RENAMED: Mapping[str, str] = {"frame": "basis"}
 Variables = Mapping[str, Variable]
 
 
-_SEMANTICS = re.compile(r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*", re.I)
-"""The semantics that HLSL writes behind the members of a structure, and behind functions."""
+_SEMANTICS = r"SV_\w+|(?:TEXCOORD|COLOR|POSITION|NORMAL|TANGENT|BINORMAL)[0-9]*"
+"""A pattern of the semantics that HLSL writes behind the members of a structure, and behind
+functions, in small letters or large ones. It is compiled when a mistake needs it."""
 
 
 def described(name: ast.TypeName) -> str:
@@ -242,7 +243,7 @@ def _elsewhere(name: ast.Name) -> Hint:
             "an image is what a kernel writes, `result name : image2d<rgba8>[size] = …`; what is "
             "read is a texture, `map name : texture2d`"
         )
-    if _SEMANTICS.fullmatch(name.text):
+    if re.fullmatch(_SEMANTICS, name.text, re.IGNORECASE):
         return "a semantic is no type, and is not written: the compiler connects the stages"
     return ""
 

@@ -7,7 +7,7 @@ that later steps, which read it, are as uncertain as they should be.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -110,13 +110,8 @@ class ReferenceFrames:
 
     def _draw_all(self, plan: FramePlan, progress: Progress | None, *, is_first: bool) -> None:
         self._keep()
-        steps = plan.steps
-        for number, step in enumerate(steps):
-            if is_first or not step.only_first:
-                self.told = _part_of(progress, number, len(steps))
-                self._step(step, is_first)
-            if progress is not None:
-                progress((number + 1) / len(steps))
+        wanted = [n for n, step in enumerate(plan.steps) if is_first or not step.only_first]
+        self._draw_steps(wanted, progress, is_first)
         for row in plan.kept:
             self._exchange(row)
         self.frames += 1
@@ -138,6 +133,17 @@ class ReferenceFrames:
         return list(dict.fromkeys(found))
 
     # --- steps -----------------------------------------------------------------------------------
+
+    def _draw_steps(
+        self, numbers: Sequence[int], progress: Progress | None, is_first: bool
+    ) -> None:
+        """Draw some steps, by their numbers, one after the other."""
+        steps = self.host.plan.steps
+        for number in numbers:
+            self.told = _part_of(progress, number, len(steps))
+            self._step(steps[number], is_first)
+            if progress is not None:
+                progress((number + 1) / len(steps))
 
     def _keep(self) -> None:
         """Make the textures that the first frame reads, as the last frame would have left them."""
@@ -171,6 +177,17 @@ class ReferenceFrames:
                 self._draw(step, is_first)
 
     def _draw(self, step: DrawStep, is_first: bool) -> None:
+        draws, layers = self._prepared(step, is_first)
+        whole = self.told
+        for layer in range(layers):
+            self.told = _part_of(whole, layer, layers)
+            self._draw_layer(step, draws, layer)
+
+    def _prepared(self, step: DrawStep, is_first: bool) -> tuple[list[StepDraw], int]:
+        """The draws of a step, and the number of layers in which each of them is drawn.
+
+        The textures that it needs are made.
+        """
         draws = list(self._draws.of(step, is_first=is_first))
         targets = list(step.attachments)
         for target in targets:
@@ -179,15 +196,9 @@ class ReferenceFrames:
                 is_new = target.load == "clear" and is_first_part
                 if is_new or place.texture not in self.textures:
                     self._make(place.texture)
-        layers = (
-            1
-            if targets[0].layer is not None
-            else (self.host.plan.textures[targets[0].texture].layers)
-        )
-        whole = self.told
-        for layer in range(layers):
-            self.told = _part_of(whole, layer, layers)
-            self._draw_layer(step, draws, layer)
+        first = targets[0]
+        whole = first.layer is None
+        return draws, self.host.plan.textures[first.texture].layers if whole else 1
 
     def _draw_layer(self, step: DrawStep, draws: list[StepDraw], layer: int) -> None:
         shader = drawable(self._shader(step.draws[0].uses[0].shader))

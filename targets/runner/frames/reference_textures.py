@@ -6,9 +6,10 @@ and ``store`` keeps those that it leaves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,6 +102,13 @@ class DrawnTexture:
         )
         return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
 
+    def arrays(self, layer: int, level: int) -> Iterator[NDArray[Any]]:
+        """All that is kept of one layer and level, as views of it."""
+        yield self.levels[level][:, layer]
+        for kept in (self.undecided, self.stencil, self.stencil_unsure, self.faces):
+            if kept:
+                yield kept[level][layer]
+
     def copy(self) -> DrawnTexture:
         """A texture of its own with the same contents."""
         return deepcopy(self)
@@ -133,18 +141,18 @@ def load(canvas: Canvas, hulls: Hulls, step: DrawStep, layer: int, textures: Tex
         value, low, high = there = _samples(depth, layer, textures)[..., 0]
         canvas.depth[:] = value
         canvas.depth_off[:] = np.maximum(high - value, value - low)
-        texture, at, level = _place(depth, layer)
+        texture, at, level = place_of(depth, layer)
         canvas.place[:] = textures[texture].faces[level][at].ravel()
         hulls.depth[:] = there[1:]
         _load_stencil(canvas, depth, layer, textures)
     for target in step.attachments:
         if target.load == "load":
-            texture, at, level = _place(target, layer)
+            texture, at, level = place_of(target, layer)
             canvas.shaky |= textures[texture].undecided[level][at].ravel()
 
 
 def _load_stencil(canvas: Canvas, depth: AttachmentRow, layer: int, textures: Textures) -> None:
-    texture, at, level = _place(depth, layer)
+    texture, at, level = place_of(depth, layer)
     kept = textures[texture]
     if kept.stencil:
         canvas.stencil.values[:] = kept.stencil[level][at].ravel()
@@ -153,7 +161,7 @@ def _load_stencil(canvas: Canvas, depth: AttachmentRow, layer: int, textures: Te
 
 def _samples(target: AttachmentRow, layer: int, textures: Textures) -> Floats:
     """The contents of a layer and level: (3, samples, lanes)."""
-    texture, at, level = _place(target, layer)
+    texture, at, level = place_of(target, layer)
     found = textures[texture].levels[level][:, at]
     return found.reshape(_ENDS, -1, found.shape[-1])
 
@@ -171,18 +179,18 @@ def store(
         mean: AttachmentRow | ResolveRow | None = target
         if rules.samples > 1:
             samples = samples_on(canvas, number, hulls)
-            _keep(_place(target, layer), samples, undecided, textures)
+            _keep(place_of(target, layer), samples, undecided, textures)
             mean = target.resolve
         if mean is not None:
             ends = picture.targets[number], picture.low[number], picture.high[number]
-            _keep(_place(mean, layer), ends, picture.undecided, textures)
+            _keep(place_of(mean, layer), ends, picture.undecided, textures)
     if step.depth is not None:
         value, off = canvas.depth, canvas.depth_off
         low, high = (
             np.where(undecided, *ends)
             for ends in zip(hulls.depth, (value - off, value + off), strict=True)
         )
-        texture, at, level = place = _place(step.depth, layer)
+        texture, at, level = place = place_of(step.depth, layer)
         _keep(place, (value, low, high), undecided, textures)
         faces = textures[texture].faces[level]
         faces[at] = canvas.place.reshape(faces[at].shape)
@@ -203,7 +211,7 @@ def _keep(
 
 
 def _keep_stencil(depth: AttachmentRow, layer: int, canvas: Canvas, textures: Textures) -> None:
-    texture, at, level = _place(depth, layer)
+    texture, at, level = place_of(depth, layer)
     drawn = textures[texture]
     if drawn.stencil:
         shape = drawn.stencil[level][at].shape
@@ -211,6 +219,7 @@ def _keep_stencil(depth: AttachmentRow, layer: int, canvas: Canvas, textures: Te
         drawn.stencil_unsure[level][at] = canvas.stencil.unsure.reshape(shape)
 
 
-def _place(target: AttachmentRow | ResolveRow, layer: int) -> tuple[int, int, int]:
+def place_of(target: AttachmentRow | ResolveRow, layer: int) -> tuple[int, int, int]:
+    """The texture, the layer and the level where a step that draws to ``layer`` keeps something."""
     at = layer if target.layer is None else target.layer
     return target.texture, at, target.level

@@ -141,7 +141,7 @@ def _told_of_material(material: CompiledMaterial) -> Iterator[tuple[str, object]
 
 
 def _told_of_frame(frame: CompiledFrame) -> Iterator[tuple[str, object]]:
-    from burnish.targets.conformance.frames import host_of
+    from burnish.targets.conformance.judged_frames import host_of
     from burnish.targets.runner.drivers.wire import to_json
     from burnish.targets.runner.frames.by_route import frame_job
 

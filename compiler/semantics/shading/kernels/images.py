@@ -19,10 +19,8 @@ from ...state.scope import Failure, Scope
 from ...types.typenames import IMAGE_TYPE
 from ..passes.formats import texel_value
 
-_OTHER_IMAGES = re.compile(
-    r"[iu]?image_?(\d?d|cube|buffer|rect)\w*|rw_?texture\w*|texture_storage\w*"
-)
-"""The names of images in other languages, or possible ones, in small letters."""
+_OTHER_IMAGES = r"[iu]?image_?(\d?d|cube|buffer|rect)\w*|rw_?texture\w*|texture_storage\w*"
+"""A pattern of the names of images in other languages, or possible ones, in small letters."""
 
 
 def is_image(member: ast.Result | ast.Scatter) -> bool:
@@ -36,7 +34,7 @@ def is_image(member: ast.Result | ast.Scatter) -> bool:
 def is_other_image(member: ast.Result | ast.Scatter) -> bool:
     """True if the type of a result is an image that does not exist here."""
     word = member.type.name.text
-    return word != IMAGE_TYPE and _OTHER_IMAGES.fullmatch(word.lower()) is not None
+    return word != IMAGE_TYPE and re.fullmatch(_OTHER_IMAGES, word.lower()) is not None
 
 
 def report_other_image(ctx: Context, member: ast.Result) -> None:
