@@ -1,6 +1,6 @@
 """Turns the text of a file into tokens, and reports text that cannot be one.
 
-``parse`` calls ``lex`` once for each file.
+The parser calls ``lex`` once for each text that it reads: a file, or a section of one.
 """
 
 from __future__ import annotations
@@ -46,11 +46,15 @@ def token_pattern() -> re.Pattern[str]:
     return re.compile(f"(?:{either})(?:{tables.patterns['BLANK']})?")
 
 
-def lex(source: Source, report: Report) -> Lexed:
-    """All tokens of ``source``. What cannot be read is reported, and corrected or left out."""
+def lex(source: Source, report: Report, begin: int = 0, until: int | None = None) -> Lexed:
+    """All tokens from ``begin`` to ``until``, by default those of all of ``source``.
+
+    What cannot be read is reported, and corrected or left out.
+    """
     tokens: list[Token] = []
     docs = _DocCollector(source.text, tokens)
-    for match in token_pattern().finditer(source.text):
+    until = len(source.text) if until is None else until
+    for match in token_pattern().finditer(source.text, begin, until):
         kind = match.lastgroup or ""
         if kind in ("BLANK", "COMMENT"):
             continue

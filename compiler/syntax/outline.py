@@ -13,12 +13,12 @@ from .tokens import RESERVED, Token
 
 NESTING_LIMIT = 200
 
-_TWO_WORDS = frozenset(("abstract", "extern"))
+TWO_WORDS = frozenset(("abstract", "extern"))
 """Words that a second word follows before the name: ``abstract material``, ``extern block``."""
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
 _AWAITS_VALUE = frozenset(("from", "to", "while"))
 """Words of a loop's head; elsewhere they are names, and so may end an equation."""
-_HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
+HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
 _CAN_END = frozenset(
@@ -148,13 +148,13 @@ class Outline:
         in_line = not self.begins_line(index)
         if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
             return 0  # `from file import name`, as elsewhere.
-        length = 3 if word in _TWO_WORDS else 2
+        length = 3 if word in TWO_WORDS else 2
         if not self._open and self._may_follow(index):
             return 1 if self._is_unfinished(index) else length
         complete = (
             self._kind(index + length - 1) == "NAME"
             and self._text_of(index + length - 1) != "in"
-            and self._text_of(index + length) in _HEADER_ENDS
+            and self._text_of(index + length) in HEADER_ENDS
         )
         fits = self._may_follow(index) or self._is_at_margin(index)
         return length if complete and fits else 0
@@ -162,7 +162,7 @@ class Outline:
     def _is_unfinished(self, index: int) -> bool:
         """True if a declaration's word is followed by another declaration instead of a name."""
         return (
-            self._text_of(index + 1) in DECLARATIONS.keys() - _TWO_WORDS
+            self._text_of(index + 1) in DECLARATIONS.keys() - TWO_WORDS
             and self._is_at_margin(index + 1)
             and self._kind(index + 2) == "NAME"
         )

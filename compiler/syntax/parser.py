@@ -1,17 +1,18 @@
-"""Parses a file into its syntax tree.
+"""Parses a file, or a section of one, into its syntax tree.
 
-``compiler/frontend.py`` and ``library.py`` call ``parse`` for each file. It always returns a tree:
+``incremental.py`` and ``library_trees.py`` call ``parse`` for a file. It always returns a tree:
 every mistake is reported, none is raised, and the tree lacks the parts that could not be read.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Sequence
 from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
 
-from ...support.frozen import cached_property
+from ...support.frozen import cached_property, frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
@@ -24,7 +25,8 @@ from .lalr_tables import END, load_tables
 from .lexer import lex
 from .machine import Machine
 from .outline import Chunk, Outline
-from .tokens import Token
+from .sections import Section
+from .tokens import Lexed, Token
 
 if TYPE_CHECKING:
     from .syntax_errors import SyntaxErrors
@@ -33,6 +35,9 @@ _BODY_PARTS = ("slot", "entry", "field", "extern_member")
 _FILE_PARTS = ("record",)
 _OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
 """Rules about single words. Where whole statements are foreign, there are many such words."""
+
+_Read = tuple[int, tuple[ast.Declaration, ...]]
+"""The edition that a chunk says, and its declarations."""
 
 
 def parse(source: Source, report: Report) -> ast.File:
@@ -43,8 +48,7 @@ def parse(source: Source, report: Report) -> ast.File:
     if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
         _syntax_errors(source, outline, report).foreign(lexed.tokens[0])
         return ast.File(source, 1, "", ())
-    machine = Machine(load_tables(), Builder(lexed.docs, found), source)
-    parser = _Parser(source, outline, machine, found)
+    parser = _parser(source, lexed, outline, found)
     parts = [parser.parse(chunk) for chunk in outline.chunks]
     found = _without_skipped(found, parser.skipped)
     if not found.failed:
@@ -53,9 +57,50 @@ def parse(source: Source, report: Report) -> ast.File:
     report.extend(sorted(found.diagnostics, key=_place))
     report.unreadable(found.diagnostics)
     report.unread(found.unread_names | parser.unread)
-    edition = max((part[0] for part in parts), default=1)
-    declarations = tuple(chain.from_iterable(part[1] for part in parts))
-    return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)
+    doc = "\n".join(lexed.docs.file)
+    return ast.File(source, _edition(parts), doc, _declarations(parts))
+
+
+@frozen
+class Part:
+    """The content of a section in which there is no mistake."""
+
+    edition: int
+    doc: Sequence[str]
+    """The lines of the file's doc comment that stand in the section."""
+    declarations: tuple[ast.Declaration, ...]
+
+
+def parse_section(source: Source, section: Section) -> Part | None:
+    """The content of a section; None if it can only be read together with what is around it.
+
+    So it is if anything in it has to be reported. The section before it has to be without mistakes.
+    """
+    found = Report()
+    lexed = lex(source, found, section.start, section.end)
+    ahead = lex(source, found, *section.ahead).tokens
+    outline = Outline(source.text, lexed.tokens + ahead)
+    chunks = outline.chunks
+    if ahead and chunks.pop().start != len(lexed.tokens):
+        return None  # Something of the section reaches over the next header.
+    parser = _parser(source, lexed, outline, found)
+    parts = [parser.parse(chunk) for chunk in chunks]
+    if found.diagnostics or lexed.docs.unclaimed():
+        return None
+    return Part(_edition(parts), lexed.docs.file, _declarations(parts))
+
+
+def _parser(source: Source, lexed: Lexed, outline: Outline, report: Report) -> _Parser:
+    machine = Machine(load_tables(), Builder(lexed.docs, report), source)
+    return _Parser(source, outline, machine, report)
+
+
+def _edition(chunks: Iterable[_Read]) -> int:
+    return max((edition for edition, _ in chunks), default=1)
+
+
+def _declarations(chunks: Iterable[_Read]) -> tuple[ast.Declaration, ...]:
+    return tuple(chain.from_iterable(declarations for _, declarations in chunks))
 
 
 def _without_skipped(found: Report, skipped: list[range]) -> Report:
@@ -106,7 +151,7 @@ class _Parser:
         self.unread: set[str] = set()
         """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
-    def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
+    def parse(self, chunk: Chunk) -> _Read:
         """The edition and the declarations of ``chunk``, without its broken parts."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
@@ -132,7 +177,7 @@ class _Parser:
                 if failed < index:
                     self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
-        return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
+        return cast(_Read, self._machine.result)
 
     @cached_property
     def _errors(self) -> SyntaxErrors:

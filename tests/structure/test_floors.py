@@ -32,7 +32,7 @@ FLOORS: dict[str, str] = {
     "compiler.srgb": "",
     "compiler.watching": "",
     "compiler.diagnostics": "frozen",
-    "compiler.syntax": "frozen stdlib precomputed diagnostics",
+    "compiler.syntax": "frozen locks stdlib precomputed diagnostics",
     "compiler.constraints": "frozen",
     "compiler.ir": "frozen stdlib diagnostics constraints",
     "compiler.layout": "ir",
