@@ -2,7 +2,7 @@
 
 ``library_trees.py`` stores trees of library files when the package is built, and ``incremental.py``
 those of a user's file from one edit to the next. They are pickles, because these are loaded much
-faster than a text is parsed.
+faster than a text is parsed. The larger part of a declaration is loaded when somebody looks at it.
 """
 
 from __future__ import annotations
@@ -10,10 +10,14 @@ from __future__ import annotations
 import pickle
 import sys
 from collections.abc import Callable
+from functools import cache, partial
+from importlib import import_module
 from io import BytesIO
 from typing import Any
 
+from ...support.late import Late, other_fields, unfinished
 from ..diagnostics.source import Source, Span
+from . import ast
 
 _DEEPEST = 10_000
 """The largest number of nested calls for which the stack of a thread is surely large enough.
@@ -49,15 +53,27 @@ def span(start: int, end: int) -> Span:
     raise NotImplementedError(start, end)
 
 
+def declaration(kind: type[Late], fields: tuple[object, ...], late: bytes) -> Late:
+    """Stands for a declaration of which a part is loaded later."""
+    raise NotImplementedError(kind, fields, late)
+
+
 class _Pickler(pickle.Pickler):
-    """Writes calls of ``text`` and ``span``."""
+    """Writes calls of these functions."""
 
     def __init__(self, stream: BytesIO, origin: int) -> None:
         super().__init__(stream, pickle.HIGHEST_PROTOCOL)
+        self._origin = origin
         self.dispatch_table: dict[type, Callable[[Any], tuple[Any, ...]]] = {
             Source: lambda _: (text, ()),
             Span: lambda at: (span, (at.start - origin, at.end - origin)),
+            **dict.fromkeys((ast.Record, ast.Mixin, ast.Function), self._declaration),
         }
+
+    def _declaration(self, record: Late) -> tuple[Any, ...]:
+        kind: Any = type(record)
+        fields = tuple([getattr(record, name) for name in other_fields(kind)])
+        return declaration, (kind, fields, stored(getattr(record, kind.late), self._origin))
 
 
 class _Unpickler(pickle.Unpickler):
@@ -68,9 +84,16 @@ class _Unpickler(pickle.Unpickler):
         self._answers: dict[str, Callable[..., object]] = {
             text.__name__: lambda: source,
             span.__name__: lambda start, end: Span(source, origin + start, origin + end),
+            declaration.__name__: lambda kind, fields, late: unfinished(
+                kind, fields, partial(loaded, late, source, origin)
+            ),
         }
 
     def find_class(self, module: str, name: str) -> Any:
-        if module == __name__:
-            return self._answers[name]
-        return super().find_class(module, name)
+        return self._answers[name] if module == __name__ else _found(module, name)
+
+
+@cache
+def _found(module: str, name: str) -> Any:
+    """A class; to find it takes longer than to make a node."""
+    return getattr(import_module(module), name)

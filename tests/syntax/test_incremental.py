@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import random
 import re
 import sys
@@ -15,7 +16,7 @@ from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.library import FOLDER
-from burnish.compiler.syntax import ast, incremental, parser
+from burnish.compiler.syntax import ast, incremental, parser, stored
 from burnish.compiler.syntax.incremental import KnownSections
 from burnish.compiler.syntax.lalr_tables import load_tables
 from burnish.compiler.syntax.sections import Section, sections
@@ -246,6 +247,45 @@ def test_trees_are_nobody_elses() -> None:
     found = {id(each) for file in files for each in file.declarations}
     assert len(found) == sum(len(file.declarations) for file in files)
     assert all(each.span.source is file.source for file in files for each in file.declarations)
+
+
+def function(text: str) -> ast.Function:
+    """The function of ``TEXT``, of a section that is remembered."""
+    agree(text)
+    file = incremental.parse(Source("a", text), Report())
+    (found,) = (each for each in file.declarations if isinstance(each, ast.Function))
+    return found
+
+
+def test_all_threads_get_the_same_body() -> None:
+    made = function(TEXT)
+    bodies = at_once([lambda: made.body] * 8)
+    assert len(set(bodies)) == 1 and isinstance(made.body, ast.Binary)
+
+
+def test_a_body_that_was_not_made_in_time_is_made_later(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = function(TEXT)
+    with monkeypatch.context() as patch:
+        patch.setattr(stored, "_Unpickler", Ended)
+        with pytest.raises(KeyboardInterrupt):
+            _ = made.body
+    assert isinstance(made.body, ast.Binary)
+
+
+class Ended:
+    """Is interrupted at once."""
+
+    def __init__(self, *_: object) -> None:
+        raise KeyboardInterrupt
+
+
+def test_what_a_declaration_does_not_have_is_not_made() -> None:
+    assert not hasattr(function(TEXT), "members")
+
+
+def test_declarations_that_were_not_looked_into_are_copied_whole() -> None:
+    copied = pickle.loads(pickle.dumps(function(TEXT)))
+    assert isinstance(copied.body, ast.Binary)
 
 
 def test_deep_expressions_are_parsed_each_time(known: KnownSections) -> None:
