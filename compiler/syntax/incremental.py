@@ -2,21 +2,23 @@
 
 The front end calls ``parse`` for each file. Sections without a mistake are remembered by their
 text, so it does not matter where they stood before, nor in which file. If anything in a file has
-to be reported, all of it is parsed at once: messages depend on what stands around a mistake.
+to be reported, it is cut into tokens as a whole, since messages depend on what stands around a
+mistake; but even then, other sections are not parsed again.
 """
 
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import chain
+from functools import partial
+from itertools import chain, pairwise
 
 from ...support.locks import lock
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.source import Source
 from . import ast, parser
-from .parser import Part, parse_section
+from .parser import Known, Part, parse_section
 from .sections import Section, sections
 from .stored import loaded, stored
 
@@ -25,6 +27,9 @@ MOST_KEPT = 16 * 1024 * 1024
 
 _Key = tuple[str, str]
 """The text of a section, and the header that follows."""
+
+_Content = Callable[[], Part] | None
+"""Loads the content of a section; None if that cannot be read alone."""
 
 _MISTAKEN = b""
 """Stands for the tree of a section that cannot be read alone."""
@@ -70,33 +75,40 @@ KNOWN_SECTIONS = KnownSections()
 
 def parse(source: Source, report: Report) -> ast.File:
     """The declarations of ``source`` that could be read; ``report`` gets the mistakes."""
-    parts = _parts(source)
-    if parts is None:
-        return parser.parse(source, report)
+    cut = list(sections(source.text))
+    contents = _contents(source, cut)
+    if None in contents:
+        return parser.parse(source, report, _known(cut, contents))
+    parts = [content() for content in contents if content is not None]
     edition = max(part.edition for part in parts)
     doc = "\n".join(chain.from_iterable(part.doc for part in parts))
     return ast.File(source, edition, doc, tuple(chain.from_iterable(p.declarations for p in parts)))
 
 
-def _parts(source: Source) -> list[Part] | None:
-    """The content of all sections of a text; None if anything in it has to be reported."""
-    cut = list(sections(source.text))
+def _contents(source: Source, cut: Sequence[Section]) -> list[_Content]:
+    """The content of each section."""
     keys = [_key(source.text, section) for section in cut]
-    known = KNOWN_SECTIONS.find(keys)
-    if _MISTAKEN in known:
-        return None
-    new: dict[Section, Part] = {}
-    for section, key, tree in zip(cut, keys, known, strict=True):
+    found: list[_Content] = []
+    for section, key, tree in zip(cut, keys, KNOWN_SECTIONS.find(keys), strict=True):
         if tree is None:
             part = parse_section(source, section)
             _keep(key, part, section)
-            if part is None:
-                return None
-            new[section] = part
-    return [
-        new[section] if tree is None else loaded(tree, source, section.start)
-        for section, tree in zip(cut, known, strict=True)
-    ]
+            found.append(None if part is None else partial(_same, part))
+        else:
+            known = partial(loaded, tree, source, section.start)
+            found.append(None if tree == _MISTAKEN else known)
+    return found
+
+
+def _known(cut: Sequence[Section], contents: Sequence[_Content]) -> Iterator[Known]:
+    """The sections that can be read alone, without the first one, which may have no header."""
+    for (before, section), content in zip(pairwise(cut), contents[1:], strict=True):
+        if content is not None:
+            yield Known(section, before.ahead[0], content)
+
+
+def _same(part: Part) -> Part:
+    return part
 
 
 def _keep(key: _Key, part: Part | None, section: Section) -> None:

@@ -52,11 +52,12 @@ def lex(source: Source, report: Report, begin: int = 0, until: int | None = None
     What cannot be read is reported, and corrected or left out.
     """
     tokens: list[Token] = []
+    passages: list[range] = []
     docs = _DocCollector(source.text, tokens)
     until = len(source.text) if until is None else until
     for match in token_pattern().finditer(source.text, begin, until):
         kind = match.lastgroup or ""
-        if kind in ("BLANK", "COMMENT"):
+        if kind == "BLANK":
             continue
         word = match[kind]
         start, end = match.span(kind)
@@ -69,10 +70,14 @@ def lex(source: Source, report: Report, begin: int = 0, until: int | None = None
         elif kind in ("DOC", "FILE_DOC"):
             docs.add(kind, word, start)
         else:
-            mended = mend(kind, word, Span(source, start, end), report)
+            if "\n" in word:
+                passages.append(range(start, end))
+            mended = (
+                None if kind == "COMMENT" else mend(kind, word, Span(source, start, end), report)
+            )
             if mended:
                 tokens.append(mended)
-    return Lexed(tokens, docs.settled())
+    return Lexed(tokens, docs.settled(), passages)
 
 
 class _DocCollector:

@@ -42,7 +42,7 @@ class Outline:
     """The brackets, depths and declarations of a file, found without the grammar."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
-        self._text = text
+        self.text = text
         self.tokens = tokens
         self.depths: list[int] = []
         """The number of brackets around each token; brackets that are never closed do not count."""
@@ -87,7 +87,7 @@ class Outline:
         if index == 0 or index >= len(self.tokens):
             return True
         before = self.tokens[index - 1].end
-        return "\n" in self._text[before : self.tokens[index].start]
+        return "\n" in self.text[before : self.tokens[index].start]
 
     def can_end(self, index: int) -> bool:
         """True if an expression or declaration can end with the token at ``index``."""
@@ -173,7 +173,7 @@ class Outline:
     def _is_at_margin(self, index: int) -> bool:
         """True if the token is the first of an unindented line."""
         start = self.tokens[index].start
-        return start == 0 or self._text[start - 1] == "\n"
+        return start == 0 or self.text[start - 1] == "\n"
 
     def _ends_parentheses(self, index: int) -> bool:
         """True if a member begins here, although parentheses are still open."""

@@ -7,7 +7,7 @@ every mistake is reported, none is raised, and the tree lacks the parts that cou
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
@@ -36,29 +36,10 @@ _FILE_PARTS = ("record",)
 _OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
 """Rules about single words. Where whole statements are foreign, there are many such words."""
 
-_Read = tuple[int, tuple[ast.Declaration, ...]]
+_Content = tuple[int, tuple[ast.Declaration, ...]]
 """The edition that a chunk says, and its declarations."""
-
-
-def parse(source: Source, report: Report) -> ast.File:
-    """The declarations of ``source`` that could be read; ``report`` gets the mistakes."""
-    found = Report()
-    lexed = lex(source, found)
-    outline = Outline(source.text, lexed.tokens)
-    if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
-        _syntax_errors(source, outline, report).foreign(lexed.tokens[0])
-        return ast.File(source, 1, "", ())
-    parser = _parser(source, lexed, outline, found)
-    parts = [parser.parse(chunk) for chunk in outline.chunks]
-    found = _without_skipped(found, parser.skipped)
-    if not found.failed:
-        for line in lexed.docs.unclaimed():
-            found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
-    report.extend(sorted(found.diagnostics, key=_place))
-    report.unreadable(found.diagnostics)
-    report.unread(found.unread_names | parser.unread)
-    doc = "\n".join(lexed.docs.file)
-    return ast.File(source, _edition(parts), doc, _declarations(parts))
+_Reused = dict[int, tuple[Section, int, Callable[[], "Part"]]]
+"""By the number of the first chunk of a section: the section, the chunk behind it, its content."""
 
 
 @frozen
@@ -69,6 +50,87 @@ class Part:
     doc: Sequence[str]
     """The lines of the file's doc comment that stand in the section."""
     declarations: tuple[ast.Declaration, ...]
+
+
+@frozen
+class Known:
+    """A section of a text whose content is known, if it is read alone."""
+
+    section: Section
+    header: int
+    """The place of its first token."""
+    content: Callable[[], Part]
+
+
+def parse(source: Source, report: Report, known: Iterable[Known] = ()) -> ast.File:
+    """The declarations of ``source`` that could be read; ``report`` gets the mistakes.
+
+    The declarations in ``known`` sections are not read again, as far as mistakes elsewhere in the
+    text do not reach into them.
+    """
+    found = Report()
+    lexed = lex(source, found)
+    outline = Outline(source.text, lexed.tokens)
+    if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
+        _syntax_errors(source, outline, report).foreign(lexed.tokens[0])
+        return ast.File(source, 1, "", ())
+    parser = _parser(source, lexed, outline, found)
+    reused = _reused(known, lexed, outline)
+    parts = list(_contents(outline.chunks, reused, parser))
+    found = _without_skipped(found, parser.skipped)
+    if not found.failed:
+        sections = [section for section, _, _ in reused.values()]
+        for line in _outside(sections, lexed.docs.unclaimed()):
+            found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
+    report.extend(sorted(found.diagnostics, key=_place))
+    report.unreadable(found.diagnostics)
+    report.unread(found.unread_names | parser.unread)
+    doc = "\n".join(lexed.docs.file)
+    return ast.File(source, _edition(parts), doc, _declarations(parts))
+
+
+def _reused(known: Iterable[Known], lexed: Lexed, outline: Outline) -> _Reused:
+    """The known sections that are chunks of their own in the whole text, too, in order.
+
+    Nothing is open where a chunk begins, so these chunks are read as they were alone, if the same
+    tokens and comments belong to them.
+    """
+    chunks, tokens = outline.chunks, lexed.tokens
+    numbers = {tokens[chunk.start].start: number for number, chunk in enumerate(chunks)}
+    numbers[len(outline.text)] = len(chunks)
+    reused: _Reused = {}
+    for each in known:
+        section = each.section
+        first, behind = numbers.get(each.header), numbers.get(section.ahead[0])
+        if first is None or behind is None:
+            continue
+        last = tokens[chunks[behind - 1].end - 1]
+        is_whole = lexed.docs.above(each.header) >= section.start and last.end <= section.end
+        if is_whole and lexed.is_read(section.start):
+            reused[first] = section, behind, each.content
+    return reused
+
+
+def _contents(chunks: Sequence[Chunk], reused: _Reused, parser: _Parser) -> Iterator[_Content]:
+    """The content of all chunks."""
+    number = 0
+    while number < len(chunks):
+        if number in reused:
+            _, number, content = reused[number]
+            part = content()
+            yield part.edition, part.declarations
+        else:
+            yield parser.parse(chunks[number])
+            number += 1
+
+
+def _outside(sections: Sequence[Section], comments: Iterable[Token]) -> Iterator[Token]:
+    """The comments that stand in none of some sections, which are in order."""
+    starts = [section.start for section in sections]
+    for comment in comments:
+        before = bisect_right(starts, comment.start)
+        if before == 0 or comment.start >= sections[before - 1].end:
+            yield comment
 
 
 def parse_section(source: Source, section: Section) -> Part | None:
@@ -95,11 +157,11 @@ def _parser(source: Source, lexed: Lexed, outline: Outline, report: Report) -> _
     return _Parser(source, outline, machine, report)
 
 
-def _edition(chunks: Iterable[_Read]) -> int:
+def _edition(chunks: Iterable[_Content]) -> int:
     return max((edition for edition, _ in chunks), default=1)
 
 
-def _declarations(chunks: Iterable[_Read]) -> tuple[ast.Declaration, ...]:
+def _declarations(chunks: Iterable[_Content]) -> tuple[ast.Declaration, ...]:
     return tuple(chain.from_iterable(declarations for _, declarations in chunks))
 
 
@@ -151,7 +213,7 @@ class _Parser:
         self.unread: set[str] = set()
         """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
-    def parse(self, chunk: Chunk) -> _Read:
+    def parse(self, chunk: Chunk) -> _Content:
         """The edition and the declarations of ``chunk``, without its broken parts."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
@@ -177,7 +239,7 @@ class _Parser:
                 if failed < index:
                     self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
-        return cast(_Read, self._machine.result)
+        return cast(_Content, self._machine.result)
 
     @cached_property
     def _errors(self) -> SyntaxErrors:

@@ -19,6 +19,7 @@ from burnish.compiler.library import FOLDER
 from burnish.compiler.syntax import ast, incremental, parser, stored
 from burnish.compiler.syntax.incremental import KnownSections
 from burnish.compiler.syntax.lalr_tables import load_tables
+from burnish.compiler.syntax.outline import Chunk
 from burnish.compiler.syntax.sections import Section, sections
 
 from ..suite.processes import at_once
@@ -36,7 +37,8 @@ PIECES = [
     "burnish 1", "\nabstract material A {", "\nfn f(", "\nfn", "\nterm t(x: float) per", "\nx = y",
     "\nspace output", "\nextern block", "\nmixin M for", "\nmaterial\n", "\nimport", "\nrig R : ",
     "\nstruct S <", "from", "\nfn f() = 1 as output\n", "\n/// doc\n/* note */\n",
-    "sum i in 0..n : ", "::", "\n/// doc\n\n// note\n",
+    "sum i in 0..n : ", "::", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
+    "\n/// doc\n\n// note\n",
 ]  # fmt: skip
 """Texts that edits insert: all words and marks, broken ones, and beginnings of declarations."""
 
@@ -229,7 +231,17 @@ def test_sections_may_change_places(read: list[str]) -> None:
     assert read == [half], "one is followed by another header than before"
 
 
-def test_a_mistake_is_read_with_what_is_around_it(read: list[str]) -> None:
+def test_a_mistake_costs_only_its_declaration(
+    read: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And what stands in front of the first header."""
+    parsed: list[str] = []
+    real = parser._Parser.parse
+
+    def noted(self: parser._Parser, chunk: Chunk) -> object:
+        parsed.append(self._tokens[chunk.start].text)
+        return real(self, chunk)
+
     agree(TEXT)
     read.clear()
     broken = TEXT.replace("x / 2", "(x / 2")
@@ -237,8 +249,23 @@ def test_a_mistake_is_read_with_what_is_around_it(read: list[str]) -> None:
     assert len(read) == 1
     assert not agree(broken)
     assert len(read) == 1, "a section that was wrong is wrong"
+    monkeypatch.setattr(parser._Parser, "parse", noted)
+    incremental.parse(Source("a", broken), Report())
+    assert parsed == ["burnish", "import", "fn"]
     assert agree(TEXT)
     assert len(read) == 1, "the others are still known"
+
+
+@pytest.mark.parametrize("closing", ["", "// */\n", "// */ a\n", "/// */\n", ">>>>>>> b\n", "}\n"])
+@pytest.mark.parametrize(
+    "opening", ["", "/*\n", "/// a\n/* b */\n", "=======\n", "\u2028\n", "fn\n"]
+)
+def test_what_reaches_from_one_section_into_another(opening: str, closing: str) -> None:
+    agree(TEXT)
+    borders = sorted({place for each in sections(TEXT) for place in (each.start, each.ahead[0])})
+    for number, first in enumerate(borders):
+        for last in borders[number:]:
+            agree(TEXT[:first] + opening + TEXT[first:last] + closing + TEXT[last:])
 
 
 def test_trees_are_nobody_elses() -> None:
