@@ -104,6 +104,8 @@ def remember_nothing() -> None:
     frontend = importlib.import_module("burnish.compiler.frontend")
     if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
         setattr(frontend, "KNOWN_RIGHT", nothing)  # noqa: B010
+    parser = importlib.import_module("burnish.compiler.syntax.parser")
+    setattr(frontend, "parse", parser.parse)  # noqa: B010
 
 
 def main() -> None:
