@@ -33,7 +33,7 @@ class Late:
         def __getattr__(self, name: str) -> object:
             """Python calls this where it finds nothing: the field is empty, or there is none."""
             if name != self.late:
-                raise AttributeError(name=name, obj=self)
+                raise AttributeError(f"a {type(self).__qualname__} has no {name!r}")
             with _MAKING:  # Values are compared by identity, so all threads get the same.
                 make = getattr(self, "_make", None)
                 if make is not None:

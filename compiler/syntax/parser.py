@@ -136,7 +136,7 @@ def _outside(sections: Sequence[Section], comments: Iterable[Token]) -> Iterator
 def parse_section(source: Source, section: Section) -> Part | None:
     """The content of a section; None if it can only be read together with what is around it.
 
-    So it is if anything in it has to be reported. The section before it has to be without mistakes.
+    So it is if anything in it has to be reported. Sections before it have to be without mistakes.
     """
     found = Report()
     lexed = lex(source, found, section.start, section.end)

@@ -290,7 +290,7 @@ class UnusedDeclarations:
     def _chained(self) -> frozenset[Symbol]:
         """The mixins and bases of the file's records, which have been checked with these."""
         records = (s for s in self._declared if isinstance(s.declaration, ast.Record))
-        return frozenset(chain.from_iterable(self._records.of(s).chain for s in records))
+        return frozenset(chain.from_iterable(map(self._chain, records)))
 
     def _of_function(self, symbol: Symbol, function: ast.Function) -> Iterator[Attempt]:
         """A plain function is right or wrong whatever is shaded, a term only with a surface."""
