@@ -33,6 +33,7 @@ class Records:
         self.work = Work()
         """The work of all elaborations that share these records."""
         self._known: dict[Symbol, Record] = {}
+        self._chains: dict[Symbol, tuple[Symbol, ...]] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""
         self._clashes: set[tuple[Symbol, Symbol, str]] = set()
@@ -45,8 +46,14 @@ class Records:
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
         if symbol not in self._known:
-            self._known[symbol] = self._flatten(symbol)
+            self._known[symbol] = self._flattened(symbol, self.chain(symbol))
         return self._known[symbol]
+
+    def chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
+        """A record with its mixins, its base with the mixins of that, and so on, to the root."""
+        if symbol not in self._chains:
+            self._chains[symbol] = self._chain(symbol)
+        return self._chains[symbol]
 
     def alone(self, mixin: Symbol) -> Record:
         """A mixin in front of the root, which every record of its kind extends.
@@ -62,9 +69,6 @@ class Records:
                 assumed = changed(own.member, value=None)
                 record.definitions[name] = (own, Definition(assumed, mixin, len(record.chain)))
         return record
-
-    def _flatten(self, symbol: Symbol) -> Record:
-        return self._flattened(symbol, self._chain(symbol))
 
     def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))
