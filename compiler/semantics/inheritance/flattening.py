@@ -63,6 +63,10 @@ class Records:
                 record.definitions[name] = (own, Definition(assumed, mixin, len(record.chain)))
         return record
 
+    def of_chain(self, chain: tuple[Symbol, ...]) -> Record:
+        """The record that the last records of another one's chain are by themselves."""
+        return self._flattened(chain[0], chain)
+
     def _flatten(self, symbol: Symbol) -> Record:
         return self._flattened(symbol, self._chain(symbol))
 

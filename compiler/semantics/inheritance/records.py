@@ -71,6 +71,10 @@ class Record:
         """The first declaration of ``name`` (that of the furthest ancestor)."""
         return self.definitions[name][-1]
 
+    def at(self, name: str, level: int) -> Definition:
+        """The definition of ``name`` at ``level`` or further up."""
+        return next(d for d in self.definitions[name] if d.level >= level)
+
     def above(self, name: str, level: int) -> Definition | None:
         """The nearest definition of ``name`` further up the chain than ``level``, if any."""
         return next((d for d in self.definitions.get(name, ()) if d.level > level), None)
