@@ -13,6 +13,7 @@ from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...syntax import ast
+from ..names.kept_of_library import KeptOfLibrary
 from ..names.modules import Module, Symbol
 from ..work import Work
 from .inherited import inherited_names
@@ -23,6 +24,10 @@ MOST_BASES = 64
 
 Each record of a chain is flattened by itself, so the work would grow with the square of its length.
 """
+
+
+_LIBRARY: KeptOfLibrary[Record] = KeptOfLibrary(256)
+"""Records of the library about which nothing was reported. Nobody changes a record later."""
 
 
 class Records:
@@ -45,8 +50,19 @@ class Records:
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
         if symbol not in self._known:
-            self._known[symbol] = self._flatten(symbol)
+            is_own = not symbol.module.is_standard
+            self._known[symbol] = self._flatten(symbol) if is_own else self._of_library(symbol)
         return self._known[symbol]
+
+    def _of_library(self, symbol: Symbol) -> Record:
+        """A record of the library, which is the same in all compiles."""
+        known = _LIBRARY.find(symbol, symbol)
+        if known is None:
+            before = self._report.count
+            known = self._flatten(symbol)
+            if self._report.count == before and not known.baseless:
+                _LIBRARY.keep(symbol, symbol, known)
+        return known
 
     def alone(self, mixin: Symbol) -> Record:
         """A mixin in front of the root, which every record of its kind extends.
