@@ -34,7 +34,7 @@ def replayed(ctx: Context, instance: Instance, name: str, level: int, slot: Slot
         return None
     tree = ctx.tree
     read = partial(_read, ctx, instance, found.definition.member.name.span, slot)
-    replay = Replay(tree, ctx.places, ctx.notes.tables, read)
+    replay = Replay(tree, ctx.places, ctx.notes.tables, ctx.meanings.keep, read)
     # A rule that runs once more finds its own nodes again, and not these (``evaluation``).
     again, tree.again = tree.again, EMPTY
     try:
@@ -58,7 +58,6 @@ def _read(ctx: Context, instance: Instance, span: Span, slot: Slot, reading: Rea
 
 def _remember(ctx: Context, instance: Instance, found: Transcript, values: list[Node]) -> None:
     """Keep what checking would have kept for later checks."""
-    ctx.meanings.keep(values[found.value], found.meaning)
     ctx.records.work.nodes += found.unmade
     for symbol, arguments, of_surface, value in found.calls:
         surface = (instance.surface or instance) if of_surface else None

@@ -38,6 +38,7 @@ from ..state.transcripts import (
     Step,
     Taking,
     Transcript,
+    taking,
 )
 from .instances import instance_of
 from .placeholders import stand_in
@@ -189,7 +190,6 @@ class _Transcribing:
             steps=tuple(steps),
             readings=tuple(step for step in steps if isinstance(step, Reading)),
             value=numbers[value],
-            meaning=self._ctx.meanings.of(value),
             calls=tuple(self._calls(own, numbers)),
             at_vertex=tuple(self._at_vertex(numbers)),
             inputs=frozenset(INPUT.data(node).name for node in needed if node.op == "input"),
@@ -227,8 +227,9 @@ class _Transcribing:
                     yield from numbers.taken(operand)
                 if not _is_closed(done, numbers.of):
                     return
-                operands = tuple(numbers.of[operand] for operand in done.operands)
-                yield Making(done.op, done.type, operands, done.data)
+                operands = taking([numbers.of[operand] for operand in done.operands])
+                meaning = self._ctx.meanings.of(done)
+                yield Making(done.op, done.type, operands, done.data, meaning)
                 numbers.add(done)
 
     def _reading(self, read: SlotRead) -> Reading:

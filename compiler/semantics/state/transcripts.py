@@ -7,7 +7,16 @@ down each step. ``checking/replay.py`` takes the same steps in the tree of anoth
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, MutableMapping
+from collections.abc import (
+    Callable,
+    Hashable,
+    Iterable,
+    Iterator,
+    Mapping,
+    MutableMapping,
+    Sequence,
+)
+from operator import itemgetter
 from typing import Any, TypeAlias
 
 from ....support.frozen import fresh, frozen, record
@@ -30,6 +39,7 @@ class Replay:
     places: Places
     tables: tuple[MutableMapping[int, Any], ...]
     """The notes about nodes (``Notes``)."""
+    keep_meaning: Callable[[Node, Meaning | None], None]
     read: Callable[[Reading], Node]
     """Gives the value of a slot."""
     values: list[Node] = fresh(factory=list)
@@ -42,14 +52,30 @@ class Making:
 
     op: Op
     type: Type
-    operands: tuple[int, ...]
+    operands: Callable[[list[Node]], tuple[Node, ...]]
+    """Takes the operands from the values so far."""
     data: Hashable
+    meaning: Meaning | None
 
     def take(self, replay: Replay) -> None:
         """Make the same node of the operands as they are there."""
         values = replay.values
-        operands = tuple([values[operand] for operand in self.operands])
-        values.append(replay.graph.node(self.op, self.type, operands, self.data))
+        node = replay.graph.node(self.op, self.type, self.operands(values), self.data)
+        replay.keep_meaning(node, self.meaning)
+        values.append(node)
+
+
+def taking(operands: Sequence[int]) -> Callable[[list[Node]], tuple[Node, ...]]:
+    """A function that takes values by their numbers."""
+    if len(operands) > 1:
+        return itemgetter(*operands)
+    return _one_or_none(*operands)
+
+
+def _one_or_none(number: int | None = None) -> Callable[[list[Node]], tuple[Node, ...]]:
+    if number is None:
+        return lambda _values: ()
+    return lambda values: (values[number],)
 
 
 @frozen(eq=False)
@@ -126,8 +152,6 @@ class Transcript:
     """Those of the steps that read slots."""
     value: int
     """The number of the slot's value."""
-    meaning: Meaning | None
-    """The meaning of the value."""
     calls: tuple[tuple[Symbol, tuple[int, ...], bool, int], ...]
     """Functions that were called: with which arguments, whether for the surface, and the value."""
     at_vertex: tuple[tuple[int, int], ...]
