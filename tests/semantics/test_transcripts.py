@@ -230,6 +230,8 @@ def test_a_library_that_changes_is_checked_anew(
         ("uv       : vec2          = vertex_uv", "uv : vec2 = vertex_uv * 2"),
         ("normalize(nonzero(eye - position))", "normalize(eye - position)"),
         ("/// Where the viewer stands", "/// The viewer"),
+        ("rgb per rig = vec3(0.1)", "rgb per view = vec3(0.2)"),
+        ("param eye : point<world> per view", "param eye : point<view> per view"),
         ("clip_position : point<clip> = position in clip", "clip_position : point<clip> = color"),
     ):
         for text in (own, own.replace(*change), own):
