@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import partial
 
+from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
 from ...ir.node import Node
 from ...ir.operations import INPUT
@@ -56,7 +57,10 @@ from .slot_log import (
 
 
 def transcribed(part: LibraryPart) -> Kept:
-    """The transcripts of the library's equations; none at all if something is reported of them."""
+    """The transcripts of the library's equations; none at all if something is reported of them.
+
+    But sums over lights have no value here, as there is no rig, nor has what reads them.
+    """
     ctx, instance = _begun(part)
     if instance is None:
         return {}
@@ -65,8 +69,13 @@ def transcribed(part: LibraryPart) -> Kept:
     log = _logged(ctx, instance)
     for name, definitions in instance.record.definitions.items():
         slot(ctx, instance, name, definitions[0].member.name.span)
-    is_right = not (ctx.report.count or len(ctx.deferred) or ctx.progress.joins_groups)
-    if not is_right or not log.is_clear or len(ctx.types.struct_members) > structures:
+    is_right = all(found.rule is rules.EMPTY_RIG for found in ctx.report.since(0))
+    is_plain = not (len(ctx.deferred) or ctx.progress.joins_groups)
+    if (
+        not (is_right and is_plain)
+        or not log.is_clear
+        or len(ctx.types.struct_members) > structures
+    ):
         return {}
     transcribe = _Transcribing(ctx, instance)
     found: dict[Key, Transcript] = {}
