@@ -64,7 +64,7 @@ def _remember(ctx: Context, instance: Instance, found: Transcript, values: list[
         key = symbol, tuple([values[argument].id for argument in arguments]), surface
         ctx.applied.setdefault(key, values[value])
     for value, inner in found.at_vertex:
-        ctx.crossings.vertex[values[value].id] = values[inner]
+        ctx.crossings.vertex.setdefault(values[value].id, values[inner])
 
 
 # --- which transcripts hold ----------------------------------------------------------------------

@@ -170,7 +170,7 @@ Key: TypeAlias = tuple[str, int]
 
 @frozen
 class LibraryPart:
-    """The part of an instance that is the library's: transcripts of its equations are the same."""
+    """The library's part of an instance: equal parts have the same transcripts."""
 
     chain: tuple[Symbol, ...]
     """Records of the library, each of which extends the next one."""
@@ -221,8 +221,13 @@ def _part_of(chain: tuple[Symbol, ...], instance: Instance) -> LibraryPart | Non
     if not isinstance(declared, ast.Record) or declared.kind not in _KINDS:
         return None
     leaves = [leaf for leaf in instance.leaves.values() if leaf.op == "member"]
-    is_array = all(leaf.operands[0].operands[0].op == "parameter" for leaf in leaves)
-    return LibraryPart(chain, bool(leaves)) if is_array else None
+    return LibraryPart(chain, bool(leaves)) if all(map(_is_of_array, leaves)) else None
+
+
+def _is_of_array(member: Node) -> bool:
+    """True for a member of an element of an array; there are none of a buffer's elements."""
+    element = member.operands[0]
+    return element.op == "index" and element.operands[0].op == "parameter"
 
 
 _KINDS = ("material", "light")
