@@ -63,8 +63,8 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen locks stdlib diagnostics syntax ir library work types names inheritance state "
-        "hints declarations checking lowering"
+        "frozen locks watching stdlib diagnostics syntax ir library work types names inheritance "
+        "state hints declarations checking lowering"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
