@@ -1,7 +1,8 @@
 """Parses a user's file again after an edit: only the sections that the edit has changed.
 
 The front end calls ``parse`` for each file. Sections without a mistake are remembered by their
-text, so it does not matter where they stood before, nor in which file. If anything in a file has
+text, so it does not matter where they stood before, nor in which file. Many texts are read once, so
+a section is remembered when it is read for the second time. If anything in a file has
 to be reported, it is cut into tokens as a whole, since messages depend on what stands around a
 mistake; but even then, other sections are not parsed again.
 """
@@ -33,6 +34,8 @@ _Content = Callable[[], Part] | None
 
 _MISTAKEN = b""
 """Stands for the tree of a section that cannot be read alone."""
+_READ_ONCE = b"?"
+"""Stands for the tree of a section that was read once, and is not remembered yet."""
 
 
 class KnownSections:
@@ -50,6 +53,14 @@ class KnownSections:
         with self._lock:
             return [self._used(key) if key in kept else None for key in keys]
 
+    def is_read_again(self, key: _Key) -> bool:
+        """True if a section was read before; it is noted that it was read now."""
+        with self._lock:
+            again = key in self._kept
+        if not again:
+            self.keep(key, _READ_ONCE)
+        return again
+
     def keep(self, key: _Key, tree: bytes) -> None:
         """Remember a section."""
         with self._lock:
@@ -59,9 +70,10 @@ class KnownSections:
             while self._size > self._most:
                 self._forget(next(iter(self._kept)))
 
-    def _used(self, key: _Key) -> bytes:
+    def _used(self, key: _Key) -> bytes | None:
         self._kept.move_to_end(key)
-        return self._kept[key]
+        tree = self._kept[key]
+        return None if tree is _READ_ONCE else tree
 
     def _forget(self, key: _Key) -> None:
         tree = self._kept.pop(key, None)
@@ -113,6 +125,8 @@ def _same(part: Part) -> Part:
 
 def _keep(key: _Key, part: Part | None, section: Section) -> None:
     """Remember a section, unless expressions are nested so deeply that they cannot be stored."""
+    if not KNOWN_SECTIONS.is_read_again(key):
+        return
     with suppress(RecursionError):
         KNOWN_SECTIONS.keep(key, _MISTAKEN if part is None else stored(part, section.start))
 
