@@ -79,8 +79,8 @@ class Form:
             return Form(self.errors, self.terms, rest, self._shared)
         if not self.errors:
             return Form(other.errors, other.terms, rest, other._shared)
-        errors, places = _together(self.errors, other.errors)
-        return Form(errors, _merged(self.terms, other.terms, places), rest)._limited()
+        errors, one, two = _together(self.errors, other.errors)
+        return Form(errors, _merged(self.terms, one, other.terms, two), rest)._limited()
 
     def widened(self, by: Array) -> Form:
         """The form with a further error of its own."""
@@ -136,8 +136,8 @@ def chosen(
     is_second = ~is_first if is_second is None else is_second & ~is_first
     if _is_all(is_second, y, x):
         return y
-    errors, places = _together(x.errors, y.errors)
-    terms = _merged(_only(is_first, x.terms), _only(is_second, y.terms), places)
+    errors, one, two = _together(x.errors, y.errors)
+    terms = _merged(_only(is_first, x.terms), one, _only(is_second, y.terms), two)
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
     return Form(errors, terms, rest)._limited()
 
@@ -157,16 +157,18 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
     return form.scaled(slope).widened(bend * radius)
 
 
-Place = tuple[int | None, int | None]
-"""The place of an error among those of one form, and among those of another one."""
+Places = tuple[int, ...]
+"""The places of errors among those of a form, or ``_NOWHERE``."""
+_NOWHERE = -1
 
 
-@lru_cache(maxsize=1024)
-def _together(x: Errors, y: Errors) -> tuple[Errors, tuple[Place, ...]]:
-    """The errors of two forms, and the places of each in both."""
+@lru_cache(maxsize=256)
+def _together(x: Errors, y: Errors) -> tuple[Errors, Places, Places]:
+    """The errors of two forms, and the place of each in both."""
     errors = tuple(sorted({*x, *y}))
-    first, second = ({error: place for place, error in enumerate(some)} for some in (x, y))
-    return errors, tuple((first.get(error), second.get(error)) for error in errors)
+    places = ({error: place for place, error in enumerate(some)} for some in (x, y))
+    first, second = (tuple([known.get(each, _NOWHERE) for each in errors]) for known in places)
+    return errors, first, second
 
 
 def _is_all(is_first: Array, x: Form, y: Form) -> bool:
@@ -182,16 +184,15 @@ def _is_all(is_first: Array, x: Form, y: Form) -> bool:
     )
 
 
-def _merged(x: Terms, y: Terms, places: Sequence[Place]) -> Terms:
+def _merged(x: Terms, one: Places, y: Terms, two: Places) -> Terms:
     """The sums of the terms of the same errors."""
 
-    def term(one: int | None, other: int | None) -> Array:
-        if one is None:
-            assert other is not None
-            return y[other]
-        return x[one] if other is None else x[one] + y[other]
+    def term(first: int, second: int) -> Array:
+        if first == _NOWHERE:
+            return y[second]
+        return x[first] if second == _NOWHERE else x[first] + y[second]
 
-    return _of_one_shape([term(*place) for place in places])
+    return _of_one_shape(list(map(term, one, two)))
 
 
 def _of_one_shape(terms: Sequence[Array]) -> Terms:
