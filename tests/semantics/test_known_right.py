@@ -181,7 +181,8 @@ def test_declarations_that_are_known_to_be_right_are_not_even_loaded(
     parts = [f"fn f{i}(x: float) -> float = x\n" for i in range(8)]
     parts += [f"material M{i} {{ color = vec3(f{i}(1)) }}\n" for i in range(8)]
     parts += ["import std.lights\nrig R { key : Directional }\n"]
-    assert not told("".join(parts))
+    for _ in range(2):  # Trees are kept when a text is read again.
+        assert not told("".join(parts))
     made.clear()
     parts[3] = "fn f3(x: float) -> float = x * 2\n"
     assert not told("".join(parts))
