@@ -28,8 +28,8 @@ from .semantics.shading.known_right import KNOWN_RIGHT, NOTHING_KNOWN
 from .semantics.shading.room import has_room
 from .semantics.shading.unused import CandidateContexts, UnusedDeclarations
 from .syntax import ast
+from .syntax.incremental import parse
 from .syntax.load import TOTAL_LIMIT, check_text, decoded, load_source
-from .syntax.parser import parse
 from .watching import is_watched
 
 if TYPE_CHECKING:

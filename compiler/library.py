@@ -18,15 +18,15 @@ from .library_trees import (
     declarations,
     declarations_to_generate,
     flawless,
-    loaded,
     parse_library,
     tree_to_generate,
 )
 from .precomputed import Precomputations
-from .semantics.names.modules import Module, Symbol
+from .semantics.names.modules import Module, Named, Symbol
 from .semantics.names.standard_library import StandardLibrary
 from .syntax import ast
 from .syntax.load import load_source
+from .syntax.stored import loaded
 
 FOLDER = Path(__file__).parent.parent / "stdlib"
 MEANING = "meaning.burnish"
@@ -134,5 +134,5 @@ def _meaning() -> tuple[Module, Mapping[str, bytes]]:
 
 
 def _symbols(tree: bytes, module: Module) -> tuple[Symbol, ...]:
-    declarations = loaded(tree, module.file.source)
+    declarations: list[Named] = loaded(tree, module.file.source)
     return tuple(Symbol(declaration, module) for declaration in declarations)

@@ -1,19 +1,16 @@
 """Syntax trees of library files, which are made when the package is built.
 
 ``library.py`` asks for them. ``generate.py`` writes what ``tree_to_generate`` and
-``declarations_to_generate`` return into a module of the package ``generated``: pickles, because
-these are loaded much faster than a file is parsed. A file that has changed since, or that is not of
-this library, is parsed; so is everything if the parser has changed.
+``declarations_to_generate`` return into a module of the package ``generated``. A file that has
+changed since, or that is not of this library, is parsed; so is everything if the parser has
+changed.
 """
 
 from __future__ import annotations
 
 import os
-import pickle
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache
-from io import BytesIO
-from typing import Any
 
 from .cache import digest
 from .diagnostics.diagnostic import Report
@@ -23,6 +20,7 @@ from .semantics.names.modules import Named
 from .semantics.names.standard_library import Parse
 from .syntax import ast
 from .syntax.parser import parse
+from .syntax.stored import loaded, stored
 
 _FOLDERS = ("compiler/syntax", "compiler/syntax/ast")
 _FILES = ("compiler/library_trees.py", "compiler/diagnostics/source.py", "support/frozen.py")
@@ -34,28 +32,23 @@ def parse_library(source: Source, report: Report) -> ast.File:
     tree = precomputed("library", _key(source))
     if tree is None:
         return parse(source, report)
-    file: ast.File = _unpickled(tree, source)
+    file: ast.File = loaded(tree, source)
     return file
 
 
 def declarations(source: Source) -> Mapping[str, bytes]:
-    """The declarations of a library file by their names, each in a form for ``loaded``.
+    """The declarations of a library file by their names, each as stored bytes.
 
+    Several functions with different arguments may have one name, so each stands for a list.
     This is for a large file of which a compile needs few declarations.
     """
     found: dict[str, bytes] | None = precomputed("library", _key_of_declarations(source))
     return _declarations(source) if found is None else found
 
 
-def loaded(declarations: bytes, source: Source) -> Sequence[Named]:
-    """The trees of all declarations with one name, which are functions with different arguments."""
-    trees: list[Named] = _unpickled(declarations, source)
-    return trees
-
-
 def tree_to_generate(source: Source) -> Precomputations:
     """The tree that ``parse_library`` looks for."""
-    return {_key(source): lambda: _pickled(flawless(source, parse))}
+    return {_key(source): lambda: stored(flawless(source, parse))}
 
 
 def declarations_to_generate(source: Source) -> Precomputations:
@@ -76,7 +69,7 @@ def _declarations(source: Source) -> dict[str, bytes]:
     for declaration in flawless(source, parse).declarations:
         assert not isinstance(declaration, ast.Import)
         declared.setdefault(declaration.name.text, []).append(declaration)
-    return {name: _pickled(overloaded) for name, overloaded in declared.items()}
+    return {name: stored(overloaded) for name, overloaded in declared.items()}
 
 
 def _key(source: Source) -> str:
@@ -101,32 +94,3 @@ def _parser_digest() -> str:
 def _content(path: str) -> bytes:
     with open(path, "rb") as file:  # noqa: PTH123
         return file.read()
-
-
-def _pickled(tree: object) -> bytes:
-    """A tree without its source, which is the same for all parts of it."""
-    stream = BytesIO()
-    _Pickler(stream, pickle.HIGHEST_PROTOCOL).dump(tree)
-    return stream.getvalue()
-
-
-def _unpickled(tree: bytes, source: Source) -> Any:
-    return _Unpickler(BytesIO(tree), source).load()
-
-
-class _Pickler(pickle.Pickler):
-    """Writes a mark wherever a tree refers to its source."""
-
-    def persistent_id(self, part: object) -> str | None:
-        return "source" if isinstance(part, Source) else None
-
-
-class _Unpickler(pickle.Unpickler):
-    """Puts the source in place of these marks."""
-
-    def __init__(self, stream: BytesIO, source: Source) -> None:
-        super().__init__(stream)
-        self._source = source
-
-    def persistent_load(self, _: str) -> Source:
-        return self._source

@@ -253,7 +253,7 @@ class Notes:
     """The name that the parts of a value are called after, where it is not the value's own."""
 
     @cached_property
-    def _tables(self) -> tuple[dict[int, Any], ...]:
+    def tables(self) -> tuple[dict[int, Any], ...]:
         """All of these, in the order of their declaration."""
         return (
             self.names, self.spans, self.docs, self.functions, self.terms, self.arguments,
@@ -262,14 +262,14 @@ class Notes:
 
     def copy(self) -> Notes:
         """The notes as they are now."""
-        return Notes(*map(dict, self._tables))
+        return Notes(*map(dict, self.tables))
 
     def take_over(self, others: Notes, ids: Mapping[int, int]) -> None:
         """Takes over the notes of ``others`` about nodes that have other ids here.
 
         Where several nodes are one here, the first note counts, and the place that comes first.
         """
-        for table, other in zip(self._tables, others._tables, strict=True):
+        for table, other in zip(self.tables, others.tables, strict=True):
             for id_, noted in other.items():
                 if id_ in ids:
                     table.setdefault(ids[id_], noted)
@@ -285,7 +285,7 @@ class Notes:
     def follow(self, old: Node, new: Node) -> None:
         """Hands the notes about a node on to one that replaces it, which keeps its own."""
         id_ = old.id
-        for table in self._tables:
+        for table in self.tables:
             if id_ in table:
                 table.setdefault(new.id, table[id_])
 

@@ -9,7 +9,7 @@ so nothing here calls the evaluator, which keeps all open nodes on a list.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 
 from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
@@ -31,6 +31,8 @@ class Frame:
     """The values of the de Bruijn variables of all binders around the body, the innermost first."""
     formals: Mapping[Formal, Lanes] = fresh(factory=dict)
     values: dict[int, Lanes] = fresh(factory=dict)
+    place: Hashable = None
+    """The place of the body in the whole evaluation: that of the binder, and the turn."""
 
 
 class Opened(ABC):
@@ -74,7 +76,7 @@ class _Application(Opened):
     def __init__(self, node: Node, arguments: list[Lanes], frame: Frame) -> None:
         self._body: tuple[Node, Frame] | None = (
             node.operands[0],
-            _inner(node, frame, tuple(arguments)),
+            _inner(node, frame, tuple(arguments), 0),
         )
 
     def following(self) -> tuple[Node, Frame] | None:
@@ -105,7 +107,7 @@ class _Fold(Opened):
         if self._turn == self._data.bound or self._goes_on is False:
             return None
         self._spend()
-        return self._node.operands[2], _inner(self._node, self._frame, ((self._turn,),))
+        return self._node.operands[2], _inner(self._node, self._frame, ((self._turn,),), self._turn)
 
     def take(self, value: Lanes) -> None:
         kind = scalar_kind(self._node.type) or "float"
@@ -151,7 +153,8 @@ class _Iteration(Opened):
                 self.result = states[0] if len(states) == 1 else tuple(states)
                 return None
             self._spend()
-            self._inner = _inner(self._node, self._frame, ((self._turn,), *self._states))
+            variables = ((self._turn,), *self._states)
+            self._inner = _inner(self._node, self._frame, variables, self._turn)
         return self._bodies[self._position], self._inner
 
     def take(self, value: Lanes) -> None:
@@ -184,8 +187,10 @@ def _anywhere(condition: Lane) -> bool:
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
-def _inner(node: Node, frame: Frame, variables: tuple[Lanes, ...]) -> Frame:
+def _inner(node: Node, frame: Frame, variables: tuple[Lanes, ...], turn: int) -> Frame:
     """A frame for the body of ``node``, with values for the variables that it binds."""
+    place = frame.place, node, turn
     if binders(node):
-        return Frame(frame, variables + frame.bound)
-    return Frame(frame, frame.bound, dict(zip(formals_of(node), variables, strict=True)))
+        return Frame(frame, variables + frame.bound, place=place)
+    formals = dict(zip(formals_of(node), variables, strict=True))
+    return Frame(frame, frame.bound, formals, place=place)

@@ -9,7 +9,8 @@ open (formals). Graphs and binders may be nested without limit.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
+from typing import Protocol
 
 from ...support.frozen import record
 from ..ir.node import Node, bare, bodies_of, reachable
@@ -39,6 +40,17 @@ Stored = Callable[[Lanes], Lanes]
 It is called before each iteration and after the last one. Evaluation continues with the value that
 it returns.
 """
+
+
+class Kept(Protocol):
+    """The values of operations that earlier evaluations have kept (``kept_numbers.py``)."""
+
+    def value(self, node: Node, place: Hashable, operands: list[Lanes]) -> Lanes | None:
+        """The value of an operation at a place of the evaluation, if it was kept."""
+
+    def keep(self, node: Node, place: Hashable, operands: list[Lanes], value: Lanes) -> None:
+        """Keep a value, if that pays."""
+
 
 _ASKED = OUTSIDE | {"cross"}
 """Operations for which ``LeafValues`` may have a value."""
@@ -88,8 +100,13 @@ class Evaluator:
         observer: Observer | None = None,
         most_operations: int | None = None,
         stored: Stored | None = None,
+        kept: Kept | None = None,
     ) -> None:
-        """``most_operations`` limits how many operations are computed; a turn is one, too."""
+        """``most_operations`` limits how many operations are computed; a turn is one, too.
+
+        ``kept`` has values of earlier evaluations with the same array library.
+        """
+        self._kept = kept
         self._stored = stored or _as_it_is
         self._most = most_operations
         self.computed = 0
@@ -177,14 +194,23 @@ class Evaluator:
                     self._spend()
                 if has_bodies:
                     return opened(node, operands, home, self._xp, self._spend, self._stored)
-                known = operands[0] if is_choice else apply(node, operands, self._xp)
-                if self._observer is not None:
-                    known = self._observer(node, operands, known)
+                known = operands[0] if is_choice else self._computed(node, operands, home)
                 if self._uses and home is self._outermost:
                     self._used(before)
             home.values[node.id] = known
             pending.pop()
         return None
+
+    def _computed(self, node: Node, operands: list[Lanes], home: Frame) -> Lanes:
+        """The value of an operation without bodies, as the observer leaves it."""
+        kept = self._kept
+        before = None if kept is None else kept.value(node, home.place, operands)
+        value = apply(node, operands, self._xp) if before is None else before
+        if self._observer is not None:
+            value = self._observer(node, operands, value)
+        if kept is not None and before is None:
+            kept.keep(node, home.place, operands, value)
+        return value
 
     def _operands(
         self, wanted: Sequence[Node], frame: Frame, pending: list[Node]

@@ -16,6 +16,7 @@ from ..ir.operations import BUFFER, PARAMETER
 from ..ir.storage import elements_in_row, place, stored_type
 from ..ir.types import Array, Matrix, Scalar, Struct, Type, Vector
 from .bounds.bounded import constant
+from .kept_numbers import KeptNumbers
 from .namespace import Lanes
 from .storage_buffers import BufferReader, Contents
 
@@ -61,14 +62,18 @@ class HeldValues:
     """The values of a shader's parameters and storage buffers, by name."""
 
     def __init__(
-        self, values: Mapping[str, Any], seen: Callable[[Lanes], Lanes] | None = None
+        self,
+        values: Mapping[str, Any],
+        seen: Callable[[Lanes], Lanes] | None = None,
+        kept: KeptNumbers | None = None,
     ) -> None:
         """``seen`` makes a device's value of a parameter's value.
 
-        Buffers hold numbers of the device already.
+        Buffers hold numbers of the device already. ``kept`` has parameters of earlier draws.
         """
         self._values = values
         self._seen = seen
+        self._kept = kept
         self._found: dict[tuple[Parameter | Buffer, Type], Lanes] = {}
 
     def value(self, node: Node) -> Lanes | None:
@@ -92,7 +97,9 @@ class HeldValues:
         value: Lanes = self._values[leaf.name]
         if node.type != leaf.type:
             value = stored(leaf.type, value)
-        return value if self._seen is None else self._seen(value)
+        if self._seen is not None:
+            value = self._seen(value)
+        return value if self._kept is None else self._kept.parameter(leaf, node.type, value)
 
     def _buffer(self, node: Node) -> Lanes:
         leaf = BUFFER.data(node)

@@ -1,6 +1,6 @@
 """Turns the text of a file into tokens, and reports text that cannot be one.
 
-``parse`` calls ``lex`` once for each file.
+The parser calls ``lex`` once for each text that it reads: a file, or a section of one.
 """
 
 from __future__ import annotations
@@ -46,13 +46,18 @@ def token_pattern() -> re.Pattern[str]:
     return re.compile(f"(?:{either})(?:{tables.patterns['BLANK']})?")
 
 
-def lex(source: Source, report: Report) -> Lexed:
-    """All tokens of ``source``. What cannot be read is reported, and corrected or left out."""
+def lex(source: Source, report: Report, begin: int = 0, until: int | None = None) -> Lexed:
+    """All tokens from ``begin`` to ``until``, by default those of all of ``source``.
+
+    What cannot be read is reported, and corrected or left out.
+    """
     tokens: list[Token] = []
+    passages: list[range] = []
     docs = _DocCollector(source.text, tokens)
-    for match in token_pattern().finditer(source.text):
+    until = len(source.text) if until is None else until
+    for match in token_pattern().finditer(source.text, begin, until):
         kind = match.lastgroup or ""
-        if kind in ("BLANK", "COMMENT"):
+        if kind == "BLANK":
             continue
         word = match[kind]
         start, end = match.span(kind)
@@ -65,10 +70,14 @@ def lex(source: Source, report: Report) -> Lexed:
         elif kind in ("DOC", "FILE_DOC"):
             docs.add(kind, word, start)
         else:
-            mended = mend(kind, word, Span(source, start, end), report)
+            if "\n" in word:
+                passages.append(range(start, end))
+            mended = (
+                None if kind == "COMMENT" else mend(kind, word, Span(source, start, end), report)
+            )
             if mended:
                 tokens.append(mended)
-    return Lexed(tokens, docs.settled())
+    return Lexed(tokens, docs.settled(), passages)
 
 
 class _DocCollector:

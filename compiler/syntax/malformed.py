@@ -50,6 +50,9 @@ _INSTEAD = {
     "!==": "!=", "..=": "..", "::": ".",
 }  # fmt: skip
 
+_CONFLICT_END = "\n>>>>>>>"
+"""The mark behind the side of a merge conflict that is not read."""
+
 _SAME = frozenset(("&&", "||", "!", ":=", "<>", "===", "!=="))
 """Operators whose replacement means the same for all operands."""
 
@@ -89,7 +92,7 @@ def mend(kind: str, word: str, span: Span, report: Report) -> Token | None:
     if kind == "BAD_COMMENT":
         report.add(rules.UNFINISHED_COMMENT, Span(span.source, span.start, span.start + 2))
         return None
-    if kind == "CONFLICT":
+    if kind == "CONFLICT" or (kind == "OTHER_SIDE" and _CONFLICT_END not in word):
         report.add(rules.MERGE_CONFLICT, Span(span.source, span.start, span.start + 7))
     if kind in ("CONFLICT", "OTHER_SIDE"):
         return None

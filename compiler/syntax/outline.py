@@ -13,12 +13,12 @@ from .tokens import RESERVED, Token
 
 NESTING_LIMIT = 200
 
-_TWO_WORDS = frozenset(("abstract", "extern"))
+TWO_WORDS = frozenset(("abstract", "extern"))
 """Words that a second word follows before the name: ``abstract material``, ``extern block``."""
 _AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
 _AWAITS_VALUE = frozenset(("from", "to", "while"))
 """Words of a loop's head; elsewhere they are names, and so may end an equation."""
-_HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
+HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
 _CAN_END = frozenset(
@@ -42,7 +42,7 @@ class Outline:
     """The brackets, depths and declarations of a file, found without the grammar."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
-        self._text = text
+        self.text = text
         self.tokens = tokens
         self.depths: list[int] = []
         """The number of brackets around each token; brackets that are never closed do not count."""
@@ -87,7 +87,7 @@ class Outline:
         if index == 0 or index >= len(self.tokens):
             return True
         before = self.tokens[index - 1].end
-        return "\n" in self._text[before : self.tokens[index].start]
+        return "\n" in self.text[before : self.tokens[index].start]
 
     def can_end(self, index: int) -> bool:
         """True if an expression or declaration can end with the token at ``index``."""
@@ -148,13 +148,13 @@ class Outline:
         in_line = not self.begins_line(index)
         if word == "import" and in_line and self._text_of(self.chunks[-1].start) == "from":
             return 0  # `from file import name`, as elsewhere.
-        length = 3 if word in _TWO_WORDS else 2
+        length = 3 if word in TWO_WORDS else 2
         if not self._open and self._may_follow(index):
             return 1 if self._is_unfinished(index) else length
         complete = (
             self._kind(index + length - 1) == "NAME"
             and self._text_of(index + length - 1) != "in"
-            and self._text_of(index + length) in _HEADER_ENDS
+            and self._text_of(index + length) in HEADER_ENDS
         )
         fits = self._may_follow(index) or self._is_at_margin(index)
         return length if complete and fits else 0
@@ -162,7 +162,7 @@ class Outline:
     def _is_unfinished(self, index: int) -> bool:
         """True if a declaration's word is followed by another declaration instead of a name."""
         return (
-            self._text_of(index + 1) in DECLARATIONS.keys() - _TWO_WORDS
+            self._text_of(index + 1) in DECLARATIONS.keys() - TWO_WORDS
             and self._is_at_margin(index + 1)
             and self._kind(index + 2) == "NAME"
         )
@@ -173,7 +173,7 @@ class Outline:
     def _is_at_margin(self, index: int) -> bool:
         """True if the token is the first of an unindented line."""
         start = self.tokens[index].start
-        return start == 0 or self._text[start - 1] == "\n"
+        return start == 0 or self.text[start - 1] == "\n"
 
     def _ends_parentheses(self, index: int) -> bool:
         """True if a member begins here, although parentheses are still open."""

@@ -1,17 +1,18 @@
-"""Parses a file into its syntax tree.
+"""Parses a file, or a section of one, into its syntax tree.
 
-``compiler/frontend.py`` and ``library.py`` call ``parse`` for each file. It always returns a tree:
+``incremental.py`` and ``library_trees.py`` call ``parse`` for a file. It always returns a tree:
 every mistake is reported, none is raised, and the tree lacks the parts that could not be read.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import accumulate, chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, cast
 
-from ...support.frozen import cached_property
+from ...support.frozen import cached_property, frozen
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Diagnostic, Report
 from ..diagnostics.source import Source, Span
@@ -24,7 +25,8 @@ from .lalr_tables import END, load_tables
 from .lexer import lex
 from .machine import Machine
 from .outline import Chunk, Outline
-from .tokens import Token
+from .sections import Section
+from .tokens import Lexed, Token
 
 if TYPE_CHECKING:
     from .syntax_errors import SyntaxErrors
@@ -34,28 +36,133 @@ _FILE_PARTS = ("record",)
 _OF_WORDS = (rules.FOREIGN_OPERATOR, rules.BAD_NUMBER)
 """Rules about single words. Where whole statements are foreign, there are many such words."""
 
+_Content = tuple[int, tuple[ast.Declaration, ...]]
+"""The edition that a chunk says, and its declarations."""
+_Reused = dict[int, tuple[Section, int, Callable[[], "Part"]]]
+"""By the number of the first chunk of a section: the section, the chunk behind it, its content."""
 
-def parse(source: Source, report: Report) -> ast.File:
-    """The declarations of ``source`` that could be read; ``report`` gets the mistakes."""
+
+@frozen
+class Part:
+    """The content of a section in which there is no mistake."""
+
+    edition: int
+    doc: Sequence[str]
+    """The lines of the file's doc comment that stand in the section."""
+    declarations: tuple[ast.Declaration, ...]
+
+
+@frozen
+class Known:
+    """A section of a text whose content is known, if it is read alone."""
+
+    section: Section
+    header: int
+    """The place of its first token."""
+    content: Callable[[], Part]
+
+
+def parse(source: Source, report: Report, known: Iterable[Known] = ()) -> ast.File:
+    """The declarations of ``source`` that could be read; ``report`` gets the mistakes.
+
+    The declarations in ``known`` sections are not read again, as far as mistakes elsewhere in the
+    text do not reach into them.
+    """
     found = Report()
     lexed = lex(source, found)
     outline = Outline(source.text, lexed.tokens)
     if lexed.tokens and lexed.tokens[0].kind in FOREIGN_FILES:
         _syntax_errors(source, outline, report).foreign(lexed.tokens[0])
         return ast.File(source, 1, "", ())
-    machine = Machine(load_tables(), Builder(lexed.docs, found), source)
-    parser = _Parser(source, outline, machine, found)
-    parts = [parser.parse(chunk) for chunk in outline.chunks]
+    parser = _parser(source, lexed, outline, found)
+    reused = _reused(known, lexed, outline)
+    parts = list(_contents(outline.chunks, reused, parser))
     found = _without_skipped(found, parser.skipped)
     if not found.failed:
-        for line in lexed.docs.unclaimed():
+        sections = [section for section, _, _ in reused.values()]
+        for line in _outside(sections, lexed.docs.unclaimed()):
             found.add(rules.STRAY_DOC, Span(source, line.start, line.end))
     report.extend(sorted(found.diagnostics, key=_place))
     report.unreadable(found.diagnostics)
     report.unread(found.unread_names | parser.unread)
-    edition = max((part[0] for part in parts), default=1)
-    declarations = tuple(chain.from_iterable(part[1] for part in parts))
-    return ast.File(source, edition, "\n".join(lexed.docs.file), declarations)
+    doc = "\n".join(lexed.docs.file)
+    return ast.File(source, _edition(parts), doc, _declarations(parts))
+
+
+def _reused(known: Iterable[Known], lexed: Lexed, outline: Outline) -> _Reused:
+    """The known sections that are chunks of their own in the whole text, too, in order.
+
+    Nothing is open where a chunk begins, so these chunks are read as they were alone, if the same
+    tokens and comments belong to them.
+    """
+    chunks, tokens = outline.chunks, lexed.tokens
+    numbers = {tokens[chunk.start].start: number for number, chunk in enumerate(chunks)}
+    numbers[len(outline.text)] = len(chunks)
+    reused: _Reused = {}
+    for each in known:
+        section = each.section
+        first, behind = numbers.get(each.header), numbers.get(section.ahead[0])
+        if first is None or behind is None:
+            continue
+        last = tokens[chunks[behind - 1].end - 1]
+        is_whole = lexed.docs.above(each.header) >= section.start and last.end <= section.end
+        if is_whole and lexed.is_read(section.start):
+            reused[first] = section, behind, each.content
+    return reused
+
+
+def _contents(chunks: Sequence[Chunk], reused: _Reused, parser: _Parser) -> Iterator[_Content]:
+    """The content of all chunks."""
+    number = 0
+    while number < len(chunks):
+        if number in reused:
+            _, number, content = reused[number]
+            part = content()
+            yield part.edition, part.declarations
+        else:
+            yield parser.parse(chunks[number])
+            number += 1
+
+
+def _outside(sections: Sequence[Section], comments: Iterable[Token]) -> Iterator[Token]:
+    """The comments that stand in none of some sections, which are in order."""
+    starts = [section.start for section in sections]
+    for comment in comments:
+        before = bisect_right(starts, comment.start)
+        if before == 0 or comment.start >= sections[before - 1].end:
+            yield comment
+
+
+def parse_section(source: Source, section: Section) -> Part | None:
+    """The content of a section; None if it can only be read together with what is around it.
+
+    So it is if anything in it has to be reported. Sections before it have to be without mistakes.
+    """
+    found = Report()
+    lexed = lex(source, found, section.start, section.end)
+    ahead = lex(source, found, *section.ahead).tokens
+    outline = Outline(source.text, lexed.tokens + ahead)
+    chunks = outline.chunks
+    if ahead and chunks.pop().start != len(lexed.tokens):
+        return None  # Something of the section reaches over the next header.
+    parser = _parser(source, lexed, outline, found)
+    parts = [parser.parse(chunk) for chunk in chunks]
+    if found.diagnostics or lexed.docs.unclaimed():
+        return None
+    return Part(_edition(parts), lexed.docs.file, _declarations(parts))
+
+
+def _parser(source: Source, lexed: Lexed, outline: Outline, report: Report) -> _Parser:
+    machine = Machine(load_tables(), Builder(lexed.docs, report), source)
+    return _Parser(source, outline, machine, report)
+
+
+def _edition(chunks: Iterable[_Content]) -> int:
+    return max((edition for edition, _ in chunks), default=1)
+
+
+def _declarations(chunks: Iterable[_Content]) -> tuple[ast.Declaration, ...]:
+    return tuple(chain.from_iterable(declarations for _, declarations in chunks))
 
 
 def _without_skipped(found: Report, skipped: list[range]) -> Report:
@@ -106,7 +213,7 @@ class _Parser:
         self.unread: set[str] = set()
         """Names that the unreadable parts may declare, so that nobody reports them as unknown."""
 
-    def parse(self, chunk: Chunk) -> tuple[int, tuple[ast.Declaration, ...]]:
+    def parse(self, chunk: Chunk) -> _Content:
         """The edition and the declarations of ``chunk``, without its broken parts."""
         if chunk.too_deep is not None:
             self._errors.too_deep(chunk.too_deep)
@@ -132,7 +239,7 @@ class _Parser:
                 if failed < index:
                     self.skipped.append(range(self._tokens[failed].end, self._place(index)))
         self._finish(chunk)
-        return cast(tuple[int, tuple[ast.Declaration, ...]], self._machine.result)
+        return cast(_Content, self._machine.result)
 
     @cached_property
     def _errors(self) -> SyntaxErrors:

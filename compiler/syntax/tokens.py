@@ -3,6 +3,8 @@
 # Annotations are evaluated in this module: a named tuple compiles those that are texts, and to load
 # Python's compiler for them would take a hundredth of a short compile.
 
+from bisect import bisect_left
+from operator import attrgetter
 from typing import NamedTuple
 
 RESERVED = frozenset(("and", "else", "false", "if", "mod", "not", "or", "then", "true"))
@@ -48,6 +50,10 @@ class Docs:
         self._claimed.update(lines)
         return "\n".join(line.text for line in lines)
 
+    def above(self, start: int) -> int:
+        """The place of the first comment above whatever starts at ``start``, or else ``start``."""
+        return self._before[start][0].start if start in self._before else start
+
     def unclaimed(self) -> list[Token]:
         """The first line of each comment that describes nothing, because nobody asked for it."""
         groups = (*self._before.values(), *self._after.values())
@@ -55,7 +61,14 @@ class Docs:
 
 
 class Lexed(NamedTuple):
-    """A whole file, lexed."""
+    """A whole text, lexed."""
 
     tokens: list[Token]
     docs: Docs
+    passages: list[range]
+    """Parts of the text over several lines in which nothing is read, such as long comments."""
+
+    def is_read(self, place: int) -> bool:
+        """True if a place lies in none of these parts."""
+        before = bisect_left(self.passages, place, key=attrgetter("start"))
+        return before == 0 or self.passages[before - 1].stop <= place

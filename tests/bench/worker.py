@@ -119,6 +119,8 @@ class Memory:
         frontend = importlib.import_module("burnish.compiler.frontend")
         if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
             self._places.append((frontend, "KNOWN_RIGHT", frontend.KNOWN_RIGHT, nothing))
+        parser = importlib.import_module("burnish.compiler.syntax.parser")
+        self._places.append((frontend, "parse", frontend.parse, parser.parse))
 
     def use(self, remember: bool) -> None:
         """Have compiles remember; or have each of them do its work, also if it is the same."""

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from types import FrameType
+from unittest.mock import patch
 
 import pytest
 
@@ -16,11 +17,13 @@ from burnish.compiler.diagnostics import nearest
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.render import render
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.syntax import incremental
+from burnish.compiler.syntax.incremental import KnownSections
 from burnish.compiler.syntax.parser import parse
 
 
 def calls(work: Callable[[], object]) -> int:
-    """The number of functions that are called while ``work`` runs."""
+    """The number of functions that are called while ``work`` runs, and no text is known yet."""
     count = 0
 
     def profile(_frame: FrameType, event: str, _argument: object) -> None:
@@ -29,7 +32,8 @@ def calls(work: Callable[[], object]) -> int:
 
     sys.setprofile(profile)
     try:
-        work()
+        with patch.object(incremental, "KNOWN_SECTIONS", KnownSections()):
+            work()
     finally:
         sys.setprofile(None)
     return count

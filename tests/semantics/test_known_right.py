@@ -15,7 +15,9 @@ from burnish.compiler.semantics.names.modules import Symbol
 from burnish.compiler.semantics.shading import unused
 from burnish.compiler.semantics.shading.keys import _circles
 from burnish.compiler.semantics.shading.known_right import KnownRight
+from burnish.compiler.syntax import stored
 from burnish.compiler.watching import VARIABLE
+from burnish.support.late import Late, unfinished
 
 PARTS = (
     ("import std.lights.{Directional}\n", "import std.lights.{Directional, Point}\n", ""),
@@ -159,6 +161,32 @@ def test_an_edit_tries_what_it_changes_and_what_names_that(tries: list[str]) -> 
     tries.clear()
     assert not told(f"// A comment.\n{text}")
     assert not tries
+
+
+def test_declarations_that_are_known_to_be_right_are_not_even_loaded(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of their trees, only the headers are; ``M0`` is the material with which others are tried."""
+    made: list[str] = []
+
+    def noted(kind: type[Late], fields: tuple[object, ...], make: Callable[[], object]) -> Late:
+        def now() -> object:
+            made.append(record.name.text)  # type: ignore[attr-defined]
+            return make()
+
+        record = unfinished(kind, fields, now)
+        return record
+
+    monkeypatch.setattr(stored, "unfinished", noted)
+    parts = [f"fn f{i}(x: float) -> float = x\n" for i in range(8)]
+    parts += [f"material M{i} {{ color = vec3(f{i}(1)) }}\n" for i in range(8)]
+    parts += ["import std.lights\nrig R { key : Directional }\n"]
+    for _ in range(2):  # Trees are kept when a text is read again.
+        assert not told("".join(parts))
+    made.clear()
+    parts[3] = "fn f3(x: float) -> float = x * 2\n"
+    assert not told("".join(parts))
+    assert {name for name in made if name[-1].isdigit()} == {"M0", "M3"}
 
 
 def test_what_another_material_reached_first_is_reached_by_those_that_are_left(

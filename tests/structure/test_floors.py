@@ -24,6 +24,7 @@ FLOORS: dict[str, str] = {
     "support.stack": "",
     "support.locks": "",
     "support.garbage": "stack locks",
+    "support.late": "locks",
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.budget": "",
@@ -33,7 +34,7 @@ FLOORS: dict[str, str] = {
     "compiler.srgb": "",
     "compiler.watching": "",
     "compiler.diagnostics": "frozen",
-    "compiler.syntax": "frozen stdlib precomputed diagnostics",
+    "compiler.syntax": "frozen locks late stdlib precomputed diagnostics",
     "compiler.constraints": "frozen",
     "compiler.ir": "frozen stdlib diagnostics constraints",
     "compiler.layout": "ir",
@@ -62,8 +63,8 @@ FLOORS: dict[str, str] = {
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
-        "frozen locks stdlib diagnostics syntax ir library work types names inheritance state "
-        "hints declarations checking lowering"
+        "frozen locks watching stdlib diagnostics syntax ir library work types names inheritance "
+        "state hints declarations checking lowering"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "

@@ -60,6 +60,7 @@ LEFT_OUT: Mapping[str, str] = {
     "semantics/test_depth.py": _LARGE,
     "semantics/test_new_member_kind.py": _COMMANDS,
     "semantics/test_signatures.py": _LARGE,
+    "semantics/test_transcripts.py": _LARGE,
     "semantics/test_work.py": _LARGE,
     "structure/test_generated.py": _COMMANDS,
     "structure/test_wheel.py": "builds a wheel",

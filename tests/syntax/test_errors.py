@@ -15,6 +15,8 @@ from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.syntax.parser import parse
 
+from .dump import messages
+
 BROKEN = sorted((Path(__file__).parent / "broken").glob("*.burnish"))
 
 
@@ -27,3 +29,8 @@ def test_the_messages_are_the_expected_ones(path: Path) -> None:
     if os.environ.get("BURNISH_UPDATE_GOLDEN"):
         expected.write_text(rendered, encoding="utf-8")
     assert rendered == expected.read_text(encoding="utf-8")
+
+
+def test_a_side_of_a_conflict_without_end_is_told() -> None:
+    """Nothing of it is read, so a line that is left over must not hide the rest of a file."""
+    assert messages("a = 1\n=======\nb = 2\n") == ["a merge conflict is left in this file"]

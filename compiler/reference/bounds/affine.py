@@ -13,11 +13,10 @@ Concepts and Applications", 2004; terms here are few, and all else goes into ``r
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
-from typing import NamedTuple
 
 import numpy as np
 
@@ -28,6 +27,7 @@ _numbers = count()
 
 Errors = tuple[int, ...]
 """The numbers of shared errors, in ascending order."""
+Terms = tuple[Array, ...]
 
 MOST = 12
 """The number of errors of its own that a stored lane keeps; all others become one."""
@@ -43,8 +43,12 @@ class Form:
     """The errors of one lane."""
 
     errors: Errors
-    terms: Array
-    """(errors, …): how much each shared error contributes at most, with its sign."""
+    terms: Terms
+    """For each shared error, how much it contributes at most, with its sign: arrays of one shape.
+
+    They are arrays of their own, and not the rows of one, as most forms have terms of another one
+    unchanged.
+    """
     rest: Array
     """The largest magnitude of all other errors together."""
     _shared: Array | None = None
@@ -56,17 +60,17 @@ class Form:
         if not self.errors:
             return self.rest
         if self._shared is None:
-            self._shared = np.add.reduce(np.abs(self.terms))
+            self._shared = _total(self.terms)
         return self._shared + self.rest
 
     def scaled(self, factor: Array) -> Form:
         """The form of a multiple of the lane."""
-        terms = _with_axes(self.terms, np.ndim(factor)) * factor if self.errors else self.terms
+        terms = tuple([term * factor for term in self.terms])
         return Form(self.errors, terms, self.rest * np.abs(factor))
 
     def negated(self) -> Form:
         """The form of the lane with the other sign."""
-        return Form(self.errors, -self.terms, self.rest, self._shared)
+        return Form(self.errors, tuple([-term for term in self.terms]), self.rest, self._shared)
 
     def plus(self, other: Form) -> Form:
         """The form of the sum of two lanes."""
@@ -75,8 +79,6 @@ class Form:
             return Form(self.errors, self.terms, rest, self._shared)
         if not self.errors:
             return Form(other.errors, other.terms, rest, other._shared)
-        if self.errors == other.errors:
-            return Form(self.errors, _joined(self.terms, other.terms), rest)
         errors, one, two = _together(self.errors, other.errors)
         return Form(errors, _merged(self.terms, one, other.terms, two), rest)._limited()
 
@@ -88,7 +90,8 @@ class Form:
         """The form of a lane that is one of two, if they share the same errors."""
         if self.errors != other.errors:
             return None
-        apart = np.abs(_joined(self.terms, -other.terms)).sum(axis=0) if self.errors else 0.0
+        pairs = zip(self.terms, other.terms, strict=True)
+        apart = _total([x - y for x, y in pairs]) if self.errors else 0.0
         return Form(self.errors, self.terms, np.maximum(self.rest, other.rest) + apart)
 
     def shared(self) -> Form:
@@ -98,9 +101,8 @@ class Form:
         the smallest join the rest.
         """
         form = self._largest()
-        terms = np.broadcast_arrays(*form.terms, form.rest) if form.errors else [form.rest]
-        errors = (*form.errors, next(_numbers))
-        return Form(errors, np.stack(terms), np.zeros_like(terms[-1]))
+        terms = _of_one_shape((*form.terms, form.rest))
+        return Form((*form.errors, next(_numbers)), terms, np.zeros_like(terms[-1]))
 
     def _limited(self) -> Form:
         """The form with its largest errors, if it has too many."""
@@ -110,16 +112,16 @@ class Form:
         """The form with its largest errors; the others are a part of the rest."""
         if len(self.errors) <= MOST:
             return self
-        sizes = np.abs(self.terms).reshape(len(self.errors), -1).max(axis=1)
-        order = np.argsort(sizes)
-        kept, merged = sorted(order[-MOST:].tolist()), order[:-MOST]
-        rest = self.rest + np.abs(self.terms[merged]).sum(axis=0)
-        return Form(tuple(self.errors[i] for i in kept), self.terms[kept], rest)
+        order = np.argsort([np.abs(term).max() for term in self.terms]).tolist()
+        kept, merged = sorted(order[-MOST:]), order[:-MOST]
+        rest = self.rest + _total([self.terms[i] for i in merged])
+        errors, terms = (tuple([each[i] for i in kept]) for each in (self.errors, self.terms))
+        return Form(errors, terms, rest)
 
 
 def alone(radius: Array) -> Form:
     """The form of a lane whose error nobody shares."""
-    return Form((), _NO_TERMS, radius)
+    return Form((), (), radius)
 
 
 def chosen(
@@ -135,13 +137,7 @@ def chosen(
     if _is_all(is_second, y, x):
         return y
     errors, one, two = _together(x.errors, y.errors)
-    axes = max(map(np.ndim, (is_first, is_second, x.rest, y.rest)))
-    terms = _NO_TERMS
-    if x.errors:
-        terms = _only(is_first, _with_axes(x.terms, axes))
-    if y.errors:
-        others = _only(is_second, _with_axes(y.terms, axes))
-        terms = _merged(terms, one, others, two) if x.errors else others
+    terms = _merged(_only(is_first, x.terms), one, _only(is_second, y.terms), two)
     rest = np.where(is_first, x.rest, np.where(is_second, y.rest, otherwise))
     return Form(errors, terms, rest)._limited()
 
@@ -161,30 +157,18 @@ def curved(form: Form, slope: Array, slopes_at_ends: tuple[Array, Array], radius
     return form.scaled(slope).widened(bend * radius)
 
 
-_NO_TERMS = np.zeros((0,))
+Places = tuple[int, ...]
+"""The places of errors among those of a form, or ``_NOWHERE``."""
+_NOWHERE = -1
 
 
-class _Places(NamedTuple):
-    """The places of one form's terms among the terms of two forms."""
-
-    size: int
-    """The number of terms of both forms together."""
-    rows: slice | list[int]
-    """A slice, if no other terms are between them: NumPy is faster with one."""
-
-    @classmethod
-    def of(cls, some: Errors, errors: Errors) -> _Places:
-        """The places of some of the errors among all of them."""
-        places = [errors.index(error) for error in some]
-        first, count = min(places, default=0), len(places)
-        adjoin = places == list(range(first, first + count))
-        return cls(len(errors), slice(first, first + count) if adjoin else places)
-
-
-@lru_cache(maxsize=1024)
-def _together(x: Errors, y: Errors) -> tuple[Errors, _Places, _Places]:
+@lru_cache(maxsize=256)
+def _together(x: Errors, y: Errors) -> tuple[Errors, Places, Places]:
+    """The errors of two forms, and the place of each in both."""
     errors = tuple(sorted({*x, *y}))
-    return errors, _Places.of(x, errors), _Places.of(y, errors)
+    places = ({error: place for place, error in enumerate(some)} for some in (x, y))
+    first, second = (tuple([known.get(each, _NOWHERE) for each in errors]) for known in places)
+    return errors, first, second
 
 
 def _is_all(is_first: Array, x: Form, y: Form) -> bool:
@@ -193,55 +177,48 @@ def _is_all(is_first: Array, x: Form, y: Form) -> bool:
     return (
         np.count_nonzero(is_first) == np.size(is_first)
         and np.shape(x.rest) == shape
-        and (x.terms.shape[1:] == shape or not x.errors)
+        and (not x.errors or np.shape(x.terms[0]) == shape)
         and np.shape(y.rest) in ((), shape)
-        and y.terms.shape[1:] in ((), shape)
+        and (not y.errors or np.shape(y.terms[0]) in ((), shape))
         and (not y.errors or set(x.errors).issuperset(y.errors))
     )
 
 
-def _joined(x: Array, y: Array) -> Array:
+def _merged(x: Terms, one: Places, y: Terms, two: Places) -> Terms:
     """The sums of the terms of the same errors."""
-    if x.ndim == y.ndim:
-        return x + y
-    axes = max(x.ndim, y.ndim) - 1
-    return _with_axes(x, axes) + _with_axes(y, axes)
+
+    def term(first: int, second: int) -> Array:
+        if first == _NOWHERE:
+            return y[second]
+        return x[first] if second == _NOWHERE else x[first] + y[second]
+
+    return _of_one_shape(list(map(term, one, two)))
 
 
-def _with_axes(terms: Array, axes: int) -> Array:
-    """Terms of a lane with fewer axes than another, so that they broadcast together with it."""
-    missing = axes + 1 - terms.ndim
-    if missing <= 0:
-        return terms
-    return terms.reshape(terms.shape[0], *[1] * missing, *terms.shape[1:])
+def _of_one_shape(terms: Sequence[Array]) -> Terms:
+    """Terms, each of which has an element for each element of the others."""
+    shapes = {np.shape(term) for term in terms}
+    return tuple(terms if len(shapes) <= 1 else np.broadcast_arrays(*terms))
 
 
-def _merged(x: Array, one: _Places, y: Array, two: _Places) -> Array:
-    """The sums of the terms of the same errors, for terms of different errors."""
-    if x.shape[1:] != y.shape[1:]:
-        return _joined(_placed(x, one), _placed(y, two))
-    terms = _placed(x, one) if one.size > len(x) else x.copy()
-    terms[two.rows] += y
-    return terms
+def _total(terms: Sequence[Array]) -> Array:
+    """The sum of the magnitudes of terms of one shape."""
+    if np.size(terms[0]) == 1:
+        # Of single numbers, one call of NumPy for all takes less time.
+        return np.add.reduce(np.abs(np.array(terms)))
+    total = np.abs(terms[0])
+    for term in terms[1:]:
+        total += np.abs(term)
+    return total
 
 
-def _placed(terms: Array, places: _Places) -> Array:
-    """Terms in their places among more terms, which are zero."""
-    if places.size == len(terms):
-        return terms
-    placed = np.zeros((places.size, *terms.shape[1:]))
-    placed[places.rows] = terms
-    return placed
-
-
-def _only(condition: Array, terms: Array) -> Array:
+def _only(condition: Array, terms: Terms) -> Terms:
     """The terms where a condition holds, and zeros elsewhere.
 
     The bits of a number are taken or not, which is several times as fast as ``np.where``.
     """
     mask = -condition.astype(np.int64)
-    only: Array = (terms.view(np.int64) & mask).view(np.float64)
-    return only
+    return tuple([(term.view(np.int64) & mask).view(np.float64) for term in terms])
 
 
 Derivative = Callable[[Array], Array]

@@ -15,6 +15,7 @@ from ...ir.stages import DISCARD
 from ...ir.types import Type, numbers, width
 from ..bounds import Errors, as_bounded
 from ..cost import check_operations
+from ..kept_numbers import KeptNumbers
 from ..namespace import Lanes
 from .assembly import faces_of
 from .canvas import BLACK, Canvas, Shades, check_layers, nearest, size_of, with_missing
@@ -97,17 +98,19 @@ def draw_onto(
     errors: Errors | None = None,
     progress: Tell | None = None,
     hulls: Hulls | None = None,
+    kept: KeptNumbers | None = None,
 ) -> frozenset[int]:
     """Draws over the content of a canvas, as ``draw`` does on an empty one.
 
     The errors are the same. The canvas has as many samples as ``rules`` say, which are those of the
     pass. ``progress`` is called with the part that is done, and ``hulls`` gets the possible values
-    of undecided samples. Returns the ids of the promises that were broken: of calls of ``nonzero``
-    whose operand was zero at some vertex or pixel, as far as float32 can tell.
+    of undecided samples. ``kept`` keeps numbers for other draws with the same errors. Returns the
+    ids of the promises that were broken: of calls of ``nonzero`` whose operand was zero at some
+    vertex or pixel, as far as float32 can tell.
     """
     size = _size_of(shader, geometry)
     with holding(size, f"what `{shader.name}` draws needs"), np.errstate(all="ignore"):
-        drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors)
+        drawing = _Drawing(canvas, shader, values, textures, geometry, rules, errors, kept)
         drawing.draw(progress, hulls)
     return drawing.broken
 
@@ -136,10 +139,11 @@ class _Drawing:
         geometry: Geometry,
         rules: RasterRules,
         errors: Errors | None,
+        kept: KeptNumbers | None,
     ) -> None:
         self._rules = rules
         check_operations([result.value for result in shader.results], PIXELS_AT_ONCE, shader.name)
-        self._stages = StageEvaluator(shader, values, textures, rules, errors)
+        self._stages = StageEvaluator(shader, values, textures, rules, errors, kept)
         self._vertices: Vertices = self._stages.vertices(geometry)
         self._faces: Faces = faces_of(
             self._vertices.positions,

@@ -22,6 +22,7 @@ from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..evaluate import Evaluator
 from ..held_values import HeldValues, as_rounded
+from ..kept_numbers import KeptNumbers
 from ..live import at_once
 from ..namespace import Lane, Lanes, Namespace
 from ..texture_reads import Reader
@@ -83,12 +84,15 @@ class StageEvaluator:
         textures: Mapping[str, Texels],
         rules: RasterRules,
         errors: Errors | None = None,
+        kept: KeptNumbers | None = None,
     ) -> None:
+        """``kept`` has numbers of other draws with the same errors."""
         if shader.chain != RASTERISED:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
         self.has_bounds = errors is not None
         """True if lanes are ``Bounded``."""
-        self._held = HeldValues(values, as_rounded if self.has_bounds else None)
+        self._held = HeldValues(values, as_rounded if self.has_bounds else None, kept)
+        self._kept = kept
         self.rules = rules
         self._bounds = Bounds(errors or _no_error)
         self._xp: Namespace = self._bounds if self.has_bounds else np
@@ -138,7 +142,7 @@ class StageEvaluator:
             )
 
         watch = _Watch(self, (count,))
-        evaluator = Evaluator(leaves, self._xp, watch)
+        evaluator = Evaluator(leaves, self._xp, watch, kept=self._kept)
         *crossed, position = evaluator.values(self._at_vertices)
         crossings = {
             node.id: tuple(_at_each(lane, count) for lane in lanes)
@@ -169,7 +173,7 @@ class StageEvaluator:
             return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
         watch = _Watch(self, (len(front), self.side, self.side))
-        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered, kept=self._kept)
         found = evaluator.values(self._at_pixels)
         discarded: Any = found.pop(0)[0] if self._discard else False
         watch.end((*(lane for target in found for lane in target), discarded))

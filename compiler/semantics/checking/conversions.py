@@ -20,7 +20,7 @@ from ...syntax.rewriting import declared_space, rewritten
 from ..declarations import transform_paths
 from ..names.modules import Module
 from ..state.context import Context
-from ..state.scope import FAILURE, Failure, Scope, Value
+from ..state.scope import FAILURE, Failure, Scope, Value, Way
 from ..types import meaning_rules
 from ..types.typenames import HOMOGENEOUS, SPACES
 from . import applications, combinations
@@ -80,9 +80,7 @@ def _no_way(ctx: Context, e: ast.Conversion, meaning: Meaning, space: str, scope
     )  # fmt: skip
 
 
-def _taken(
-    ctx: Context, node: Node, meaning: Meaning, path: list[transform_paths.Way], span: Span
-) -> Value:
+def _taken(ctx: Context, node: Node, meaning: Meaning, path: list[Way], span: Span) -> Value:
     """A value carried along a path; a direction is one in the end, too."""
     for way in path:
         matrix = slot(ctx, way.instance, way.name, span)
@@ -99,7 +97,7 @@ def _taken(
 
 
 def _step(
-    ctx: Context, node: Node, kind: str, matrix: Node, way: transform_paths.Way, span: Span
+    ctx: Context, node: Node, kind: str, matrix: Node, way: Way, span: Span
 ) -> Node | Failure:
     if kind == "normal":
         name = "upright_back" if way.back else "upright"

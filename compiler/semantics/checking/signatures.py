@@ -90,9 +90,9 @@ def shared_call(
 def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
     """The result of the body for a signature; ``None`` if no body serves all arguments."""
     signature = call.signature
-    if signature not in ctx.bodies:
+    if signature not in ctx.bodies.known:
         _check_body(ctx, call, span)
-    body = ctx.bodies[signature]
+    body = ctx.bodies.known[signature]
     if body is None or isinstance(body, Failure):
         return body
     if signature.repeated:
@@ -110,8 +110,8 @@ def failed(ctx: Context, signature: Signature, before: int) -> None:
     If nothing was reported since ``before``, the errors in the shared body are.
     """
     if ctx.report.count == before:
-        ctx.report.extend(ctx.withheld[signature])
-    ctx.bodies[signature] = FAILURE
+        ctx.report.extend(ctx.bodies.withheld[signature])
+    ctx.bodies.known[signature] = FAILURE
 
 
 # --- arguments in a signature --------------------------------------------------------------------
@@ -278,8 +278,10 @@ def _finish(
         ctx.report.forget(before)
         ctx.deferred.forget(deferred)
         ctx.report.extend([d for d in found if d.rule is rules.RECURSIVE_FUNCTION])
-        ctx.withheld[signature] = tuple(d for d in found if d.rule is not rules.RECURSIVE_FUNCTION)
-        ctx.bodies[signature] = None
+        ctx.bodies.withheld[signature] = tuple(
+            d for d in found if d.rule is not rules.RECURSIVE_FUNCTION
+        )
+        ctx.bodies.known[signature] = None
         return
     if in_use is not None:
         ctx.deferred.explain(deferred, in_use)
@@ -291,11 +293,11 @@ def _finish(
         body = SharedBody(value, ())
     elif _is_shareable(ctx, value, stand_in.formals):
         closed = _closed(ctx, symbol, value, stand_in.formals)
-        ctx.applicable.add(closed)
+        ctx.bodies.applicable.add(closed)
         body = SharedBody(closed, stand_in.formals)
     else:
         body = None
-    ctx.bodies[signature] = body
+    ctx.bodies.known[signature] = body
 
 
 def _own(
@@ -366,7 +368,7 @@ def _is_shareable(ctx: Context, body: Node, formals: tuple[Formal, ...]) -> bool
     """
     if not _is_delivered(body.type) or is_constant(body):
         return False
-    inside = changing((body,), set(formals), ctx.applicable)
+    inside = changing((body,), set(formals), ctx.bodies.applicable)
     return not any(node.op == "cross" or needs_others(node) for node in inside)
 
 

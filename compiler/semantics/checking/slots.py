@@ -35,6 +35,7 @@ from ..state.scope import (
 from ..types.coercion import coerce, is_adaptable
 from .abstract_slots import way_to_set
 from .cycles import is_cycle
+from .replay import replayed
 from .unknown_names import unknown
 
 
@@ -82,7 +83,7 @@ def slot(
     if key in instance.values:
         return instance.values[key]
     if instance in ctx.is_step and ctx.is_step[instance](key):
-        place = _definition(instance, name, level).member.name.span
+        place = instance.record.at(name, level).member.name.span
         labels = [Label(place, "this is a step")]
         ctx.report.add(rules.NOT_A_VALUE, span, hint=advice.OF_A_STEP, labels=labels)
         return FAILURE
@@ -101,20 +102,19 @@ def slot(
     return instance.values[key]
 
 
-def _definition(instance: Instance, name: str, level: int) -> Definition:
-    """The definition of ``name`` in the record at ``level`` or further up."""
-    return next(d for d in instance.record.definitions[name] if d.level >= level)
-
-
 def _settle_own(ctx: Context, instance: Instance, name: str, span: Span, level: int) -> None:
     """Computes the record's own definition of a slot."""
-    definition = _definition(instance, name, level)
+    definition = instance.record.at(name, level)
     member = definition.member
     if not isinstance(member, ast.Slot):
         _keep(ctx, instance, name, level, _leaf(ctx, instance, member))
     elif member.value is None:
         _report_abstract(ctx, instance, definition, span)
         _keep(ctx, instance, name, level, FAILURE)
+    elif definition.owner.module.is_standard and (
+        known := replayed(ctx, instance, name, level, slot)
+    ):
+        _keep(ctx, instance, name, level, known)
     else:
         _settle_equation(ctx, instance, name, span, level, definition, instance)
 
@@ -330,7 +330,7 @@ def _typing(instance: Instance, name: str) -> Record:
 def _note(ctx: Context, instance: Instance, name: str, level: int, node: Node) -> None:
     """Keep the user's name and doc comment for a value."""
     given = instance.replaced.get(name)
-    own = _definition(instance, name, level)
+    own = instance.record.at(name, level)
     definition = own if level != OUTERMOST or given is None else given.definition
     if definition is not None and isinstance(definition.member, ast.Attribute):
         return

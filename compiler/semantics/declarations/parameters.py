@@ -42,6 +42,7 @@ from ...syntax import ast
 from ...syntax.quoting import quoted
 from ..inheritance.inherited import leaf_definitions
 from ..inheritance.records import Definition, Record
+from ..names.kept_of_library import KeptOfLibrary
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
@@ -97,6 +98,34 @@ def leaves_of(
     One that a derived record, or a rig entry (``given``), has set by an equation is none any more,
     unless an equation builds on it. A host calls them by their names behind that of ``owner``.
     """
+    symbol, key = record.symbol, (record.chain, owner)
+    is_shared = symbol.module.is_standard and isinstance(symbol.declaration, ast.Record)
+    if not is_shared or given:
+        return _leaves(ctx, record, owner, given)
+    known = _LIBRARY.find(symbol, key)
+    if known is None:
+        before = ctx.report.count
+        known = _leaves(ctx, record, owner, given)
+        if ctx.report.count == before and all(map(_is_shared, known)):
+            _LIBRARY.keep(symbol, key, known)
+    return known
+
+
+_LIBRARY: KeptOfLibrary[Leaves] = KeptOfLibrary(256)
+"""Leaves of records of the library, by the chain of records and the owner's name."""
+
+
+def _is_shared(info: LeafInfo) -> bool:
+    """True if a leaf is the same in every compile.
+
+    A structure is called as is best in each program (``named_struct``).
+    """
+    if isinstance(info, ParameterInfo):
+        return not info.members
+    return not isinstance(info, BufferInfo)
+
+
+def _leaves(ctx: Context, record: Record, owner: str, given: Mapping[str, Definition]) -> Leaves:
     return tuple(
         changed(info, library=_library_name(record, name))
         if isinstance(info, ParameterInfo | TextureInfo)
@@ -125,24 +154,22 @@ def library_name(symbol: Symbol) -> str:
     return f"std.{module.path.stem}.{symbol.name}"
 
 
-_STANDARD: dict[tuple[Symbol, str, str], ParameterInfo] = {}
-"""Parameters of the standard library that have been met: by the record that declares them, by their
-name, and by the owner of the leaf. They are the same in every compile, and checking their ranges
-and defaults takes a while."""
+_STANDARD: KeptOfLibrary[ParameterInfo] = KeptOfLibrary(1024)
+"""Parameters of the library: by the record that declares them, by their name, and by the owner of
+the leaf. Checking their ranges and defaults takes a while."""
 
 
 def _of_param(ctx: Context, definition: Definition, name: str, owner: str) -> Leaves:
     if not definition.owner.module.is_standard:
         return _found(parameter_of(ctx, definition, name, owner))
-    key = definition.owner, name, owner
-    known = _STANDARD.get(key)
+    symbol, key = definition.owner, (definition.owner, name, owner)
+    known = _STANDARD.find(symbol, key)
     if known is not None:
         return (known,)
     before = ctx.report.count
     info = parameter_of(ctx, definition, name, owner)
-    # A structure is called as is best in each program (``named_struct``).
-    if info is not None and not info.members and ctx.report.count == before:
-        _STANDARD[key] = info
+    if info is not None and _is_shared(info) and ctx.report.count == before:
+        _STANDARD.keep(symbol, key, info)
     return _found(info)
 
 

@@ -7,37 +7,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ....support.frozen import frozen
 from ...ir.meaning import GEOMETRY, MAPS, Meaning
 from ..state.context import Context
-from ..state.scope import Instance, Scope
+from ..state.scope import Instance, Scope, Way
 from ..types.typenames import HOMOGENEOUS, NAMED
 from .written_types import declared_type
 
 
-@frozen
-class Way:
-    """A transform in scope, and the way in which it is taken."""
-
-    instance: Instance
-    name: str
-    meaning: Meaning
-    back: bool = False
-
-    @property
-    def ends(self) -> tuple[str, ...]:
-        """The spaces from which and to which the way leads."""
-        return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
-
-
-def transforms(ctx: Context, scope: Scope) -> Iterator[Way]:
+def transforms(ctx: Context, scope: Scope) -> tuple[Way, ...]:
     """The transforms that an expression could name, the nearest first."""
-    seen: list[Instance] = []
     passing = ctx.passing if scope.surface is not None else None
-    for instance in (scope.instance, scope.surface, passing):
-        if instance is None or instance in seen:
-            continue
-        seen.append(instance)
+    around = scope.instance, scope.surface, passing
+    if around not in ctx.types.ways:
+        ctx.types.ways[around] = tuple(_transforms(ctx, around))
+    return ctx.types.ways[around]
+
+
+def _transforms(ctx: Context, around: tuple[Instance | None, ...]) -> Iterator[Way]:
+    for instance in filter(None, dict.fromkeys(around)):
         for name in instance.record.definitions:
             typing = instance.record.typing(name)
             if typing is None or typing.member.type is None:
@@ -59,8 +46,8 @@ def _leads(way: Way, kind: str) -> bool:
 
 def path(ctx: Context, meaning: Meaning, space: str, scope: Scope) -> list[Way] | None:
     """The shortest way into a space, backwards along a transform only where there is no other."""
-    forth = list(transforms(ctx, scope))
-    back = [Way(way.instance, way.name, way.meaning, back=True) for way in forth]
+    forth = transforms(ctx, scope)
+    back = tuple(Way(way.instance, way.name, way.meaning, back=True) for way in forth)
     for ways in (forth, forth + back):
         usable = [way for way in ways if _leads(way, meaning.kind)]
         found = _shortest(usable, meaning.spaces[0], space)

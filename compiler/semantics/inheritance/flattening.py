@@ -13,6 +13,7 @@ from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...syntax import ast
+from ..names.kept_of_library import KeptOfLibrary
 from ..names.modules import Module, Symbol
 from ..work import Work
 from .inherited import inherited_names
@@ -25,6 +26,10 @@ Each record of a chain is flattened by itself, so the work would grow with the s
 """
 
 
+_LIBRARY: KeptOfLibrary[Record] = KeptOfLibrary(256)
+"""Records of the library about which nothing was reported. Nobody changes a record later."""
+
+
 class Records:
     """Flattens records; each once. Reports errors in an inheritance chain."""
 
@@ -33,6 +38,7 @@ class Records:
         self.work = Work()
         """The work of all elaborations that share these records."""
         self._known: dict[Symbol, Record] = {}
+        self._chains: dict[Symbol, tuple[Symbol, ...]] = {}
         self._astray: set[Symbol] = set()
         """Records whose base is wrong, which has been reported."""
         self._clashes: set[tuple[Symbol, Symbol, str]] = set()
@@ -45,8 +51,25 @@ class Records:
     def of(self, symbol: Symbol) -> Record:
         """The record that a ``material``, ``light`` or ``pass`` declares."""
         if symbol not in self._known:
-            self._known[symbol] = self._flatten(symbol)
+            is_own = not symbol.module.is_standard
+            self._known[symbol] = self._flatten(symbol) if is_own else self._of_library(symbol)
         return self._known[symbol]
+
+    def _of_library(self, symbol: Symbol) -> Record:
+        """A record of the library, which is the same in all compiles."""
+        known = _LIBRARY.find(symbol, symbol)
+        if known is None:
+            before = self._report.count
+            known = self._flatten(symbol)
+            if self._report.count == before and not known.baseless:
+                _LIBRARY.keep(symbol, symbol, known)
+        return known
+
+    def chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
+        """A record with its mixins, its base with the mixins of that, and so on, to the root."""
+        if symbol not in self._chains:
+            self._chains[symbol] = self._chain(symbol)
+        return self._chains[symbol]
 
     def alone(self, mixin: Symbol) -> Record:
         """A mixin in front of the root, which every record of its kind extends.
@@ -63,8 +86,12 @@ class Records:
                 record.definitions[name] = (own, Definition(assumed, mixin, len(record.chain)))
         return record
 
+    def of_chain(self, chain: tuple[Symbol, ...]) -> Record:
+        """The record that the last records of another one's chain are by themselves."""
+        return self._flattened(chain[0], chain)
+
     def _flatten(self, symbol: Symbol) -> Record:
-        return self._flattened(symbol, self._chain(symbol))
+        return self._flattened(symbol, self.chain(symbol))
 
     def _flattened(self, symbol: Symbol, chain: tuple[Symbol, ...]) -> Record:
         record = Record(symbol, chain, baseless=not self._astray.isdisjoint(chain))

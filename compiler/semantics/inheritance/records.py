@@ -71,6 +71,14 @@ class Record:
         """The first declaration of ``name`` (that of the furthest ancestor)."""
         return self.definitions[name][-1]
 
+    def at(self, name: str, level: int) -> Definition:
+        """The definition of ``name`` at ``level`` or further up."""
+        definitions = self.definitions[name]
+        nearest = definitions[0]
+        return (
+            nearest if nearest.level >= level else next(d for d in definitions if d.level >= level)
+        )
+
     def above(self, name: str, level: int) -> Definition | None:
         """The nearest definition of ``name`` further up the chain than ``level``, if any."""
         return next((d for d in self.definitions.get(name, ()) if d.level > level), None)
@@ -80,9 +88,11 @@ class Record:
 
         The nearest of those that write a type, else a mixin that needs it.
         """
+        for definition in self.definitions[name]:
+            if definition.member.type is not None:
+                return definition
         needed = (d for d in self.requirements if d.member.name.text == name)
-        found = (d for d in (*self.definitions[name], *needed) if d.member.type is not None)
-        return next(found, None)
+        return next((d for d in needed if d.member.type is not None), None)
 
 
 def is_abstract(member: ast.ReadMember) -> bool:

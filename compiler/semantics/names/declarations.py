@@ -6,6 +6,7 @@ its imports are looked up.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from ...diagnostics import rules
@@ -95,14 +96,15 @@ _MEANT_OTHERWISE: Mapping[str, str] = {
     "inherited": "`inherited.name` is what a base says of a slot",
 }
 """Names that stand for something wherever records are described."""
+_ANY_MEANT_OTHERWISE = re.compile(rf"\b(?:{'|'.join(_MEANT_OTHERWISE)})\b")
 
 
 def _check_readable(report: Report, declaration: Named) -> None:
     """A declaration, or a member of a record, must not have a name that means something else."""
     names: list[ast.Name] = []
     match declaration:
-        case ast.Record(members=members) | ast.Mixin(members=members):
-            names = [member.name for member in members if ast.is_read(member)]
+        case ast.Record() | ast.Mixin() if _may_contain_unreadable(declaration):
+            names = [member.name for member in declaration.members if ast.is_read(member)]
         case ast.Function() | ast.Constant() | ast.StructDeclaration() | ast.ExternMember():
             names = [declaration.name]
     for name in names:
@@ -110,6 +112,12 @@ def _check_readable(report: Report, declaration: Named) -> None:
             report.add(
                 rules.UNREADABLE_NAME, name.span, name=name.text, hint=_MEANT_OTHERWISE[name.text]
             )
+
+
+def _may_contain_unreadable(record: ast.Record | ast.Mixin) -> bool:
+    """False if no member can have such a name; then members, which are made late, stay unmade."""
+    text, behind_header = record.span.source.text, record.name.span.end
+    return _ANY_MEANT_OTHERWISE.search(text, behind_header, record.span.end) is not None
 
 
 def _check_inside(report: Report, declaration: Named) -> None:

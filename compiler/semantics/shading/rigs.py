@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container
+from typing import Literal
 
 from ....support.frozen import changed
 from ...diagnostics import rules
@@ -85,10 +86,12 @@ def _light(ctx: Context, rig: Symbol, name: ast.Name) -> Record | None:
     return ctx.records.of(found[0])
 
 
-def light_entry(ctx: Context, light: Record) -> Entry | None:
-    """One light of a kind, as a rig would have it: for checking lights that no rig uses."""
+def light_entry(
+    ctx: Context, light: Record, number: Literal["one", "exactly"] = "one"
+) -> Entry | None:
+    """One light of a kind, or some, as a rig would have it: for checking lights without a rig."""
     name = light.symbol.declaration.name
-    written = ast.RigEntry(name.span, "", name, name, None, "one", ())
+    written = ast.RigEntry(name.span, "", name, name, None, number, ())
     return _entry(ctx, light.symbol, written, light, name.text)
 
 

@@ -204,7 +204,7 @@ class UnusedDeclarations:
         """The number of characters that are read to try a declaration once."""
         match symbol.declaration:
             case ast.Record(kind=kind):
-                length = sum(_written(each) for each in self._records.of(symbol).chain)
+                length = sum(map(_written, self._chain(symbol)))
                 return length + self._material if kind == "pass" else length
             case ast.Rig():
                 return _written(symbol) + self._material
@@ -212,6 +212,14 @@ class UnusedDeclarations:
                 return sum(_written(each) for each in self._records.alone(symbol).chain)
             case _:
                 return _written(symbol)
+
+    def _chain(self, symbol: Symbol) -> tuple[Symbol, ...]:
+        """A record and all that it extends.
+
+        The members of one that is known to be right, which are made late, stay unmade.
+        """
+        records = self._records
+        return records.chain(symbol) if symbol in self._skipped else records.of(symbol).chain
 
     @cached_property
     def _material(self) -> int:
@@ -282,7 +290,7 @@ class UnusedDeclarations:
     def _chained(self) -> frozenset[Symbol]:
         """The mixins and bases of the file's records, which have been checked with these."""
         records = (s for s in self._declared if isinstance(s.declaration, ast.Record))
-        return frozenset(chain.from_iterable(self._records.of(s).chain for s in records))
+        return frozenset(chain.from_iterable(map(self._chain, records)))
 
     def _of_function(self, symbol: Symbol, function: ast.Function) -> Iterator[Attempt]:
         """A plain function is right or wrong whatever is shaded, a term only with a surface."""

@@ -28,7 +28,8 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .deferred import Deferred
 from .places import Places
-from .scope import Application, Failure, Instance, LoopBody, RigEntry, Scope, Value
+from .scope import Application, Failure, Instance, LoopBody, RigEntry, Scope, Value, Way
+from .transcripts import Transcripts
 from .tree import Tree
 
 
@@ -41,6 +42,8 @@ class WrittenTypes:
     structs: dict[Symbol, Declared | None] = fresh(factory=dict)
     struct_members: dict[str, tuple[tuple[str, Type], ...]] = fresh(factory=dict)
     """The members of structures, by the names that texts call them."""
+    ways: dict[tuple[Instance | None, ...], tuple[Way, ...]] = fresh(factory=dict)
+    """The transforms in scope, by the instances around an expression (``transform_paths``)."""
     counts: dict[Hashable, int | None] = fresh(factory=dict)
     """Numbers of elements, by the expression and the type parameters that it may read."""
 
@@ -154,6 +157,8 @@ class Context:
 
         The key is the slot's name and the level at which it is defined.
         """
+        self.transcripts = Transcripts()
+        """How slots of the library got their values in another elaboration."""
         self.call_sizes: dict[Symbol, int] = {}
         """The number of bodies in one call of a function (``call_sizes``)."""
         self.entered: set[Symbol] = set()
@@ -167,12 +172,7 @@ class Context:
         """Surfaces with slots replaced by ``with``, by the surface and the new values."""
         self.shaded_from: dict[Instance, tuple[Instance, Mapping[str, Node | Failure]]] = {}
         """For each of these, the surface without replacements, and the new values."""
-        self.bodies: dict[Signature, SharedBody | Failure | None] = {}
-        """Checked bodies of functions; ``None`` where they depend on the arguments' values."""
-        self.applicable: set[Node] = set()
-        """Bodies in ``bodies`` that do not depend on the caller, with their variables bound."""
-        self.withheld: dict[Signature, tuple[Diagnostic, ...]] = {}
-        """Errors in a function's body that occur as long as nothing is known of its arguments."""
+        self.bodies = SharedBodies()
 
     def follow(self, old: Node, new: Node) -> None:
         """Hands all knowledge about a node on to its copy."""
@@ -243,6 +243,18 @@ class SharedBody:
     """The placeholders for the parts of the arguments, in a body that is repeated."""
     own: tuple[Node, ...] = ()
     """The nodes of a body that is repeated, operands before users."""
+
+
+@record
+class SharedBodies:
+    """The bodies of functions, as far as they have been checked."""
+
+    known: dict[Signature, SharedBody | Failure | None] = fresh(factory=dict)
+    """Checked bodies; ``None`` where they depend on the arguments' values."""
+    applicable: set[Node] = fresh(factory=set)
+    """Bodies among these that do not depend on the caller, with their variables bound."""
+    withheld: dict[Signature, tuple[Diagnostic, ...]] = fresh(factory=dict)
+    """Errors in a function's body that occur as long as nothing is known of its arguments."""
 
 
 @frozen

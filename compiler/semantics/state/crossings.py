@@ -60,7 +60,7 @@ class Crossings:
         self._report = report
         self._follow = follow
         self._places = places
-        self._vertex: dict[int, Node] = {}
+        self.vertex: dict[int, Node] = {}
         """The values of nodes at the vertices, by the nodes' ids."""
         self._missing: dict[int, Node | None] = {}
         """For a node's id, an operation in it that the vertex stage does not have."""
@@ -133,18 +133,18 @@ class Crossings:
 
     def at_vertex(self, root: Node) -> Node:
         """``root`` as the stage computes it whose results are interpolated."""
-        for node in _unseen(root, self._vertex):
-            operands = tuple(self._vertex[operand.id] for operand in node.operands)
+        for node in _unseen(root, self.vertex):
+            operands = tuple(self.vertex[operand.id] for operand in node.operands)
             if node.op == "cross" and CROSS.data(node).destination == FRAGMENTS:
-                self._vertex[node.id] = operands[0]
+                self.vertex[node.id] = operands[0]
             elif operands == node.operands:
-                self._vertex[node.id] = node
+                self.vertex[node.id] = node
             else:
                 new = self._graph.node(node.op, node.type, operands, node.data)
-                self._vertex[node.id] = new
+                self.vertex[node.id] = new
                 self._follow(node, new)
                 self._places.follow(node, new)
-        return self._vertex[root.id]
+        return self.vertex[root.id]
 
     def _missing_at_vertex(self, root: Node) -> Node | None:
         """The first operation in a value that the vertex stage does not have."""

@@ -9,6 +9,7 @@ from ....support.frozen import changed, fresh, frozen, record
 from ...diagnostics.source import Span
 from ...ir.expansion import Expansion
 from ...ir.leaves import Leaf, Parameter
+from ...ir.meaning import Meaning
 from ...ir.node import Node
 from ...ir.shader import PatchPattern, Result
 from ...ir.stages import VERTEX, Crossing, StageRow, SystemInput
@@ -215,6 +216,21 @@ class Inherited:
 
     instance: Instance
     level: int
+
+
+@frozen
+class Way:
+    """A transform in scope, and the way in which it is taken."""
+
+    instance: Instance
+    name: str
+    meaning: Meaning
+    back: bool = False
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The spaces from which and to which the way leads."""
+        return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 
 Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from ....support.frozen import frozen
+from ....support.late import Late
 from ...diagnostics.source import Source, Span
 from .expressions import Expression, Name, Number, TypeName
 from .members import Member, RecordKind, Slot
@@ -25,8 +26,10 @@ class Import:
 
 
 @frozen(eq=False)
-class Record:
+class Record(Late):
     """A ``material``, ``light`` or ``pass``: named members, one base, perhaps abstract."""
+
+    late: ClassVar[str] = "members"
 
     span: Span
     doc: str
@@ -42,8 +45,10 @@ class Record:
 
 
 @frozen(eq=False)
-class Mixin:
+class Mixin(Late):
     """``mixin Flicker for light { … }``: members for records that already have a base."""
+
+    late: ClassVar[str] = "members"
 
     span: Span
     doc: str
@@ -72,8 +77,10 @@ class TypeParameter:
 
 
 @frozen(eq=False)
-class Function:
+class Function(Late):
     """``fn f(a: float) -> float = e`` or ``term t(k: rgb) per light = e where { p = … }``."""
+
+    late: ClassVar[str] = "body"
 
     span: Span
     doc: str

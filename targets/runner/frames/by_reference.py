@@ -28,6 +28,7 @@ from ....compiler.documents.plan import (
 from ....compiler.ir.shader import Shader
 from ....compiler.promises import promises
 from ....compiler.reference.bounds.errors import Errors
+from ....compiler.reference.kept_numbers import KeptNumbers
 from ....compiler.reference.picture import (
     Canvas,
     Counted,
@@ -82,6 +83,8 @@ class ReferenceFrames:
     """The rare rules on which the pictures so far depend."""
     broken: dict[int, frozenset[int]] = field(default_factory=dict)
     """The ids of promises that were broken so far, by the number of the shader."""
+    kept: KeptNumbers = field(default_factory=KeptNumbers)
+    """The numbers that draws have in common."""
     told: Progress | None = None
     """Called with the finished share of the present step, layer and draw."""
     _draws: StepDraws = field(init=False)
@@ -247,7 +250,7 @@ class ReferenceFrames:
         drawn = self._drawn_of(draw, layer)
         broken = draw_onto(
             canvas, drawn.shader, drawn.values, drawn.texels, drawn.geometry, rules, self.errors,
-            self.told, hulls=None if self.errors is None else hulls,
+            self.told, hulls=None if self.errors is None else hulls, kept=self.kept,
         )  # fmt: skip
         self.broken[draw.shader] = self.broken.get(draw.shader, frozenset()) | broken
 
