@@ -214,6 +214,34 @@ def test_morph_targets_add_up(tmp_path: Path) -> None:
     assert second.mesh.channels["morph_position"].tolist() == [[0, 4, 0]] * 3
 
 
+def test_tangents_follow_morph_targets(tmp_path: Path) -> None:
+    """They are those of the targets; or, if the file has none, made of the shape they lead to."""
+    made = triangle()
+    primitive = made.whole["meshes"][0]["primitives"][0]
+    primitive["attributes"] |= {
+        "NORMAL": made.array([(0, 0, 1)] * 3), "TEXCOORD_0": made.array([(0, 0), (1, 0), (0, 1)]),
+    }  # fmt: skip
+    # A quarter turn around z: what was along x is along y.
+    primitive["targets"] = [{"POSITION": made.array([(0, 0, 0), (-1, 1, 0), (-1, -1, 0)])}]
+    made.whole["meshes"][0]["weights"] = [1]
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert np.allclose(found.mesh.channels["morph_tangent"], [(-1, 1, 0)] * 3)
+    primitive["attributes"]["TANGENT"] = made.array([(1, 0, 0, 1)] * 3)
+    primitive["targets"][0]["TANGENT"] = made.array([(0, 0, 2)] * 3)
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert np.allclose(found.mesh.channels["morph_tangent"], [(0, 0, 2)] * 3)
+
+
+def test_flat_normals_follow_morph_targets(tmp_path: Path) -> None:
+    made = triangle(targets=[{}])
+    lifted = made.array([(0, 0, 0), (-1, 0, 1), (0, 0, 0)])
+    made.whole["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": lifted}]
+    made.whole["meshes"][0]["weights"] = [1]
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    channels = found.mesh.channels
+    assert np.allclose(channels["normal"] + channels["morph_normal"], [(-1, 0, 0)] * 3)
+
+
 def test_materials(tmp_path: Path) -> None:
     made = triangle(material=0)
     (tmp_path / "my textures").mkdir()
