@@ -179,6 +179,26 @@ def test_lights(tmp_path: Path) -> None:
     assert (torch.kind, torch.inner, torch.outer, torch.reach) == ("spot", 0.25, 0.5, math.inf)
 
 
+@pytest.mark.parametrize(
+    ("inner", "outer", "read"),
+    [(0.5, 0.5, (0.5, 0.5)), (0.7, 0.5, (0.5, 0.5)), (0.2, 1.5708, (0.2, math.pi / 2))],
+)
+def test_cones_with_a_hard_edge(
+    inner: float, outer: float, read: tuple[float, float], tmp_path: Path
+) -> None:
+    """They are drawn, and a note says which."""
+    made = triangle()
+    made.whole["extensionsUsed"] = ["KHR_lights_punctual"]
+    spot = {"innerConeAngle": inner, "outerConeAngle": outer}
+    made.whole["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": spot}]}}
+    made.whole["nodes"][0]["extensions"] = {"KHR_lights_punctual": {"light": 0}}
+    found = read_gltf(made.save(tmp_path))
+    (torch,) = found.lamps
+    assert (torch.inner, torch.outer) == read
+    said = "light 0: its inner cone is not inside the outer one; its edge is hard"
+    assert found.notes == ((said,) if inner >= outer else ())
+
+
 def test_skins(tmp_path: Path) -> None:
     made = triangle()
     resting = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1]] * 2
