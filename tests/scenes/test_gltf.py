@@ -199,6 +199,13 @@ def test_cones_with_a_hard_edge(
     assert found.notes == ((said,) if inner >= outer else ())
 
 
+def test_a_material_says_if_it_has_two_sides(tmp_path: Path) -> None:
+    made = triangle(material=0)
+    made.add("materials", doubleSided=True)
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert found.look.parameters["is_two_sided"] is True
+
+
 def test_skins(tmp_path: Path) -> None:
     made = triangle()
     resting = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1]] * 2
@@ -288,6 +295,7 @@ def test_materials(tmp_path: Path) -> None:
     assert look.parameters == {
         "base_color": (0.5, 0.25, 1, 0.75), "metallic": 0.5, "roughness": 0.25, "normal_scale": 2,
         "occlusion_strength": 1, "emissive": (8, 4, 0), "is_opaque": False, "alpha_cutoff": 0.25,
+        "is_two_sided": False,
     }  # fmt: skip
     assert look.textures.keys() == {"base_color_map", "metallic_roughness_map", "normal_map"}
     # A colour is sRGB, of which 188 is a half of the light; everything else is numbers.

@@ -6,6 +6,7 @@ import math
 import re
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,11 +47,9 @@ def arriving(light: str, module: str, turn: float, distance: float = 1.0, **valu
         f"import std.{module}.{{{light}}}\nmaterial M {{ color = all_of() }}\n"
         f"term all_of() per light = light.diffuse\nrig R {{ lamp : {light} }}"
     )
-    given = {f"lamp.{name}": value for name, value in values.items()}
-    found = color(text, {
-        "vertex_position": tuple((distance * away).tolist()), "lamp.place": (0.0, 0.0, 0.0),
-        "lamp.axis": (0.0, -1.0, 0.0), **given,
-    })  # fmt: skip
+    given: dict[str, Any] = {f"lamp.{name}": value for name, value in values.items()}
+    given |= {"lamp.place": (0.0, 0.0, 0.0), "lamp.axis": (0.0, -1.0, 0.0)}
+    found = color(text, {"vertex_position": tuple((distance * away).tolist()), **given})
     assert len(set(found)) == 1 and math.isfinite(found[0])
     return float(found[0])
 
