@@ -30,6 +30,9 @@ WIDEST = 1024.0
 BUFFER_SIZES = (0, 1, 3, 8, 13)
 """The numbers of elements that storage buffers get."""
 
+_LARGEST = float(np.finfo(np.float32).max)
+"""The largest number that a parameter can hold."""
+
 _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
 
@@ -149,7 +152,7 @@ def _bounds(shape: Numbers, default: float | None) -> tuple[float, float]:
 def _near(declared: tuple[float, float] | None, default: float | None) -> tuple[float, float]:
     if default:
         ends = (default / SPREAD, default * SPREAD)
-        return min(ends), max(ends)
+        return max(min(ends), -_LARGEST), min(max(ends), _LARGEST)
     if default is None and declared is not None and declared[1] - declared[0] <= WIDEST:
         return declared[0], declared[1]
     return -1.0, 1.0

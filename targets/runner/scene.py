@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
@@ -26,6 +26,7 @@ from .cameras import Camera, Matrix, looking
 from .instances.declared import Declared
 from .instances.host_values import HostValues
 from .instances.shapes import WHOLE, kind_of, lanes_of
+from .instances.values import ParameterError
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look
 from .meshes import BONES, CHANNELS, Mesh, MeshError
@@ -62,19 +63,29 @@ class Scene:
         """
         roles = value_roles(instance.declared)
         given = self._values(aspect)
-        if _POSE in roles.values():
-            given[_POSE] = self._pose()
         for name, role in roles.items():
-            if role in given and name not in but:
+            if name in but:
+                continue
+            if role == _POSE:
+                instance.set(name, self._pose(_bones_of(instance.declared, name), name))
+            elif role in given:
                 instance.set(name, given[role])
         for name, role in texture_roles(instance.declared).items():
             if role in self.look.textures and name not in but:
                 instance.set(name, self.look.textures[role])
         self._place_lights(instance)
 
-    def values(self, aspect: float) -> dict[str, Any]:
-        """The values of the scene that are no light's, by the scene's words for them."""
-        return {**self._values(aspect), _POSE: self._pose()}
+    def values(self, aspect: float, declared: Iterable[Declared] = ()) -> dict[str, Any]:
+        """The values of the scene that are no light's, by the scene's words for them.
+
+        Those ``declared`` which have bones say how many; without any, there is no pose.
+        """
+        found = self._values(aspect)
+        for each in declared:
+            for name, role in value_roles(each).items():
+                if role == _POSE:
+                    found[_POSE] = self._pose(_bones_of(each, name), name)
+        return found
 
     def _values(self, aspect: float) -> dict[str, Any]:
         """The values of the scene without the pose, which may be large and is rarely read."""
@@ -85,8 +96,18 @@ class Scene:
             **self.look.parameters,
         }
 
-    def _pose(self) -> Pose:
-        return pose() if self.bones is None else _padded(self.bones)
+    def _pose(self, count: int, name: str) -> Pose:
+        """The transforms of ``count`` bones, for the parameter ``name``."""
+        if self.bones is None:
+            return pose(count)
+        if len(self.bones) > count:
+            raise ParameterError(
+                name,
+                f"`{name}` has space for {count} bones, and the skin has {len(self.bones)}: the "
+                f"material makes space by `param {name} : mat4[{len(self.bones)}] per draw`",
+            )
+        rest = np.tile(np.eye(4), (count - len(self.bones), 1, 1))
+        return tuple(_columns(bone) for bone in np.concatenate([self.bones, rest]))
 
     def unused_lamps(self, instance: HostValues) -> list[Lamp]:
         """The lights of a file for which the rig has no entry."""
@@ -317,16 +338,18 @@ def _with_lanes(row: VertexInputRow, values: NDArray[Any]) -> NDArray[Any]:
     return values[:, :lanes]
 
 
-_BONES_OF_POSE = 64
-
-
 @cache
-def pose() -> Pose:
-    """A transform for each of 64 bones: the meshes here bend, each bone more than the last one.
+def pose(count: int) -> Pose:
+    """A transform for each of ``count`` bones: the meshes here bend, each bone more than the last.
 
     Every bone rotates around the origin of its own slice of the mesh; see ``meshes.BONES``.
     """
-    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(_BONES_OF_POSE))
+    return tuple(_columns(_bent(min(number, BONES - 1))) for number in range(count))
+
+
+def _bones_of(declared: Declared, name: str) -> int:
+    """The number of bones that a parameter has space for."""
+    return _by_name(declared)[name].layout.count or 1
 
 
 def _bent(number: int) -> Matrix:
@@ -344,9 +367,3 @@ def _bent(number: int) -> Matrix:
 def _columns(matrix: Matrix) -> tuple[tuple[float, ...], ...]:
     """A matrix in the form that hosts set: column after column."""
     return tuple(tuple(column) for column in matrix.T.tolist())
-
-
-def _padded(bones: Matrix) -> Pose:
-    """The bones, filled up to the number that ``pose`` has; more bones stay as they are."""
-    rest = np.tile(np.eye(4), (max(_BONES_OF_POSE - len(bones), 0), 1, 1))
-    return tuple(_columns(bone) for bone in np.concatenate([bones, rest]))

@@ -174,7 +174,8 @@ class _Package:
             bones=model.bones,
         )
         shaders = sorted(self._shaders_of(model))
-        roles = {role for each in shaders for role in value_roles(self._reflection(each)).values()}
+        declared = [self._reflection(each) for each in shaders]
+        roles = {role for each in declared for role in value_roles(each).values()}
         words = {
             word for each in shaders for word in texture_roles(self._reflection(each)).values()
         }
@@ -184,7 +185,7 @@ class _Package:
             geometries={str(each): self._geometry(model.mesh, each) for each in shaders},
             values={
                 role: value
-                for role, value in scene.values(_SQUARE).items()
+                for role, value in scene.values(_SQUARE, declared).items()
                 if role in roles and role not in _CAMERA
             },
             textures={

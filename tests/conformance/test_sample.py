@@ -42,6 +42,8 @@ material Everything {
     param below    : float in -9..-5
     param free     : float
     param large    : float = 100
+    param vast     : float = 3e38
+    param depths   : vec2 = vec2(-3.4e38)
     param signed   : int in -20..20
     param lowest   : int = -2147483648
     param highest  : uint = 4294967295u

@@ -132,6 +132,45 @@ def test_bumps_lean_as_far_as_their_scale_says() -> None:
     assert flat[0] > leaning[0] > leaning[1] > 0.2
 
 
+SLANTED: dict[str, Any] = {
+    "lamp_direction": (-0.6, 0, -0.8), "lamp_diffuse_color": (1, 1, 1), "metallic": 0,
+    "base_color": (1, 1, 1, 1), "normal_map": Texture.solid((0.8, 0.5, 1)), "normal_scale": 1,
+}  # fmt: skip
+"""A square with a bump that leans along u, lit from the right."""
+
+
+def placed(*scale: float) -> dict[str, Any]:
+    """The transform of an object that is scaled along its axes, column by column."""
+    return {"object_to_world": np.diag((*scale, 1.0)).tolist()}
+
+
+@pytest.mark.parametrize("scale", [(-1, 1, -1), (1, -1, -1), (1, 1, -1), (-1, -1, -1)])
+def test_backs_are_lit_or_hidden(scale: tuple[float, ...]) -> None:
+    """The square is turned around, or mirrored, so that its back is seen.
+
+    Its bump leans as it is seen: on a back the other way than the tangent says.
+    """
+    assert middle("Directional", **SLANTED, **placed(*scale)) == [0, 0, 0, 0]
+    leaning = SLANTED if scale[0] < 0 else {
+        **SLANTED, "normal_map": Texture.solid((0.2, 0.5, 1)),
+    }  # fmt: skip
+    shown = middle("Directional", **SLANTED, **placed(*scale), is_two_sided=True)
+    assert np.allclose(shown, middle("Directional", **leaning), rtol=0.02)
+    assert shown[0] > 0.1
+
+
+@pytest.mark.parametrize("scale", [(-1, 1, 1), (1, -1, 1), (-1, -1, 1), (2, 0.5, 1)])
+@pytest.mark.parametrize("is_two_sided", [False, True])
+def test_the_front_of_a_mirrored_mesh_is_its_front(
+    scale: tuple[float, ...], is_two_sided: bool
+) -> None:
+    leaning = SLANTED if scale[0] > 0 else {
+        **SLANTED, "normal_map": Texture.solid((0.2, 0.5, 1)),
+    }  # fmt: skip
+    shown = middle("Directional", **SLANTED, **placed(*scale), is_two_sided=is_two_sided)
+    assert np.allclose(shown, middle("Directional", **leaning), rtol=0.02)
+
+
 @truth("std.gltf.Masked")
 @pytest.mark.parametrize(("alpha", "is_drawn"), [(0.3, False), (0.7, True)])
 def test_the_cutoff(alpha: float, is_drawn: bool) -> None:

@@ -179,6 +179,33 @@ def test_lights(tmp_path: Path) -> None:
     assert (torch.kind, torch.inner, torch.outer, torch.reach) == ("spot", 0.25, 0.5, math.inf)
 
 
+@pytest.mark.parametrize(
+    ("inner", "outer", "read"),
+    [(0.5, 0.5, (0.5, 0.5)), (0.7, 0.5, (0.5, 0.5)), (0.2, 1.5708, (0.2, math.pi / 2))],
+)
+def test_cones_with_a_hard_edge(
+    inner: float, outer: float, read: tuple[float, float], tmp_path: Path
+) -> None:
+    """They are drawn, and a note says which."""
+    made = triangle()
+    made.whole["extensionsUsed"] = ["KHR_lights_punctual"]
+    spot = {"innerConeAngle": inner, "outerConeAngle": outer}
+    made.whole["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": spot}]}}
+    made.whole["nodes"][0]["extensions"] = {"KHR_lights_punctual": {"light": 0}}
+    found = read_gltf(made.save(tmp_path))
+    (torch,) = found.lamps
+    assert (torch.inner, torch.outer) == read
+    said = "light 0: its inner cone is not inside the outer one; its edge is hard"
+    assert found.notes == ((said,) if inner >= outer else ())
+
+
+def test_a_material_says_if_it_has_two_sides(tmp_path: Path) -> None:
+    made = triangle(material=0)
+    made.add("materials", doubleSided=True)
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert found.look.parameters["is_two_sided"] is True
+
+
 def test_skins(tmp_path: Path) -> None:
     made = triangle()
     resting = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1]] * 2
@@ -214,6 +241,34 @@ def test_morph_targets_add_up(tmp_path: Path) -> None:
     assert second.mesh.channels["morph_position"].tolist() == [[0, 4, 0]] * 3
 
 
+def test_tangents_follow_morph_targets(tmp_path: Path) -> None:
+    """They are those of the targets; or, if the file has none, made of the shape they lead to."""
+    made = triangle()
+    primitive = made.whole["meshes"][0]["primitives"][0]
+    primitive["attributes"] |= {
+        "NORMAL": made.array([(0, 0, 1)] * 3), "TEXCOORD_0": made.array([(0, 0), (1, 0), (0, 1)]),
+    }  # fmt: skip
+    # A quarter turn around z: what was along x is along y.
+    primitive["targets"] = [{"POSITION": made.array([(0, 0, 0), (-1, 1, 0), (-1, -1, 0)])}]
+    made.whole["meshes"][0]["weights"] = [1]
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert np.allclose(found.mesh.channels["morph_tangent"], [(-1, 1, 0)] * 3)
+    primitive["attributes"]["TANGENT"] = made.array([(1, 0, 0, 1)] * 3)
+    primitive["targets"][0]["TANGENT"] = made.array([(0, 0, 2)] * 3)
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    assert np.allclose(found.mesh.channels["morph_tangent"], [(0, 0, 2)] * 3)
+
+
+def test_flat_normals_follow_morph_targets(tmp_path: Path) -> None:
+    made = triangle(targets=[{}])
+    lifted = made.array([(0, 0, 0), (-1, 0, 1), (0, 0, 0)])
+    made.whole["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": lifted}]
+    made.whole["meshes"][0]["weights"] = [1]
+    (found,) = read_gltf(made.save(tmp_path)).objects
+    channels = found.mesh.channels
+    assert np.allclose(channels["normal"] + channels["morph_normal"], [(-1, 0, 0)] * 3)
+
+
 def test_materials(tmp_path: Path) -> None:
     made = triangle(material=0)
     (tmp_path / "my textures").mkdir()
@@ -240,6 +295,7 @@ def test_materials(tmp_path: Path) -> None:
     assert look.parameters == {
         "base_color": (0.5, 0.25, 1, 0.75), "metallic": 0.5, "roughness": 0.25, "normal_scale": 2,
         "occlusion_strength": 1, "emissive": (8, 4, 0), "is_opaque": False, "alpha_cutoff": 0.25,
+        "is_two_sided": False,
     }  # fmt: skip
     assert look.textures.keys() == {"base_color_map", "metallic_roughness_map", "normal_map"}
     # A colour is sRGB, of which 188 is a half of the light; everything else is numbers.

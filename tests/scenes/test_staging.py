@@ -144,6 +144,34 @@ def test_bones_move_what_they_hold(tmp_path: Path) -> None:
     assert np.count_nonzero(shown) == 16
 
 
+def with_joints(count: int) -> Builder:
+    """A square of which the last one of many joints moves all vertices."""
+    scene = squares(base(1, 1, 1))
+    primitive = scene.whole["meshes"][0]["primitives"][0]
+    primitive["attributes"] |= {
+        "JOINTS_0": scene.array([(count - 1, 0, 0, 0)] * 4, "u1"),
+        "WEIGHTS_0": scene.array([(1, 0, 0, 0)] * 4),
+    }
+    first = len(scene.whole["nodes"])
+    joints = [*range(first, first + count)]
+    scene.whole["skins"] = [{"joints": joints}]
+    scene.whole["nodes"][0]["skin"] = 0
+    for joint in joints:
+        scene.add("nodes", translation=[1, -2, 0] if joint == joints[-1] else [9, 9, 9])
+    scene.whole["scenes"][0]["nodes"] += joints
+    return scene
+
+
+SKINNED = MOVED.format(module="skinning.{Skinned}", mixin="Skinned")
+LONGER = SKINNED.replace("{ color", "{ param bones : mat4[150] per draw  color")
+
+
+@pytest.mark.parametrize(("joints", "text"), [(100, SKINNED), (150, LONGER), (2, LONGER)])
+def test_a_skin_may_have_many_joints(joints: int, text: str, tmp_path: Path) -> None:
+    shown = drawn(text, with_joints(joints), tmp_path)[..., 3] > 0
+    assert np.argwhere(shown).min(axis=0).tolist() == [12, 12]
+
+
 def test_morph_targets_move_vertices(tmp_path: Path) -> None:
     scene = squares(base(1, 1, 1))
     mesh = scene.whole["meshes"][0]
@@ -169,6 +197,11 @@ REFUSED = {
     "no such tag": (
         ONE.replace("models scene", "models shiny").replace("(scene)", "(shiny)"), triangle(),
         "the frame draws `shiny`, and nothing has this tag: there are no tags",
+    ),
+    "more joints than bones": (
+        SKINNED, with_joints(150),
+        "`bones` has space for 128 bones, and the skin has 150: the material makes space by `param "
+        "bones : mat4[150] per draw`",
     ),
     "nothing": (ONE, triangle(mode=1), "the scene has nothing to draw"),
 }  # fmt: skip

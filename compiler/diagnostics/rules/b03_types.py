@@ -35,7 +35,8 @@ NO_OPERATOR = error(
 OVERRIDE_CHANGES_TYPE = error(
     "B0306",
     "`{name}` is {expected} in `{base}`, and {found} here",
-    "An override keeps the type, because everything the base computes from the slot relies on it.",
+    "An override keeps the type, because everything the base computes from the slot relies on it. "
+    "Only the length of an array may be another one.",
 )
 NOT_CALLABLE = error(
     "B0307",

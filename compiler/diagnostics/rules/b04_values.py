@@ -108,6 +108,12 @@ MIXINS_CLASH = error(
     "continues the definition of another one uses `inherited.name`. A mixin that only needs the "
     "value declares the name with its type and without a value.",
 )
+LEFT_BEHIND = warning(
+    "B0434",
+    "`{record}` overrides `{name}`, and leaves `{companion}` as it was",
+    "What moves a mesh has to move all that belongs to its points. The material has given the slot "
+    "that was left behind a value, for example for a normal map, and it would point elsewhere.",
+)
 
 # Blocks that the host owns
 

@@ -9,6 +9,7 @@ from ...syntax import ast
 from ..inheritance.records import Record
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
+from ..types.coercion import settled
 from .contracts import as_declared
 from .parameters import is_within, limits_of, range_text
 from .written_types import declared_type
@@ -36,6 +37,8 @@ def assigned(
     value = as_declared(ctx, value, wanted, written, scope)
     if isinstance(value, Node):
         _check_range(ctx, record, name, value, written, level)
+        if wanted.meaning is None:
+            value = settled(ctx.tree, value)
     return value
 
 

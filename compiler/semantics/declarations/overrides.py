@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...ir.types import Array, Type
 from ..inheritance.records import Definition
 from ..state.context import Context
 from ..state.scope import FAILURE, OUTERMOST, Instance
@@ -47,7 +48,7 @@ def _keeps_type(ctx: Context, definitions: tuple[Definition, ...]) -> bool:
         own, inherited = types
         if own is None or inherited is None:
             continue
-        if own.type == inherited.type and fits(own.meaning, inherited.meaning):
+        if _may_stand_for(own.type, inherited.type) and fits(own.meaning, inherited.meaning):
             continue
         ctx.report.add(
             rules.OVERRIDE_CHANGES_TYPE, derived.member.name.span,
@@ -57,3 +58,13 @@ def _keeps_type(ctx: Context, definitions: tuple[Definition, ...]) -> bool:
         )  # fmt: skip
         return False
     return True
+
+
+def _may_stand_for(own: Type, inherited: Type) -> bool:
+    """True for the type itself, and for an array of the same elements that has another length.
+
+    Whoever uses a mixin with an array knows how long it has to be. Any index is in bounds.
+    """
+    if isinstance(own, Array) and isinstance(inherited, Array):
+        return own.element == inherited.element
+    return own == inherited

@@ -8,7 +8,7 @@ from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
-from ...ir.node import Node
+from ...ir.node import Node, bare
 from ...ir.render_state import RenderState
 from ...ir.shader import (
     AttributeInfo,
@@ -261,12 +261,18 @@ def _target(
     return Result(TARGET, FRAGMENT, value, name, target.doc, state, span=target.name.span)
 
 
+def _is_never(condition: Node) -> bool:
+    """True for the word `false`, as for a slot that nobody has set."""
+    written = bare(condition)
+    return written.op == "constant" and not written.data
+
+
 def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     combined: Node | None = None
     for discard, owner, level in drawn.every(ast.Discard):
         scope = pass_scope(owner, passing, level)
         condition = typed(ctx, discard.condition, scope, BOOL, "bool")
-        if isinstance(condition, Failure):
+        if isinstance(condition, Failure) or _is_never(condition):
             continue
         combined = condition if combined is None else ctx.tree.node(
             "call", BOOL, (combined, condition), "or"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ....stdlib import COMPANIONS
 from ...diagnostics import rules
 from ...diagnostics.nearest import nearest_in, respelt
 from ...syntax import ast
@@ -24,6 +25,7 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
             check_overridden(ctx, base, made)
             made = base
         check_instance(ctx, instance)
+    _check_companions(ctx, surface)
     known, root = surface.record.definitions, surface.record.root
     inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
     for name, definitions in known.items():
@@ -54,6 +56,24 @@ def check_instance(ctx: Context, instance: Instance) -> None:
         is_slot = isinstance(definitions[0].member, ast.Slot)
         if is_slot and not is_brought(instance.record, name):
             slot(ctx, instance, name, definitions[0].member.name.span)
+
+
+def _check_companions(ctx: Context, surface: Instance) -> None:
+    """Warn of records that override one slot of the library and not another that goes with it.
+
+    It matters only if somebody has given that other slot a value.
+    """
+    for name, (companion, hint) in COMPANIONS.items():
+        own, others = (surface.record.definitions.get(each, ()) for each in (name, companion))
+        together = {definition.owner for definition in others}
+        if len(others) < 2:
+            continue
+        for definition in own:
+            if definition.owner not in together:
+                ctx.report.add(
+                    rules.LEFT_BEHIND, definition.member.name.span, record=definition.owner.name,
+                    name=name, companion=companion, hint=hint,
+                )  # fmt: skip
 
 
 def _check_spelling(

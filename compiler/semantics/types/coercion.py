@@ -18,6 +18,8 @@ def coerce(graph: Graph, node: Node, wanted: Type, *, broadcast: bool = False) -
     """
     if node.type == wanted:
         return node
+    if is_settled(node) and not broadcast:
+        return None
     node = bare(node)
     kind = scalar_kind(wanted)
     if isinstance(wanted, Array):
@@ -69,8 +71,24 @@ def _choices(root: Node) -> list[Node]:
     return [found[number] for number in sorted(found)]
 
 
+def settled(graph: Graph, node: Node) -> Node:
+    """A constant that has been given to a slot whose type is written: it adapts no more.
+
+    So a parameter may override the slot, which would not adapt either.
+    """
+    adapts = isinstance(node.type, Scalar | Array) and is_adaptable(node)
+    return graph.node("as", node.type, (node,), None) if adapts else node
+
+
+def is_settled(node: Node) -> bool:
+    """True for a value that has the type that is written, whatever it was made of."""
+    return node.op == "as" and node.data is None
+
+
 def is_constant(node: Node) -> bool:
     """True if a value is written in the program: a literal, one with a sign, or a choice."""
+    if is_settled(node):
+        return False
     node = bare(node)
     if node.op == "select":
         sides = (side for choice in _choices(node) for side in choice.operands[1:])
@@ -80,6 +98,8 @@ def is_constant(node: Node) -> bool:
 
 def is_adaptable(node: Node) -> bool:
     """True if a value adapts to a type that is required: a constant, or an array of constants."""
+    if is_settled(node):
+        return False
     node = bare(node)
     if node.op == "array":
         return all(is_constant(element) for element in node.operands)

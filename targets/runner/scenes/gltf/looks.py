@@ -70,6 +70,7 @@ class Looks:
                 "occlusion_strength": occlusion.strength if occlusion else 1.0,
                 "emissive": (red * shining, green * shining, blue * shining),
                 "is_opaque": material.alpha_mode == "OPAQUE",
+                "is_two_sided": material.double_sided,
                 "alpha_cutoff": min(material.alpha_cutoff, 1.0) if masked else 0.0,
             },
             {

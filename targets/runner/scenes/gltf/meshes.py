@@ -46,8 +46,8 @@ class Size(NamedTuple):
         )
 
 
-_KEPT_OF_VERTEX, _KEPT_OF_CORNER = 256, 8
-"""The bytes of a mesh: 26 numbers for each vertex, with those of morph targets 32, and the number
+_KEPT_OF_VERTEX, _KEPT_OF_CORNER = 280, 8
+"""The bytes of a mesh: 26 numbers for each vertex, with those of morph targets 35, and the number
 of a vertex for each corner."""
 _PASSING_OF_VERTEX, _PASSING_OF_CORNER = 160, 80
 """Bytes that are needed in addition while a mesh is made, as measured."""
@@ -186,14 +186,17 @@ def _triangles(mode: int, corners: Indices, what: str) -> Indices:
 def _morphs(
     primitive: Primitive, accessors: Accessors, weights: Sequence[float], count: int, what: str
 ) -> Channels:
-    """The sum of all morph targets by their weights: differences of positions and normals."""
+    """The sum of all morph targets by their weights: differences by attribute.
+
+    Tangents that the file lacks are made later, those of the changed shape as well.
+    """
     if len(weights) != len(primitive.targets):
         raise SceneError(
             f"{what}: it has {len(primitive.targets)} morph targets, and {len(weights)} weights"
         )
-    found: Channels = {name: np.zeros((count, 3)) for name in ("morph_position", "morph_normal")}
+    found: Channels = {name: np.zeros((count, 3)) for name in _MORPHS.values()}
     for number, (target, weight) in enumerate(zip(primitive.targets, weights, strict=True)):
-        for attribute, channel in (("POSITION", "morph_position"), ("NORMAL", "morph_normal")):
+        for attribute, channel in _MORPHS.items():
             if attribute in target:
                 place = f"{what}, {attribute} of morph target {number}"
                 moved = accessors.floats(target[attribute], "VEC3", place)
@@ -201,6 +204,22 @@ def _morphs(
                     raise SceneError(f"{place}: it moves {len(moved)} of {count} vertices")
                 found[channel] += weight * moved
     return found
+
+
+_MORPHS = {
+    "POSITION": "morph_position", "NORMAL": "morph_normal", "TANGENT": "morph_tangent",
+}  # fmt: skip
+"""For each attribute of a morph target that is read, the channel of its changes."""
+
+
+def _turning(channels: Channels, triangles: Indices) -> Floats:
+    """The change of the tangents on the way to the shape that the morph targets make."""
+    changed = channels | {
+        name: channels[name] + channels[f"morph_{name}"] for name in ("position", "normal")
+    }
+    changed["normal"] = _unit(changed["normal"], (0, 1, 0))
+    turned: Floats = _tangents(changed, triangles) - channels["tangent"]
+    return turned[:, :3]
 
 
 def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
@@ -212,9 +231,17 @@ def _flat(channels: Channels, triangles: Indices) -> tuple[Channels, Indices]:
         return channels | {"normal": _all_alike((0, 1, 0), len(channels["position"]))}, triangles
     corners = triangles.ravel()
     split = {name: values[corners] for name, values in channels.items()}
-    a, b, c = (split["position"][side::3] for side in range(3))
-    split["normal"] = np.repeat(_unit(np.cross(b - a, c - a), (0, 1, 0)), 3, axis=0)
+    split["normal"] = _flat_normals(split["position"])
+    if "morph_position" in split:
+        changed = _flat_normals(split["position"] + split["morph_position"])
+        split["morph_normal"] = changed - split["normal"]
     return split, np.arange(len(corners)).reshape(-1, 3)
+
+
+def _flat_normals(corners: Floats) -> Floats:
+    """The normal of each triangle, for each of its corners, which follow each other."""
+    a, b, c = (corners[side::3] for side in range(3))
+    return np.repeat(_unit(np.cross(b - a, c - a), (0, 1, 0)), 3, axis=0)
 
 
 def _fill(channels: Channels, triangles: Indices) -> None:
@@ -226,6 +253,8 @@ def _fill(channels: Channels, triangles: Indices) -> None:
     channels["normal"] = _unit(channels["normal"], (0, 1, 0))
     if "tangent" not in channels:
         channels["tangent"] = _tangents(channels, triangles)
+        if "morph_position" in channels:
+            channels["morph_tangent"] = _turning(channels, triangles)
 
 
 def _all_alike(value: Sequence[float], count: int) -> Floats:

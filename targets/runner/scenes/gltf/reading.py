@@ -197,15 +197,19 @@ class _Reader:
         light = lights[named.light]
         red, green, blue = (light.intensity * lane for lane in light.color)
         if light.spot.inner_cone_angle >= light.spot.outer_cone_angle:
-            raise SceneError(f"light {named.light}: its inner cone is not inside the outer one")
+            self._notes.add(
+                f"light {named.light}",
+                ": its inner cone is not inside the outer one; its edge is hard",
+            )
+        outer = min(light.spot.outer_cone_angle, _RIGHT_ANGLE)
         return Lamp(
             light.name or placed.name,
             light.type,
             (red, green, blue),
             _vector(placed.to_world[:3, 3]),
             _vector(-_upright(placed)[:3, 2]),
-            light.spot.inner_cone_angle,
-            min(light.spot.outer_cone_angle, _RIGHT_ANGLE),
+            min(light.spot.inner_cone_angle, outer),
+            outer,
             light.range if light.range is not None else np.inf,
         )
 
