@@ -16,7 +16,7 @@ from .truth import truth
 AROUND = """
 import std.environments.{FaceOfCube, GlossyLight, MattLight}
 pass Slope : FaceOfCube {
-    target light : rgba16f = vec4(vec3(1 + dot(toward, vec3(0.6, 0, 0.8))), 1)
+    target light : rgba16f = vec4((1 + dot(toward, vec3(0.6, 0, 0.8))) * vec3(1, 0.5, 0.25), 1)
 }
 frame F {
     slope  = each face in cube : Slope(screen, 16) with { face = face }
@@ -28,7 +28,8 @@ frame F {
     output mirrored = glossy.light
 }
 """
-"""Light that grows along an axis."""
+"""Coloured light that grows along an axis."""
+TINT = np.array([1.0, 0.5, 0.25])
 
 Floats = NDArray[np.float64]
 
@@ -39,15 +40,76 @@ def drawn() -> ReferenceFrames:
     return drawing
 
 
-def heights() -> Floats:
-    """The part along the axis of the directions of 2 x 2 texels of +x and of -z, row by row."""
+def faced() -> Floats:
+    """The directions of 2 x 2 texels of +x and of -z, row by row."""
     at = np.array([-0.5, 0.5])
     across, down = (each.ravel() for each in np.meshgrid(at, at))
     right = np.stack([np.ones(4), -down, -across], axis=1)
     back = np.stack([-across, -down, -np.ones(4)], axis=1)
     both = np.concatenate([right, back])
-    units = both / np.linalg.norm(both, axis=1, keepdims=True)
-    return np.asarray(units @ np.array([0.6, 0.0, 0.8]), np.float64)
+    return np.asarray(both / np.linalg.norm(both, axis=1, keepdims=True), np.float64)
+
+
+def heights() -> Floats:
+    """The part of these along the axis of the light."""
+    return np.asarray(faced() @ np.array([0.6, 0.0, 0.8]), np.float64)
+
+
+def hammersley(count: int) -> Floats:
+    """Points of a square: the middles of as many strips, and the numbers' bits in reverse order."""
+    numbers = np.arange(count)
+    reverse = [int(f"{number:024b}"[::-1], 2) / 2**24 for number in numbers]
+    return np.stack([(numbers + 0.5) / count, reverse], axis=1)
+
+
+def around(axis: Floats, arrows: Floats) -> Floats:
+    """Directions around +z as they are around an axis, by the basis of Duff and others (2017)."""
+    x, y, z = axis
+    sign = np.copysign(1.0, z)
+    a = -1.0 / (sign + z)
+    first = np.array([1 + sign * x * x * a, sign * x * y * a, -sign * x])
+    second = np.array([x * y * a, sign + y * y * a, -y])
+    return np.asarray(arrows @ np.stack([first, second, axis]))
+
+
+def sampled(arrows: Floats, weights: Floats) -> Floats:
+    """The light from directions around each of those that are faced, weighted."""
+    seen = [1 + around(axis, arrows) @ np.array([0.6, 0.0, 0.8]) for axis in faced()]
+    return np.array([(weights * light).sum() / weights.sum() for light in seen])
+
+
+def on_circle(turn: Floats) -> Floats:
+    return np.stack([np.cos(2 * np.pi * turn), np.sin(2 * np.pi * turn)], axis=1)
+
+
+@truth(
+    "std.environments.FaceOfCube",
+    "std.environments.MattLight",
+    "std.environments.GlossyLight",
+    "std.environments.mirrored_along",
+    "std.environments.weight",
+)
+def test_each_sample_counts() -> None:
+    """The same samples, by NumPy. The light is read from a cube of 16 texels in 16 bits."""
+    x, y = hammersley(64).T
+    matt = np.concatenate([np.sqrt(1 - y)[:, None] * on_circle(x), np.sqrt(y)[:, None]], axis=1)
+    x, y = hammersley(32).T
+    width = 0.7**2
+    squared = (1 - y) / (1 + (width**2 - 1) * y)
+    facets = np.concatenate(
+        [np.sqrt(1 - squared)[:, None] * on_circle(x), np.sqrt(squared)[:, None]], axis=1
+    )
+    mirrored = 2 * facets[:, 2:] * facets - np.array([0.0, 0.0, 1.0])
+    drawing = drawn()
+    for name, arrows, weights in (
+        ("arriving", matt, np.ones(64)),
+        ("mirrored", mirrored, np.maximum(mirrored[:, 2], 0)),
+    ):
+        (level,) = drawing.output(name).levels
+        found = level[0, [0, 5]].reshape(-1, 4)
+        wanted = sampled(arrows, weights)[:, None] * TINT
+        assert found[:, :3] == pytest.approx(wanted, abs=4e-3)
+        assert (found[:, 3] == 1).all()
 
 
 def cosine_of_glossy(width: float) -> float:

@@ -22,7 +22,7 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
 from ..semantics.kit import Painted, at, shader
-from .kit import MESH, close
+from .kit import MESH, Floats, close, unit
 from .truth import truth
 
 SIDE = 9
@@ -224,3 +224,63 @@ def test_colours_of_vertices_multiply_the_base() -> None:
     }  # fmt: skip
     found = at(whole, whole.results_of(TARGET)[0].value, given)
     assert found == close((0.25, 0.2, 1.0, 0.2))
+
+
+def shaded(
+    normal: Floats, light: Floats, eye: Floats, base: Floats, metallic: float, roughness: float
+) -> Floats:
+    """Appendix B of the specification for any directions."""
+    alpha = max(roughness, 0.045) ** 2  # The library's least roughness.
+    half = unit(light + eye)
+    n_dot_l, n_dot_v = (max(float(normal @ each), 0.0) for each in (light, eye))
+    n_dot_h, h_dot_v = (max(float(half @ each), 0.0) for each in (normal, eye))
+    f0 = 0.04 * (1 - metallic) + base * metallic
+    fresnel = f0 + (1 - f0) * (1 - h_dot_v) ** 5
+    distribution = alpha**2 / (math.pi * (n_dot_h**2 * (alpha**2 - 1) + 1) ** 2)
+
+    def visible(cosine: float) -> float:
+        return 1 / (cosine + math.sqrt(alpha**2 + (1 - alpha**2) * cosine**2))
+
+    specular = fresnel * distribution * visible(n_dot_l) * visible(n_dot_v)
+    return np.asarray(((1 - fresnel) * base * (1 - metallic) / math.pi + specular) * n_dot_l)
+
+
+BASE = np.array((0.8, 0.5, 0.2))
+
+
+@truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough", "std.gltf.leaning")
+@pytest.mark.parametrize(
+    ("towards", "roughness", "scale"),
+    [
+        ((0.6, 0.0, 0.8), 0.5, 1.0),
+        ((-0.3, 0.5, 0.8), 0.0, 0.5),  # as smooth as it can be
+        ((0.9, 0.1, 0.1), 0.7, -2.0),
+        ((-0.8, 0.2, -0.6), 0.7, 1.0),  # from behind
+    ],
+)
+def test_a_bent_surface(towards: tuple[float, ...], roughness: float, scale: float) -> None:
+    """The square is in the plane of x and y, so its axes are those of the world."""
+    texel, rough, metal, occluded = (204, 102, 230), 178, 128, 51
+    light = unit(towards)
+    found = middle(
+        "Directional", lamp_direction=tuple(-light), lamp_diffuse_color=(1, 1, 1),
+        base_color=(*BASE, 1), metallic=0.75, roughness=roughness, normal_scale=scale,
+        normal_map=Texture.solid(tuple(lane / 255 for lane in texel)),
+        metallic_roughness_map=Texture.solid((0, rough / 255, metal / 255, 1)),
+        occlusion_map=Texture.solid((occluded / 255, 1, 1)), occlusion_strength=0.5,
+        ambient_light=(0.1, 0.2, 0.4), emissive=(0.5, 0.25, 1), emissive_map=Texture.solid((1, 0, 1)),
+    )  # fmt: skip
+    lean = 2 * np.array(texel) / 255 - 1
+    normal = unit(lean * (scale, scale, 1))
+    metallic = 0.75 * metal / 255
+    wanted = shaded(normal, light, np.array((0, 0, 1.0)), BASE, metallic, roughness * rough / 255)
+    occlusion = 0.5 + 0.5 * occluded / 255
+    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * BASE * (1 - metallic) + (0.5, 0, 1)
+    assert np.allclose(found[:3], wanted, rtol=2e-5)
+
+
+@truth("std.gltf.PunctualPoint")
+def test_a_short_reach_ends() -> None:
+    whole = middle("PunctualPoint", lamp_place=(0, 0, 0.25))[0]
+    ending = middle("PunctualPoint", lamp_place=(0, 0, 0.25), lamp_reach=0.5)[0]
+    assert ending == pytest.approx(whole * (1 - 0.5**4), rel=1e-4)

@@ -20,13 +20,18 @@ from .truth import truth
 @truth("std.prelude.fwidth")
 def test_changes_in_both_directions_are_added() -> None:
     """In a quad of pixels, ``uv`` changes by -0.25 across and by 0.125 down."""
-    whole = shader("material M { color = vec3(fwidth(uv.x), fwidth(2 * uv)) }")
+    whole = shader("material M { color = vec3(fwidth(uv.x), fwidth(-2 * uv)) }")
     u = np.array([[[0.75, 0.5], [0.875, 0.625]]])
     v = np.array([[[0.1, 0.1], [0.6, 0.6]]])
     (target,) = whole.results_of(TARGET)
     crossing = leaves(whole, {**MESH, "vertex_uv": (u, v)})
     found = evaluate(target.value, crossing, np)
     assert [float(np.ravel(lane)[0]) for lane in found[:3]] == close((0.375, 0.75, 1.0))
+
+
+@truth("std.prelude.Surface", "std.prelude.Forward")
+def test_a_surface_without_equations_is_grey() -> None:
+    assert shown("material M {}") == close((0.8, 0.8, 0.8))
 
 
 @truth("std.prelude.Daylight", "std.prelude.Light")

@@ -28,7 +28,7 @@ kernel Highest : Greatest { }
 kernel Blocks : BlockCounts { }
 kernel Before : PrefixSums { }
 """
-SIZES = (1, 63, 64, 65, 4095, 4097, 5000)
+SIZES = (1, 63, 64, 65, 4095, 4096, 4097, 5000)
 Array = NDArray[Any]
 
 
@@ -71,6 +71,15 @@ def test_one_element_is_left(count: int) -> None:
     assert reduced("Whole", values) == values.sum()
     assert reduced("Lowest", values) == values.min()
     assert reduced("Highest", values) == values.max()
+
+
+@truth("std.reductions.Least", "std.reductions.Greatest")
+@pytest.mark.parametrize("place", [0, 1, 63, 64, 100, 127, 130, 194, 255])
+def test_the_extreme_element_is_found_wherever_it_is(place: int) -> None:
+    values = np.zeros(256, np.float32)
+    values[place] = -1
+    assert reduced("Lowest", values) == -1
+    assert reduced("Highest", -values) == 1
 
 
 def prefix_sums(counts: Array) -> Array:

@@ -79,7 +79,10 @@ def test_nine_comparisons_around_a_place(kind: str, layer: str, others: tuple[fl
 
 @truth("std.shadows.ShadowedSpot")
 def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
-    """The point is on the lamp's axis: in the middle of the map, at the depth of a perspective."""
+    """The point is on the lamp's axis: in the middle of the map, at the depth of a perspective.
+
+    The bias moves it by its share of the way towards the lamp.
+    """
     away, near, far = 1.5, 0.2, 9.0
     to_lamp = unit((0.3, 1.4, 0.8))
     shadow = Compared(line=0.5 + 0.5 * 2.0 / SIZE[0])  # Six of nine places are lit.
@@ -95,7 +98,7 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     lit = shown(text, **given, **{"lamp.shadow": shadow})
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.5, 0.5, 2.0))
-    assert asked[:, 2] == close(np.full(9, far / (far - near) * (1 - near / away) - 0.01))
+    assert asked[:, 2] == close(np.full(9, far / (far - near) * (1 - near / (0.99 * away))))
     assert lit == close([6 / 9 * max(NORMAL_IN_WORLD @ to_lamp, 0.0)] * 3)
     dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
     assert dark == close((0, 0, 0))
@@ -116,7 +119,14 @@ def seeing(middle: tuple[float, float, float]) -> Floats:
     return camera
 
 
-@truth("std.shadows.first_to_show")
+def deep(middle: tuple[float, float, float]) -> Floats:
+    """The same camera, which sees four times as far in both directions."""
+    camera = seeing(middle)
+    camera[2] = (0, 0, 0.25, 0.375)
+    return camera
+
+
+@truth("std.shadows.first_to_show", "std.frames.shows", "std.frames.is_in_picture")
 @pytest.mark.parametrize(
     ("place", "number"),
     [
@@ -125,10 +135,12 @@ def seeing(middle: tuple[float, float, float]) -> Floats:
         ((2.0, 0.0, 0.5), 1),  # beside the first one
         ((0.0, -2.0, 0.5), 2),  # below all but the last one
         ((0.0, 9.0, 0.5), 2),  # nowhere
+        ((0.7, 0.0, 1.25), 1),  # behind what the first one sees
+        ((0.7, 0.0, -0.25), 1),  # before it
     ],
 )
 def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int) -> None:
-    cameras = (seeing((0, 0, 0)), seeing((1.5, 0, 0)), seeing((0, -2.5, 0)))
+    cameras = (seeing((0, 0, 0)), deep((1.5, 0, 0)), seeing((0, -2.5, 0)))
     found = shown(
         "import std.shadows.{first_to_show}\n"
         "material M { param cameras : transform<world, clip>[3]  param at : point<world>\n"
@@ -178,3 +190,40 @@ def test_the_sun_sees_a_ball(direction: tuple[float, ...], up: tuple[float, ...]
     right = np.cross(sun, above)
     assert moved(camera, middle + radius * above)[:2] == close((0, 1))
     assert moved(camera, middle + radius * right)[:2] == close((1, 0))
+
+
+@truth("std.frames.shows", "std.frames.is_in_picture")
+@pytest.mark.parametrize(
+    ("place", "margin", "is_shown"),
+    [
+        ((0.95, 0.0, 0.5), 0.0, 1), ((0.95, 0.0, 0.5), 0.1, 0), ((0.0, -0.85, 0.5), 0.1, 1),
+        ((0.0, 0.0, 0.0), 0.0, 1), ((0.0, 0.0, 1.0), 0.0, 1), ((0.0, 0.0, 1.01), 0.0, 0),
+        ((0.0, 0.0, -0.01), 0.0, 0), ((0.0, 1.01, 0.5), 0.0, 0), ((-1.01, 0.0, 0.5), 0.0, 0),
+    ],
+)  # fmt: skip
+def test_what_a_camera_shows(place: tuple[float, ...], margin: float, is_shown: int) -> None:
+    """Also where clip space is turned inside out: behind the camera w is negative."""
+    for camera, wanted in ((np.eye(4), is_shown), (-np.eye(4), 0)):
+        found = shown(
+            "import std.frames.{shows}\n"
+            "material M { param camera : transform<world, clip>  param at : point<world>\n"
+            f"color = vec3(float(shows(camera, at, {margin}))) }}",
+            camera=columns(camera), at=place,
+        )  # fmt: skip
+        assert found == close([wanted] * 3)
+
+
+@truth("std.shadows.share_lit", "std.frames.is_in_picture")
+@pytest.mark.parametrize(
+    ("place", "share"), [((0.2, 0.0, 0.5), 0.0), ((2.0, 0.0, 0.5), 1.0), ((0.0, -1.5, 0.5), 1.0)]
+)
+def test_all_light_arrives_beside_a_map(place: tuple[float, ...], share: float) -> None:
+    found = shown(
+        "import std.shadows.{share_lit}\n"
+        "material M { map shadow : depth2d  map shadows : depth2d_array\n"
+        "param camera : transform<world, clip>  param at : point<world>\n"
+        "color = vec3(share_lit(shadow, camera, at, 0, 1),"
+        " share_lit(shadows, 1, camera, at, 0, 1), 0) }",
+        camera=columns(np.eye(4)), at=place, shadow=Compared(-9.0), shadows=Compared(-9.0),
+    )  # fmt: skip
+    assert found == close((share, share, 0))

@@ -143,7 +143,7 @@ def test_bones_move_a_vertex() -> None:
     assert of("normal", header, imports, **SKINNED) == close(normal)
 
 
-@truth("std.skinning.SkinnedTangents")
+@truth("std.skinning.Skinned")
 def test_bones_move_a_tangent() -> None:
     found = of("tangent", "M : Surface + Tangents + Skinned",
                "import std.skinning.{Skinned}\nimport std.tangents.{Tangents}",
@@ -196,6 +196,38 @@ def test_more_attributes() -> None:
     assert painted == close(found * (0.5, 0.25, 0.125))
     seen = of("vec3(alpha, uv2)", "M : Surface + VertexColors + SecondUv", imports, **given)
     assert seen == close(np.array((0.3, 0.6, 0.9)))
+
+
+MOVING = np.array(
+    [[0.9, 0.3, -0.2, 0.5], [-0.1, 1.1, 0.4, -0.3], [0.2, -0.5, 0.8, 0.7], [0, 0, 0, 1]]
+)
+
+
+@truth("std.motion.moved_by", "std.motion.at_rest", "std.motion.mirrors", "std.motion.MeshPoint")
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_all_that_a_mesh_has_moves_along(sign: float) -> None:
+    """A mirrored mesh has the other hand; the motion counts from the resting place."""
+    matrix = MOVING @ np.diag((sign, 1.0, 1.0, 1.0))
+    header = "M : Surface + Tangents"
+    imports = "import std.motion.{moved_by, at_rest, mirrors}\nimport std.tangents.{Tangents}"
+    given = {"vertex_tangent": (*TANGENT, 1.0)}
+    columns_ = (f"vec4({', '.join(map(repr, map(float, column)))})" for column in matrix.T)
+    by = f"mat4({', '.join(columns_)})"
+    single = f"moved_by({by}, object_shape)"
+    point, rested = f"moved_by({by}, {single})", f"moved_by({by}, at_rest({single}))"
+    twice = matrix @ matrix
+    assert of(f"{point}.position", header, imports, **given) == close(moved(twice, PLACE))
+    assert of(f"{point}.tangent", header, imports, **given) == close(twice[:3, :3] @ TANGENT)
+    assert of(f"{point}.normal", header, imports, **given) == close(upright(twice, NORMAL))
+    assert of(f"{point}.handedness", header, imports, **given) == close([1.0] * 3)
+    assert of(f"{single}.handedness", header, imports, **given) == close([sign] * 3)
+    assert of(f"({point}.motion * vec4(1, 2, 3, 1)).xyz", header, imports, **given) == close(
+        moved(twice, (1, 2, 3))
+    )
+    assert of(f"({rested}.motion * vec4(1, 2, 3, 1)).xyz", header, imports, **given) == close(
+        moved(matrix, (1, 2, 3))
+    )
+    assert of(f"{rested}.position", header, imports, **given) == close(moved(twice, PLACE))
 
 
 # --- spaces and transforms -----------------------------------------------------------------------
@@ -301,15 +333,15 @@ SUN = np.array([0.36, -0.8, 0.48])
 )
 @pytest.mark.parametrize("number", [0, 1, 2])
 def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int) -> None:
-    camera = "perspective(60deg, 2, 1, 9) * look_at({eye}, {target}, {up})".format(
+    camera = "perspective(60deg, 2, 0.5, 4.5) * look_at({eye}, {target}, {up})".format(
         eye="(vec3(0, 0, 5) as point<world>)", target="(vec3(0) as point<world>)",
         up="(vec3(0, 1, 0) as vector<world>)",
     )  # fmt: skip
     sun = "(vec3(0.36, -0.8, 0.48) as direction<world>)"
     cascade = matrix(f"cascade({camera}, {sun}, {number}, 3, 7)")
 
-    # Half way between equal depths, 1 + 8 i / 3, and equal ratios, 9 ^ (i / 3).
-    ends = [0.5 * (1 + 8 * i / 3 + 9 ** (i / 3)) for i in (number, number + 1)]
+    # Half way between equal depths, and equal ratios, 9 ^ (i / 3).
+    ends = [0.5 * (0.5 + 4 * i / 3 + 0.5 * 9 ** (i / 3)) for i in (number, number + 1)]
     steep = math.tan(math.radians(30))
     corners = np.array([
         (x * 2 * steep * d, y * steep * d, 5 - d) for d in ends for x in (-1, 1) for y in (-1, 1)

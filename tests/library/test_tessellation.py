@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.ir.stages import EDGE_LEVEL, TARGET
 
 from ..passes.kit import elaborated
 from ..passes.test_lower_expansion import Primitive
-from ..passes.test_lower_tessellation import directly
+from ..passes.test_lower_tessellation import at_patch, directly
 from .truth import truth
 
 Floats = NDArray[np.float64]
@@ -199,3 +199,31 @@ def test_what_is_between_moves_along_the_normal(mixin: str) -> None:
         plain = np.array((0.5, 1.5, 1.0))
     found = drawn(mixin, "position", corners, where, "displacement = 0.25")
     assert found == pytest.approx(plain + (0, 0, 0.25))
+
+
+MIXINS = {
+    "Displaced": (3, (0, 1, 2)), "DisplacedQuads": (4, (0, 1, 2, 3)),
+    "PhongTessellation": (3, (0, 1, 2)), "PNTriangles": (3, (0, 1, 2)),
+    "QuadraticSplines": (9, (0, 1, 4, 3)), "BezierPatches": (16, (0, 3, 15, 12)),
+    "SplinePatches": (16, (5, 6, 10, 9)),
+}  # fmt: skip
+"""The number of control points of a patch, and which of them are its corners, around it."""
+
+
+@truth(*(f"std.tessellation.{name}" for name in MIXINS))
+@pytest.mark.parametrize("mixin", MIXINS)
+def test_an_edge_is_as_fine_as_the_finer_of_its_ends(mixin: str) -> None:
+    count, corners = MIXINS[mixin]
+    (shader,) = elaborated(
+        f"import std.tessellation.{{{mixin}}}\n"
+        f"material M : Surface + {mixin} {{ fineness = object_position.x  color = vec3(1) }}"
+    )
+    finenesses = [float(2 + (5 * number) % 17) for number in range(count)]
+    values = {
+        ("vertex_position", number): (fineness, 0.0, 0.0)
+        for number, fineness in enumerate(finenesses)
+    }
+    place = Primitive(0, 0, tuple(range(count)), values)
+    found = sorted(at_patch(shader, row.value, place) for row in shader.results_of(EDGE_LEVEL))
+    ends = zip(corners, corners[1:] + corners[:1], strict=True)
+    assert found == sorted(max(finenesses[a], finenesses[b]) for a, b in ends)
