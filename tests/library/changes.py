@@ -77,7 +77,8 @@ def _expressions(root: object) -> Iterator[object]:
             waiting += node
         elif type(node).__module__.startswith(ast.__name__) and not isinstance(node, ast.TypeName):
             yield node
-            waiting += [getattr(node, field) for field in type(node).__match_args__]
+            fields: tuple[str, ...] = vars(type(node))["__match_args__"]
+            waiting += [getattr(node, field) for field in fields]
 
 
 def _edits(node: object, text: str) -> Iterator[tuple[int, int, str]]:

@@ -68,7 +68,8 @@ def _judged(change: Change) -> Answer:
         folder = Path(shutil.copytree(library.FOLDER, Path(temporary) / "stdlib"))
         path = folder / f"{change.file}.burnish"
         path.write_text(change.applied(text_of(change.file)), "utf-8")
-        library.FOLDER = frontend.FOLDER = folder
+        for module in (library, frontend):
+            vars(module)["FOLDER"] = folder
         for name, check in _ordered(change):
             try:
                 check()

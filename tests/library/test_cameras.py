@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ IMPORTS = """
 import std.frames.{seen_from, through_face, face_direction, face_ray, shown_at, shown_in}
 """
 
-FACES = {
+FACES: dict[str, tuple[int, Callable[[float, float, float], tuple[float, float, float]]]] = {
     "+x": (0, lambda x, y, z: (-z, -y, x)),
     "-x": (1, lambda x, y, z: (z, -y, -x)),
     "+y": (2, lambda x, y, z: (x, z, y)),
@@ -38,7 +39,9 @@ def projected(camera: Floats, place: Floats) -> Floats:
 
 
 @truth("std.frames.seen_from")
-@pytest.mark.parametrize("axis", [(0.3, -0.4, 0.8), (0.1, 2.0, -0.2), (0.0, -1.0, 0.0)])
+@pytest.mark.parametrize(
+    "axis", [(0.3, -0.4, 0.8), (0.1, 2.0, -0.2), (0.0, -1.0, 0.0), (0.0, 0.5, 0.0)]
+)
 def test_a_lamp_sees_as_far_to_each_side_as_its_angle_says(axis: tuple[float, ...]) -> None:
     place, near, far, angle = np.array([0.5, 1.0, -2.0]), 0.25, 8.0, math.radians(35)
     camera = matrix(

@@ -218,9 +218,9 @@ def test_colours_of_vertices_multiply_the_base() -> None:
         "material M : MetallicRoughness + PaintedVertices { color = base.rgb  alpha = base.a }"
     )
     whole = shader(text)
-    given = {
+    given: dict[str, Any] = {
         **MESH, "vertex_tangent": (1.0, 0.0, 0.0, 1.0), "base_color": (0.5, 0.8, 1.0, 0.5),
-        "vertex_color": (0.5, 0.25, 1.0, 0.4), "base_color_map": Painted(lambda u, v: (1.0,) * 4),
+        "vertex_color": (0.5, 0.25, 1.0, 0.4), "base_color_map": Painted(lambda _u, _v: (1.0,) * 4),
     }  # fmt: skip
     found = at(whole, whole.results_of(TARGET)[0].value, given)
     assert found == close((0.25, 0.2, 1.0, 0.2))
@@ -268,7 +268,8 @@ def test_a_bent_surface(towards: tuple[float, ...], roughness: float, scale: flo
         normal_map=Texture.solid(tuple(lane / 255 for lane in texel)),
         metallic_roughness_map=Texture.solid((0, rough / 255, metal / 255, 1)),
         occlusion_map=Texture.solid((occluded / 255, 1, 1)), occlusion_strength=0.5,
-        ambient_light=(0.1, 0.2, 0.4), emissive=(0.5, 0.25, 1), emissive_map=Texture.solid((1, 0, 1)),
+        ambient_light=(0.1, 0.2, 0.4), emissive=(0.5, 0.25, 1),
+        emissive_map=Texture.solid((1, 0, 1)),
     )  # fmt: skip
     lean = 2 * np.array(texel) / 255 - 1
     normal = unit(lean * (scale, scale, 1))

@@ -25,7 +25,9 @@ def parameters() -> Iterator[str]:
     for path in sorted(library.FOLDER.glob("*.burnish")):
         text = path.read_text("utf-8")
         for declaration in parse(Source(path.name, text), Report()).declarations:
-            for member in getattr(declaration, "members", ()):
+            if not isinstance(declaration, ast.Record | ast.Mixin):
+                continue
+            for member in declaration.members:
                 named = isinstance(member, ast.Param | ast.Texture)
                 if named or (isinstance(member, ast.Slot) and isinstance(member.value, ast.Number)):
                     span = member.span

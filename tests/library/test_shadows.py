@@ -99,7 +99,7 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.5, 0.5, 2.0))
     assert asked[:, 2] == close(np.full(9, far / (far - near) * (1 - near / (0.99 * away))))
-    assert lit == close([6 / 9 * max(NORMAL_IN_WORLD @ to_lamp, 0.0)] * 3)
+    assert lit == close([6 / 9 * max(float(NORMAL_IN_WORLD @ to_lamp), 0.0)] * 3)
     dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
     assert dark == close((0, 0, 0))
 
@@ -148,6 +148,41 @@ def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int)
         cameras=tuple(map(columns, cameras)), at=place,
     )  # fmt: skip
     assert found == close([number] * 3)
+
+
+@truth("std.shadows.ShadowedSpot")
+@pytest.mark.parametrize(
+    ("outer", "seen", "off", "near", "far", "last"),
+    [
+        (60.0, 60.0, 40.0, 0.2, 9.0, 9.0),
+        (88.0, 80.0, 79.0, 0.2, 9.0, 9.0),  # A map shows no wider cone than that.
+        (0.5, 1.0, 0.4, 0.2, 9.0, 9.0),  # Nor a narrower one.
+        (45.0, 45.0, 10.0, 1.0, 0.5, 1.001),  # Its depths end behind where they begin.
+    ],
+)
+def test_a_point_lies_in_the_map_where_the_cone_says(
+    outer: float, seen: float, off: float, near: float, far: float, last: float
+) -> None:
+    ahead, to_lamp = (near + last) / 2, unit((0.3, 1.4, 0.8))
+    across = unit(np.cross(to_lamp, (1.0, 0.0, 0.0)))
+    turn = math.radians(off)
+    away = ahead / (0.999 * math.cos(turn))
+    axis = -to_lamp * math.cos(turn) + across * math.sin(turn)
+    shadow = Compared()
+    given: dict[str, Any] = {
+        "lamp.place": lanes(POSITION_IN_WORLD + away * to_lamp), "lamp.axis": lanes(axis),
+        "lamp.inner": 0.0, "lamp.outer": math.radians(outer), "lamp.nearest": near,
+        "lamp.farthest": far, "lamp.bias": 0.001, "lamp.spread": 0.0, "lamp.shadow": shadow,
+    }  # fmt: skip
+    shown(
+        "import std.shadows.{ShadowedSpot}\nimport std.terms.{lambert}\n"
+        "material M { color = lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }", **given,
+    )  # fmt: skip
+    x, y, depth = shadow.asked[0]
+    assert math.hypot(2 * x - 1, 2 * y - 1) == pytest.approx(
+        math.tan(turn) / math.tan(math.radians(seen))
+    )
+    assert depth == pytest.approx(last / (last - near) * (1 - near / ahead))
 
 
 @truth("std.shadows.ShadowedSpot")
@@ -227,3 +262,18 @@ def test_all_light_arrives_beside_a_map(place: tuple[float, ...], share: float) 
         camera=columns(np.eye(4)), at=place, shadow=Compared(-9.0), shadows=Compared(-9.0),
     )  # fmt: skip
     assert found == close((share, share, 0))
+
+
+@truth("std.shadows.share_lit")
+@pytest.mark.parametrize("kind", ["depth2d", "depth2d_array"])
+def test_a_place_is_compared_where_the_camera_shows_it(kind: str) -> None:
+    shadow, layer = Compared(), "3, " if kind == "depth2d_array" else ""
+    shown(
+        f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
+        "param camera : transform<world, clip>  param at : point<world>\n"
+        f"color = vec3(share_lit(shadow, {layer}camera, at, 0.25, 2)) }}",
+        camera=columns(np.eye(4)), at=(0.2, -0.4, 0.75), shadow=shadow,
+    )  # fmt: skip
+    asked = np.array(sorted(set(shadow.asked)))
+    assert asked[:, :2] == close(around(0.6, 0.7, 2.0))
+    assert asked[:, -1] == close(np.full(9, 0.5))

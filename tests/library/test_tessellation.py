@@ -25,7 +25,8 @@ def drawn(
     """The value of a slot at a place of a patch; its control points are given with normals."""
     (shader,) = elaborated(
         f"import std.tessellation.{{{mixin}}}\n"
-        f"material M : Surface + {mixin} {{ {members} color = vec3({value}.x, {value}.y, {value}.z) }}"
+        f"material M : Surface + {mixin} {{ {members}\n"
+        f"color = vec3({value}.x, {value}.y, {value}.z) }}"
     )
     values = {
         (name, number): tuple(map(float, lanes))
@@ -198,7 +199,7 @@ def test_what_is_between_moves_along_the_normal(mixin: str) -> None:
         corners, where = flat([0, 0, 1], [2, 0, 1], [2, 3, 1], [0, 3, 1]), np.array((0.25, 0.5))
         plain = np.array((0.5, 1.5, 1.0))
     found = drawn(mixin, "position", corners, where, "displacement = 0.25")
-    assert found == pytest.approx(plain + (0, 0, 0.25))
+    assert found == pytest.approx(np.add(plain, (0, 0, 0.25)))
 
 
 MIXINS = {

@@ -14,8 +14,7 @@ import pytest
 
 from burnish.compiler.reference.namespace import Lanes
 
-from ..semantics.kit import Painted
-from ..semantics.library_kit import (
+from ..library.kit import (
     EYE,
     NORMAL,
     PLACE,
@@ -29,6 +28,7 @@ from ..semantics.library_kit import (
     unit,
     upright,
 )
+from ..semantics.kit import Painted
 
 IMPORTS = """
 import std.billboards.{Billboard}
