@@ -26,7 +26,13 @@ class Hardware:
     subtexel_bits: int
     """Places of the weights of filters."""
     mip_bits: int
-    """Places of the level of detail."""
+    """Places of a level of detail that a program names."""
+    lod_bits: int | None = None
+    """Places of one that follows from steps; ``None``: as many."""
+    fixed_bits: int | None = None
+    """Places of what a filter makes of texels in fixed point; ``None``: a float's."""
+    float_bits: int | None = None
+    """Places of a blend of texels that are floats, relative to the larger one; ``None``: all."""
     mixing_bits: int | None = None
     """Places of the weights of two levels whose texels are not filtered; ``None``: they are
     floats."""
@@ -113,12 +119,14 @@ _ANY_DEVICE = Driver(
         frag_coord_bits=INTERPOLATED_BITS,
         subtexel_bits=8,
         mip_bits=4,
+        lod_bits=4,
+        fixed_bits=6,
+        float_bits=8,
         mixing_bits=8,
     ),
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,
-    level_power=4,
 )
 
 DRIVERS: Mapping[str, Driver] = {

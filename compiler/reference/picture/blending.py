@@ -21,13 +21,16 @@ A difference, a product and a sum are rounded to float32, and their terms may be
 """
 
 
-def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], exactly: bool) -> Bounded:
+def blended(
+    corners: Sequence[Bounded], shares: Sequence[Bounded], error: float | None
+) -> Bounded:
     """The blend of the texels around a place, by its distances from the first of them.
 
-    ``corners`` is in the order of ``Image.cell``. ``exactly`` says that the device does not round.
+    ``corners`` is in the order of ``Image.cell``. ``error`` is that of a blend of two, relative to
+    the larger one; ``None`` says that the device does not round.
     """
     value = _mean([corner.value for corner in corners], [share.value for share in shares])
-    if exactly and all(lane.is_exact for lane in (*corners, *shares)):
+    if error is None and all(lane.is_exact for lane in (*corners, *shares)):
         return exact(value)
     ends = [(share.low, share.high) for share in shares]
     if all(corner.is_exact for corner in corners):
@@ -36,7 +39,7 @@ def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], exactly: bool
     else:
         low = reduce(np.minimum, _at_ends([corner.low for corner in corners], ends))
         high = reduce(np.maximum, _at_ends([corner.high for corner in corners], ends))
-    off = 0.0 if exactly else len(shares) * BLENDING * _magnitude(corners)
+    off = 0.0 if error is None else len(shares) * error * _magnitude(corners)
     return Bounded(value, low - off, high + off)
 
 

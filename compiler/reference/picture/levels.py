@@ -3,7 +3,9 @@
 Source: Vulkan, "Scale Factor Operation, LOD Operation and Image Level(s) Selection". A device may
 take differences between either two rows and columns of a quad, may take for the length of a step
 anything from its largest lane to the sum of all lanes, and rounds the level to a number of binary
-places.
+places. Direct3D (11.3 functional specification, 7.18.11) lets the level follow from the longer axis
+of the ellipse that the two steps span, which may be longer than either of them, but not than the
+diagonal of both; NVIDIA's devices do that in Vulkan, too.
 """
 
 from __future__ import annotations
@@ -81,7 +83,11 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
 def of_steps(image: Image, steps: CoordinateSteps) -> Bounded:
     """The level for these steps, in units of the texture or face."""
     sizes = image.first_sizes
-    footprint = largest([_length(lanes, sizes, image) for lanes in (steps.across, steps.down)])
+    lengths = [_length(lanes, sizes, image) for lanes in (steps.across, steps.down)]
+    footprint = largest(lengths)
+    if not image.has_known_steps:
+        across, down = (length.high for length in lengths)
+        footprint = between(footprint.value, footprint.low, np.hypot(across, down))
     power = image.rules.level_power
     level = increasing(lambda x: _logarithm(x, power), footprint)
     return _rounded(image, level)
@@ -163,7 +169,8 @@ def _at_least_tiny(number: Floats) -> Floats:
 
 def _rounded(image: Image, level: Bounded) -> Bounded:
     """A level that a device computes with so many binary places."""
-    bits = image.rules.mip_bits
+    rules = image.rules
+    bits = rules.mip_bits if rules.lod_bits is None else rules.lod_bits
     return _limited(image, level if bits is None else widened(level, 2.0**-bits))
 
 

@@ -100,6 +100,8 @@ class Texels:
     """
     is_srgb: bool = False
     """True if colours are stored in 8 bits of sRGB, which a device decodes."""
+    is_fixed: bool = False
+    """True if texels are stored in fixed point, as numbers from 0 to 1; others are floats."""
     low: tuple[Floats, ...] = ()
     high: tuple[Floats, ...] = ()
     """The upper bounds of the numbers that a device has stored, for each level of a drawn texture.
@@ -146,7 +148,16 @@ class RasterRules:
     frag_coord_bits: int | None = None
     """The exact binary places of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
-    """The binary places of the level of detail; ``None``: exact."""
+    """The binary places of a level that a program names; ``None``: exact."""
+    lod_bits: int | None = None
+    """The binary places of the level that follows from steps; ``None``: as many as of any level."""
+    fixed_bits: int | None = None
+    """The binary places of what a filter makes of texels in fixed point; ``None``: floats have."""
+    float_bits: int | None = None
+    """The binary places of each blend of texels that are floats, relative to the larger one.
+
+    ``None``: as many as a float32 has.
+    """
     mixing_bits: int | None = None
     """The binary places of a mean of single texels of two levels; ``None``: exact.
 

@@ -19,6 +19,7 @@ from ...ir.leaves import Texture
 from ...ir.types import TextureType
 from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
+from .blending import BLENDING
 from .cube import across_edges, beyond_corner
 from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
@@ -52,6 +53,7 @@ class Image:
                   for level in texels.levels]  # fmt: skip
         layers, heights, widths = np.array(shapes).T
         counts = layers * heights * widths
+        self.is_fixed = texels.is_fixed
         self._starts = np.cumsum(counts) - counts
         self._table = _table(texels.levels)
         self._ends = None if self.is_exact else _ends_of(self._table, texels)
@@ -68,6 +70,15 @@ class Image:
     def is_exact(self) -> bool:
         """True if the device reads texels without any error."""
         return self.rules.subtexel_bits is None
+
+    @property
+    def blending(self) -> float | None:
+        """The error of one blend of two texels, relative to the larger one; ``None``: there is
+        none."""
+        if self.is_exact:
+            return None
+        bits = None if self.is_fixed else self.rules.float_bits
+        return BLENDING if bits is None else 2.0**-bits
 
     @property
     def has_known_steps(self) -> bool:

@@ -99,7 +99,9 @@ class DrawnTexture:
             bool(np.isnan(level[0][undecided]).any())
             for level, undecided in zip(self.levels, self.undecided, strict=True)
         )
-        return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
+        is_fixed = not self.format.startswith(DEPTHS) and not formats.format_of(self.format).is_float
+        is_srgb = self.format.endswith("srgb")
+        return Texels(value, is_srgb, is_fixed, low, high, has_undefined)
 
     def copy(self) -> DrawnTexture:
         """A texture of its own with the same contents."""
