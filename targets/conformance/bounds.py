@@ -90,12 +90,13 @@ def rules_of(
         varying_bits=hardware.varying_bits,
         frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
-        lod_bits=hardware.lod_bits,
+        lod_error=hardware.lod_error,
         fixed_bits=hardware.fixed_bits,
+        half_bits=hardware.half_bits,
         float_bits=hardware.float_bits,
         mixing_bits=hardware.mixing_bits,
         derivatives=hardware.derivatives,
-        euclidean_steps=hardware.euclidean_steps,
+        footprint=hardware.footprint,
         corner_bits=hardware.corner_bits,
         lines=hardware.lines,
         snaps_line_ends=driver.snaps_line_ends,
@@ -112,14 +113,8 @@ def precise(rules: RasterRules) -> RasterRules:
     Of this device, nothing is known about an operation without a guard that leaves its domain.
     """
     return replace(
-        rules,
-        subtexel_bits=None,
+        rules.reading_exactly,
         varying_bits=None,
         frag_coord_bits=None,
-        mip_bits=None,
-        lod_bits=None,
-        fixed_bits=None,
-        float_bits=None,
-        mixing_bits=None,
         unguarded_is_nan=True,
     )

@@ -131,7 +131,7 @@ def texels_of(instance: Instance) -> dict[str, Texels]:
         name: Texels(
             tuple(texture.linear()),
             is_srgb=texture.format.endswith("-srgb"),
-            is_fixed="unorm" in texture.format,
+            stored="fixed" if "unorm" in texture.format else "float",
         )
         for name, texture in textures.items()
     }

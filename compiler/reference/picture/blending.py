@@ -21,9 +21,7 @@ A difference, a product and a sum are rounded to float32, and their terms may be
 """
 
 
-def blended(
-    corners: Sequence[Bounded], shares: Sequence[Bounded], error: float | None
-) -> Bounded:
+def blended(corners: Sequence[Bounded], shares: Sequence[Bounded], error: float | None) -> Bounded:
     """The blend of the texels around a place, by its distances from the first of them.
 
     ``corners`` is in the order of ``Image.cell``. ``error`` is that of a blend of two, relative to

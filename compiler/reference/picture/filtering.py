@@ -158,8 +158,9 @@ class Filter:
 
         It stays between 0 and 1, as all texels do.
         """
-        bits = self._image.rules.fixed_bits
-        if bits is None or not self._image.is_fixed or not (blends_levels or self._kind == "linear"):
+        image = self._image
+        bits = image.rules.fixed_bits if image.stored == "fixed" else None
+        if bits is None or not (blends_levels or self._kind == "linear"):
             return found
         off = 2.0**-bits
         low = np.maximum(found.low - off, np.minimum(found.low, 0.0))

@@ -53,7 +53,7 @@ class Image:
                   for level in texels.levels]  # fmt: skip
         layers, heights, widths = np.array(shapes).T
         counts = layers * heights * widths
-        self.is_fixed = texels.is_fixed
+        self.stored = texels.stored
         self._starts = np.cumsum(counts) - counts
         self._table = _table(texels.levels)
         self._ends = None if self.is_exact else _ends_of(self._table, texels)
@@ -73,17 +73,18 @@ class Image:
 
     @property
     def blending(self) -> float | None:
-        """The error of one blend of two texels, relative to the larger one; ``None``: there is
-        none."""
+        """The error of one blend of two texels, relative to the larger one; ``None``: no error."""
         if self.is_exact:
             return None
-        bits = None if self.is_fixed else self.rules.float_bits
+        rules = self.rules
+        bits = {"fixed": None, "half": rules.half_bits, "float": rules.float_bits}[self.stored]
         return BLENDING if bits is None else 2.0**-bits
 
     @property
     def has_known_steps(self) -> bool:
         """True if the device takes the steps of a quad as the reference does."""
-        return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
+        is_known = self.rules.footprint == "euclidean" and self.type.dimension != "cube"
+        return self.is_exact or is_known
 
     @property
     def levels(self) -> int:

@@ -25,6 +25,7 @@ from ....compiler.reference.picture import (
     Canvas,
     Hulls,
     RasterRules,
+    Stored,
     Texels,
     expected_on,
     formats,
@@ -99,9 +100,15 @@ class DrawnTexture:
             bool(np.isnan(level[0][undecided]).any())
             for level, undecided in zip(self.levels, self.undecided, strict=True)
         )
-        is_fixed = not self.format.startswith(DEPTHS) and not formats.format_of(self.format).is_float
         is_srgb = self.format.endswith("srgb")
-        return Texels(value, is_srgb, is_fixed, low, high, has_undefined)
+        return Texels(value, is_srgb, low, high, has_undefined, self._stored)
+
+    @property
+    def _stored(self) -> Stored:
+        """The kind of the format's numbers."""
+        if self.format.startswith(DEPTHS):
+            return "float"
+        return formats.format_of(self.format).stored
 
     def copy(self) -> DrawnTexture:
         """A texture of its own with the same contents."""
