@@ -1,0 +1,130 @@
+"""Derives how precisely a device filters from what it drew for the probes.
+
+Each property is the largest error that was found, with a margin: the pictures of a material may
+have larger ones. Whatever is no better than what is guaranteed stays as that is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..drivers import Hardware
+from . import cubes, footprints
+from .probes import NEAR, THIRD, Floats
+
+Pictures = Sequence[Floats]
+"""The targets of a probe in one state, (height, width, 4)."""
+Drawn = Mapping[str, Sequence[Pictures]]
+"""The pictures in each state, by the name of the probe's material."""
+
+MARGIN = 2.0
+"""The factor of measured errors that is allowed. The errors of fixed hardware are those of
+rounding, and thousands of samples come close to the largest one."""
+MOST_BITS = 16
+"""More binary places of weights and levels are not told apart from those of a float32."""
+FLOAT_BITS = 20
+"""A result with as many places is taken for that of a float32."""
+_ON_STEP = 1e-3
+"""The part of a binary place by which an error may be larger than the step that it stands for."""
+
+
+def derived(drawn: Drawn, assumed: Hardware, *, bottom_up: bool) -> Hardware:
+    """The precision of a device that has drawn this; what is not measured is as assumed."""
+    (weights,), (levels,), (slopes,) = (drawn[name] for name in ("Weights", "Levels", "Slopes"))
+    of_floats = _float_error(weights[1])
+    subtexel = _weight_bits(weights, of_floats)
+    mip = _level_bits(levels[2][..., 0], levels[3][..., 0], of_floats)
+    of_fixed = max(_fixed_error(weights[0]), _fixed_level_error(levels[0], levels[3][..., 0], mip))
+    of_single = _fixed_level_error(levels[1], levels[3][..., 0], mip)
+    footprint, lod_error = footprints.found(drawn, bottom_up=bottom_up)
+    return replace(
+        assumed,
+        subtexel_bits=subtexel,
+        mip_bits=mip,
+        lod_error=lod_error,
+        footprint=footprint,
+        fixed_bits=places(of_fixed, FLOAT_BITS),
+        float_bits=places(of_floats / 2, FLOAT_BITS),
+        mixing_bits=places(of_single, FLOAT_BITS),
+        derivatives=footprints.derivatives(slopes[0], bottom_up=bottom_up),
+        corner_bits=cubes.corner_bits(drawn["Corners"][0]),
+    )
+
+
+def places(error: float, most: int) -> int | None:
+    """The binary places of a number with an error of so much; ``None`` from ``most`` on."""
+    bits = _places(error, most)
+    return None if bits == most else bits
+
+
+def _places(error: float, most: int) -> int:
+    if error <= 0.0:
+        return most
+    return max(0, min(most, int(np.floor(-np.log2(MARGIN * error) + _ON_STEP))))
+
+
+def beyond(read: Floats, low: Floats, high: Floats) -> float:
+    """By how much numbers are outside of what is allowed, at most."""
+    return float(np.maximum(np.maximum(low - read, read - high), 0.0).max())
+
+
+def _shares(places: Floats) -> Floats:
+    """The weights of the second of two texels along both axes, (height, width, 2)."""
+    shares: Floats = places[..., :2] * 2 - 0.5
+    return shares
+
+
+def _float_error(read: Floats) -> float:
+    """The error of blends of floats, relative to them."""
+    constant = np.abs(read[..., 3] - THIRD).max() / THIRD
+    near = beyond(read[..., 2], np.float64(0.5), np.float64(0.5 + NEAR)) / 0.5
+    return float(max(constant, near))
+
+
+def _weight_bits(weights: Pictures, error: float) -> int:
+    """The places of weights, from texels that are 0 and 1 apart."""
+    shares = _shares(weights[2])
+    off = np.abs(weights[1][..., :2] - shares).max() - error
+    return _places(float(off), MOST_BITS)
+
+
+def _fixed_error(read: Floats) -> float:
+    """The error of blends of texels in fixed point that are the same, or nearly so."""
+    constant = beyond(read[..., 3], np.float64(77 / 255), np.float64(77 / 255))
+    return max(constant, beyond(read[..., 2], np.float64(77 / 255), np.float64(78 / 255)))
+
+
+def _level_bits(read: Floats, wanted: Floats, error: float) -> int:
+    """The most places with which a level is one of the two neighbours of the wanted one."""
+    last = read.max()
+    wanted, slack = np.clip(wanted, 0.0, last), error * np.maximum(last, 1.0)
+    for bits in range(MOST_BITS, 0, -1):
+        low, high = _neighbours(wanted, bits)
+        if beyond(read, low - slack, high + slack) == 0.0:
+            return bits
+    return 0
+
+
+def _neighbours(level: Floats, bits: int) -> tuple[Floats, Floats]:
+    """The numbers with so many places beside a level."""
+    scaled = np.ldexp(level, bits)
+    return np.ldexp(np.floor(scaled), -bits), np.ldexp(np.ceil(scaled), -bits)
+
+
+def _fixed_level_error(read: Floats, wanted: Floats, bits: int) -> float:
+    """The error of blends of levels in fixed point, beside that of the level."""
+    constant = beyond(read[..., 3], np.float64(77 / 255), np.float64(77 / 255))
+    near = beyond(read[..., 2], np.float64(77 / 255), np.float64(78 / 255))
+    low, high = _neighbours(np.clip(wanted, 0.0, 8.0), bits)
+    ends = np.sort([_parity(low), _parity(high)], axis=0)
+    apart = np.floor(low) == np.floor(np.maximum(high - 2.0**-MOST_BITS, low))
+    far = beyond(read[..., 0][apart], ends[0][apart], ends[1][apart])
+    return max(constant, near, far)
+
+
+def _parity(level: Floats) -> Floats:
+    """The blend of levels that are black and white by turns."""
+    return 1.0 - np.abs(level % 2.0 - 1.0)

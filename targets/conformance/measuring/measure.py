@@ -1,0 +1,57 @@
+"""Measures the device of a route: draws all probes, and derives its precision from the pictures.
+
+``burnish conform --measure`` calls it, for one route of each driver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from ....api.entry_points import CompiledMaterial
+from ...runner.binding import pipeline
+from ...runner.codes import compile_one
+from ...runner.frames.states import draw_states
+from ...runner.routes import Route
+from ...runner.runner import Runner
+from ...runner.scene_state import SceneState
+from ...toolchain import Toolchain
+from ..drivers import Hardware
+from .derivation import Pictures, derived
+from .probes import PROBES
+
+Draw = Callable[[CompiledMaterial, Sequence[SceneState]], Sequence[Pictures]]
+"""Draws a material in several states."""
+
+
+class MeasuringError(Exception):
+    """A device could not be measured; the text tells people why."""
+
+
+def measured(route: Route, assumed: Hardware, runner: Runner, toolchain: Toolchain) -> Hardware:
+    """The precision of the device that a route draws with; what cannot be measured is as assumed.
+
+    Raises ``CodeError``, ``DriverError`` and ``MeasuringError``.
+    """
+
+    def draw(material: CompiledMaterial, states: Sequence[SceneState]) -> Sequence[Pictures]:
+        codes = compile_one(route, material.files, toolchain)
+        bound = pipeline(material.reflection, route, codes)
+        # A device is asked again each time: only so a driver that has changed is noticed.
+        outcomes = draw_states(material, states, route, bound, runner, keep=False)
+        return [outcome.pictures for outcome in outcomes]
+
+    return measured_by(draw, route.profile, assumed, bottom_up=route.bottom_up)
+
+
+def measured_by(draw: Draw, profile: str, assumed: Hardware, *, bottom_up: bool) -> Hardware:
+    """The precision of a device that draws the probes so."""
+    found = {}
+    for probe in PROBES:
+        material = probe.compiled(profile)
+        pictures = draw(material, probe.states(material))
+        if not all(np.isfinite(target).all() for each in pictures for target in each):
+            raise MeasuringError(f"it drew what is not a number for the probe `{probe.material}`")
+        found[probe.material] = pictures
+    return derived(found, assumed, bottom_up=bottom_up)
