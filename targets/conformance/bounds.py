@@ -17,6 +17,7 @@ from ..runner.routes import Route
 from .compare import Level
 from .drivers import DRIVERS, Driver, Hardware
 from .measured import ENVELOPES
+from .profiles import profile_of
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
 """The platform for errors of functions. Errors that were not measured follow from those that were,
@@ -45,7 +46,10 @@ class Sized2d(Protocol):
 
 
 def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
-    """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
+    """The bounds of a picture: those that were measured, then the guaranteed ones.
+
+    Of software, its driver was measured; of other devices, this user may have measured theirs.
+    """
     driver = DRIVERS[route.driver]
     ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
     guaranteed = Bounds(
@@ -53,15 +57,15 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
         ruled(_guaranteed(driver.assumed, device)),
         Errors(route.platforms),
     )
-    if driver.measured is None:
+    if driver.measured is not None:
+        functions = ENVELOPES[route.driver].allowed()
+        errors = Errors(_ANY, tuple(sorted(functions.items())))
+        return Bounds("measured", ruled(driver.measured), errors), guaranteed
+    profile = profile_of(route.driver, device)
+    if profile is None:
         return (guaranteed,)
-    functions = ENVELOPES[route.driver].allowed()
-    measured = Bounds(
-        "measured",
-        ruled(driver.measured),
-        Errors(_ANY, tuple(sorted(functions.items()))),
-    )
-    return measured, guaranteed
+    # Nothing was measured of the device's functions.
+    return Bounds("measured", ruled(profile), guaranteed.errors), guaranteed
 
 
 def _guaranteed(assumed: Hardware, device: Device) -> Hardware:

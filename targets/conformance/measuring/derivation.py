@@ -27,6 +27,8 @@ MOST_BITS = 16
 """More binary places of weights and levels are not told apart from those of a float32."""
 FLOAT_BITS = 20
 """A result with as many places is taken for that of a float32."""
+FIRST, NEXT = 77 / 255, 78 / 255
+"""Two texels in fixed point that are nearly the same."""
 _ON_STEP = 1e-3
 """The part of a binary place by which an error may be larger than the step that it stands for."""
 
@@ -66,7 +68,7 @@ def _places(error: float, most: int) -> int:
     return max(0, min(most, int(np.floor(-np.log2(MARGIN * error) + _ON_STEP))))
 
 
-def beyond(read: Floats, low: Floats, high: Floats) -> float:
+def beyond(read: Floats, low: Floats | float, high: Floats | float) -> float:
     """By how much numbers are outside of what is allowed, at most."""
     return float(np.maximum(np.maximum(low - read, read - high), 0.0).max())
 
@@ -80,7 +82,7 @@ def _shares(places: Floats) -> Floats:
 def _float_error(read: Floats) -> float:
     """The error of blends of floats, relative to them."""
     constant = np.abs(read[..., 3] - THIRD).max() / THIRD
-    near = beyond(read[..., 2], np.float64(0.5), np.float64(0.5 + NEAR)) / 0.5
+    near = beyond(read[..., 2], 0.5, 0.5 + NEAR) / 0.5
     return float(max(constant, near))
 
 
@@ -93,8 +95,8 @@ def _weight_bits(weights: Pictures, error: float) -> int:
 
 def _fixed_error(read: Floats) -> float:
     """The error of blends of texels in fixed point that are the same, or nearly so."""
-    constant = beyond(read[..., 3], np.float64(77 / 255), np.float64(77 / 255))
-    return max(constant, beyond(read[..., 2], np.float64(77 / 255), np.float64(78 / 255)))
+    constant = beyond(read[..., 3], FIRST, FIRST)
+    return max(constant, beyond(read[..., 2], FIRST, NEXT))
 
 
 def _level_bits(read: Floats, wanted: Floats, error: float) -> int:
@@ -116,8 +118,8 @@ def _neighbours(level: Floats, bits: int) -> tuple[Floats, Floats]:
 
 def _fixed_level_error(read: Floats, wanted: Floats, bits: int) -> float:
     """The error of blends of levels in fixed point, beside that of the level."""
-    constant = beyond(read[..., 3], np.float64(77 / 255), np.float64(77 / 255))
-    near = beyond(read[..., 2], np.float64(77 / 255), np.float64(78 / 255))
+    constant = beyond(read[..., 3], FIRST, FIRST)
+    near = beyond(read[..., 2], FIRST, NEXT)
     low, high = _neighbours(np.clip(wanted, 0.0, 8.0), bits)
     ends = np.sort([_parity(low), _parity(high)], axis=0)
     apart = np.floor(low) == np.floor(np.maximum(high - 2.0**-MOST_BITS, low))

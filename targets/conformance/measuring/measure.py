@@ -9,49 +9,62 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ....api.entry_points import CompiledMaterial
 from ...runner.binding import pipeline
 from ...runner.codes import compile_one
 from ...runner.frames.states import draw_states
 from ...runner.routes import Route
 from ...runner.runner import Runner
 from ...runner.scene_state import SceneState
+from ...runner.subject import Subject
 from ...toolchain import Toolchain
 from ..drivers import Hardware
 from .derivation import Pictures, derived
-from .probes import PROBES
+from .probes import PROBES, Probe
 
-Draw = Callable[[CompiledMaterial, Sequence[SceneState]], Sequence[Pictures]]
+Draw = Callable[[Subject, Sequence[SceneState]], Sequence[Pictures]]
 """Draws a material in several states."""
+Compile = Callable[[Probe, str], Subject]
+"""Compiles the material of a probe for a profile; callers know the compiler, this package does
+not."""
 
 
 class MeasuringError(Exception):
     """A device could not be measured; the text tells people why."""
 
 
-def measured(route: Route, assumed: Hardware, runner: Runner, toolchain: Toolchain) -> Hardware:
+def measured(
+    route: Route, assumed: Hardware, compiled: Compile, runner: Runner, toolchain: Toolchain
+) -> Hardware:
     """The precision of the device that a route draws with; what cannot be measured is as assumed.
 
     Raises ``CodeError``, ``DriverError`` and ``MeasuringError``.
     """
 
-    def draw(material: CompiledMaterial, states: Sequence[SceneState]) -> Sequence[Pictures]:
+    def draw(material: Subject, states: Sequence[SceneState]) -> Sequence[Pictures]:
         codes = compile_one(route, material.files, toolchain)
         bound = pipeline(material.reflection, route, codes)
         # A device is asked again each time: only so a driver that has changed is noticed.
         outcomes = draw_states(material, states, route, bound, runner, keep=False)
         return [outcome.pictures for outcome in outcomes]
 
-    return measured_by(draw, route.profile, assumed, bottom_up=route.bottom_up)
+    subjects = [compiled(probe, route.profile) for probe in PROBES]
+    return measured_by(draw, subjects, assumed, bottom_up=route.bottom_up)
 
 
-def measured_by(draw: Draw, profile: str, assumed: Hardware, *, bottom_up: bool) -> Hardware:
-    """The precision of a device that draws the probes so."""
+def measured_by(
+    draw: Draw, subjects: Sequence[Subject], assumed: Hardware, *, bottom_up: bool
+) -> Hardware:
+    """The precision of a device that draws the probes so; ``subjects`` are their materials."""
     found = {}
-    for probe in PROBES:
-        material = probe.compiled(profile)
+    for probe, material in zip(PROBES, subjects, strict=True):
         pictures = draw(material, probe.states(material))
         if not all(np.isfinite(target).all() for each in pictures for target in each):
             raise MeasuringError(f"it drew what is not a number for the probe `{probe.material}`")
         found[probe.material] = pictures
-    return derived(found, assumed, bottom_up=bottom_up)
+    hardware = derived(found, assumed, bottom_up=bottom_up)
+    for bits, what in (
+        (hardware.subtexel_bits, "texels"), (hardware.mip_bits, "levels")
+    ):  # fmt: skip
+        if not bits:
+            raise MeasuringError(f"it blends {what} by weights of 0 bits, so it does not filter")
+    return hardware

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ....api.entry_points import CompiledMaterial
-from ....api.entry_points import compile as compile_file
+from ...runner.instances.instance import Instance
 from ...runner.meshes import plane
 from ...runner.scene import Scene
 from ...runner.scene_state import SceneState, set_up
+from ...runner.subject import Subject
 from ...runner.textures.texture import Texture
 
 Floats = NDArray[np.float64]
@@ -44,21 +44,18 @@ class Probe:
     settings: Sequence[Mapping[str, object]] = field(default_factory=lambda: [{}])
     """The parameters of each picture."""
 
-    def compiled(self, profile: str) -> CompiledMaterial:
-        """The material for one profile."""
-        name = self.material
-        (found,) = compile_file(
-            FILE, (profile,), material=name, pass_=f"{name}Read", keep_graphs=True
-        ).materials
-        return found
+    @property
+    def pass_(self) -> str:
+        """The pass by which the material is drawn."""
+        return f"{self.material}Read"
 
-    def states(self, material: CompiledMaterial) -> list[SceneState]:
+    def states(self, material: Subject) -> list[SceneState]:
         """The states in which it is drawn."""
         textures = self.textures()
         return [self._state(material, {**textures, **values}) for values in self.settings]
 
-    def _state(self, material: CompiledMaterial, values: Mapping[str, object]) -> SceneState:
-        instance = material.instance()
+    def _state(self, material: Subject, values: Mapping[str, object]) -> SceneState:
+        instance = Instance(material.reflection)
         for name, value in values.items():
             instance.set(name, value)
         return set_up(instance, plane(1), Scene(), (SIDE, SIDE))
