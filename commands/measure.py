@@ -30,7 +30,6 @@ _INEXACT: tuple[tuple[str, str], ...] = (
     ("fixed_bits", "results of texels in fixed point"),
     ("float_bits", "blends of float texels"),
     ("mixing_bits", "blends of two levels of single texels"),
-    ("corner_bits", "the mean beyond a cube's corner"),
 )
 """The rows of the table that count binary places."""
 
@@ -97,6 +96,8 @@ def _compiled(probe: Probe, profile: str) -> CompiledMaterial:
 def _print_table(route: Route, device: Device, hardware: Hardware) -> None:
     """Print what was found, one property in each line."""
     rows = [(words, _places(getattr(hardware, name))) for name, words in _INEXACT]
+    corner = hardware.corner_bits
+    rows += [("beyond a cube's corner", f"the mean, {_places(corner)}" if corner else "any texel")]
     level = f"{hardware.footprint}, off by up to {hardware.lod_error:.3f}"
     rows += [("levels that follow from steps", level), ("derivatives", hardware.derivatives)]
     say(Styled(f"{route.name}: {device.title}", is_bold=True))

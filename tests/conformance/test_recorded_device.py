@@ -9,25 +9,22 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-import burnish
-from burnish.commands.compared import ConformRequest, subjects_of
 from burnish.targets.conformance.bounds import Bounds, bounds_of
-from burnish.targets.conformance.cases import SIZE, series_of
 from burnish.targets.runner.drivers.device import Device
 from burnish.targets.runner.exact import Exact
 from burnish.targets.runner.reference import expected
-from burnish.targets.runner.routes import EVERY_ROUTE, Route, select
+from burnish.targets.runner.routes import EVERY_ROUTE, Route
 from burnish.targets.runner.scene_state import SceneState
 
+from .example_subjects import states, subjects
+
 RECORD = json.loads((Path(__file__).parent / "recorded" / "h200.json").read_text(encoding="utf-8"))
-EXAMPLES = Path(burnish.__file__).parent / "examples"
 DIGITS = 2e-7
 """The relative error of the recorded numbers, which have seven digits."""
 REPORTED: Mapping[str, Any] = {
@@ -52,23 +49,6 @@ PIXELS = [Pixel(**row) for row in RECORD["pixels"]]
 FILES = sorted({pixel.subject.partition(":")[0] for pixel in PIXELS})
 
 
-@cache
-def _subjects(file: str) -> dict[str, Any]:
-    routes = select(["vulkan,wgpu"])
-    request = ConformRequest(
-        (EXAMPLES / file,), "", "", None, False, None, None, 0, None, None, (), True, False
-    )
-    return dict(subjects_of(request, routes, native_stages=False))
-
-
-def _states(subject: Any) -> dict[str, SceneState]:
-    return {
-        case.name: case.state
-        for series in series_of(subject.reflection, 0, SIZE)
-        for case in series.cases
-    }
-
-
 def _ends(
     subject: Any, route: Route, state: SceneState, pixel: Pixel, bounds: Bounds
 ) -> tuple[Any, Any]:
@@ -83,10 +63,10 @@ def _ends(
 
 def _outside(file: str, level: str) -> Iterator[str]:
     """The lanes of recorded pixels that are out of bounds."""
-    subjects = _subjects(file)
+    found = subjects(file)
     for pixel in (each for each in PIXELS if each.subject.startswith(f"{file}:")):
-        subject, route = subjects[pixel.subject], EVERY_ROUTE[pixel.route]
-        state = _states(subject)[pixel.case]
+        subject, route = found[pixel.subject], EVERY_ROUTE[pixel.route]
+        state = states(subject)[pixel.case]
         wanted = [
             one for one in bounds_of(state, route, REPORTED[route.driver]) if one.level == level
         ]

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..drivers import Hardware
 from . import cubes, footprints
-from .probes import NEAR, THIRD, Floats
+from .probes import FIXED, FLOATS, THIRD, Floats, Pair
 
 Pictures = Sequence[Floats]
 """The targets of a probe in one state, (height, width, 4)."""
@@ -27,19 +27,26 @@ MOST_BITS = 16
 """More binary places of weights and levels are not told apart from those of a float32."""
 FLOAT_BITS = 20
 """A result with as many places is taken for that of a float32."""
-FIRST, NEXT = 77 / 255, 78 / 255
-"""Two texels in fixed point that are nearly the same."""
-_ON_STEP = 1e-3
-"""The part of a binary place by which an error may be larger than the step that it stands for."""
+FIRST, NEXT = FIXED[2]
+_ON_STEP = 0.05
+"""The part of a binary place by which an error may be larger than the step that it stands for:
+that of a weight contains some of the result's."""
+_ON_GRID = 2.0**-6
+"""The part of a step of weights that is rounding of the place."""
 
 
 def derived(drawn: Drawn, assumed: Hardware, *, bottom_up: bool) -> Hardware:
     """The precision of a device that has drawn this; what is not measured is as assumed."""
     (weights,), (levels,), (slopes,) = (drawn[name] for name in ("Weights", "Levels", "Slopes"))
-    of_floats = _float_error(weights[1])
-    subtexel = _weight_bits(weights, of_floats)
+    shares, of_constant = _shares(weights[2]), _float_error(weights[1])
+    subtexel = _weight_bits(weights[1], shares, of_constant)
+    of_floats = max(of_constant, _at_steps(weights[1], shares, subtexel, FLOATS))
     mip = _level_bits(levels[2][..., 0], levels[3][..., 0], of_floats)
-    of_fixed = max(_fixed_error(weights[0]), _fixed_level_error(levels[0], levels[3][..., 0], mip))
+    of_fixed = max(
+        _fixed_error(weights[0]),
+        _at_steps(weights[0], shares, subtexel, FIXED),
+        _fixed_level_error(levels[0], levels[3][..., 0], mip),
+    )
     of_single = _fixed_level_error(levels[1], levels[3][..., 0], mip)
     footprint, lod_error = footprints.found(drawn, bottom_up=bottom_up)
     return replace(
@@ -80,17 +87,30 @@ def _shares(places: Floats) -> Floats:
 
 
 def _float_error(read: Floats) -> float:
-    """The error of blends of floats, relative to them."""
-    constant = np.abs(read[..., 3] - THIRD).max() / THIRD
-    near = beyond(read[..., 2], 0.5, 0.5 + NEAR) / 0.5
-    return float(max(constant, near))
+    """The error of blends of floats that are the same, relative to them."""
+    return float(np.abs(read[..., 3] - THIRD).max() / THIRD)
 
 
-def _weight_bits(weights: Pictures, error: float) -> int:
+def _weight_bits(read: Floats, shares: Floats, error: float) -> int:
     """The places of weights, from texels that are 0 and 1 apart."""
-    shares = _shares(weights[2])
-    off = np.abs(weights[1][..., :2] - shares).max() - error
+    off = np.abs(read[..., :2] - shares).max() - error
     return _places(float(off), MOST_BITS)
+
+
+def _at_steps(read: Floats, shares: Floats, bits: int, pairs: Sequence[Pair]) -> float:
+    """The error of blends where the weights are certain, as they are steps of the device's.
+
+    It is that of the first and the third lane, which change to the right; of floats, relative to
+    the larger texel.
+    """
+    share = shares[..., 0]
+    certain = np.abs(np.ldexp(share, bits) - np.rint(np.ldexp(share, bits))) < _ON_GRID
+    off = [
+        np.abs(read[..., lane] - first - share * (last - first))[certain].max(initial=0.0)
+        / (last if pairs is FLOATS else 1.0)
+        for lane, (first, last) in ((0, pairs[0]), (2, pairs[2]))
+    ]
+    return float(max(off))
 
 
 def _fixed_error(read: Floats) -> float:

@@ -29,10 +29,14 @@ LADDER = 256
 """The side of the first of the levels that tell their numbers."""
 CUBE = 64
 """The side of the first level of a cube of such levels."""
-NEAR = 2.0**-12
-"""The difference between two texels that are nearly the same."""
 THIRD = float(np.float32(1 / 3))
 """A texel of a number that takes all places of a float."""
+
+Pair = tuple[float, float]
+FLOATS: Sequence[Pair] = ((0, 1), (0, 1), (THIRD, float(np.float32(7 / 9))), (THIRD, THIRD))
+"""The two texels that are blended in each lane."""
+FIXED: Sequence[Pair] = ((0, 1), (0, 1), (77 / 255, 78 / 255), (77 / 255, 77 / 255))
+"""The same in fixed point: some are nearly the same."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,22 +65,23 @@ class Probe:
         return set_up(instance, plane(1), Scene(), (SIDE, SIDE))
 
 
-def _square(pairs: Sequence[tuple[float, float]], kind: type[np.generic]) -> Texture:
-    """Two by two texels without further levels.
-
-    The first lane changes to the right, the second one downwards, and the others to the right.
-    """
-    texels = np.empty((2, 2, 4), kind)
-    for lane, (first, last) in enumerate(pairs):
-        across = np.array([first, last])
+def _square(pairs: Sequence[Pair]) -> Floats:
+    """Two by two texels: the first lane changes to the right, the second one downwards, and the
+    others to the right."""
+    texels = np.empty((2, 2, 4))
+    for lane, pair in enumerate(pairs):
+        across = np.array(pair)
         texels[..., lane] = across[:, None] if lane == 1 else across
-    return Texture.of_array(texels)
+    return texels
 
 
 def _weights() -> dict[str, Texture]:
-    steps, numbers = [(0, 255), (0, 255), (77, 78), (77, 77)], [(0, 1), (0, 1)]
-    near = [(0.5, 0.5 + NEAR), (THIRD, THIRD)]
-    return {"fixed": _square(steps, np.uint8), "floats": _square([*numbers, *near], np.float32)}
+    """Texels without further levels."""
+    fixed, floats = np.rint(255 * _square(FIXED)), _square(FLOATS)
+    return {
+        "fixed": Texture.of_array(fixed.astype(np.uint8)),
+        "floats": Texture.of_array(floats.astype(np.float32)),
+    }
 
 
 def ladder(side: int, kind: type[np.generic], lanes: Callable[[int], Sequence[float]]) -> Texture:
