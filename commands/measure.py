@@ -9,7 +9,8 @@ import click
 
 from ..api import entry_points as api
 from ..targets.conformance.drivers import DRIVERS, Hardware
-from ..targets.conformance.measuring.measure import MeasuringError, measured
+from ..targets.conformance.measuring.derivation import MeasuringError
+from ..targets.conformance.measuring.measure import measured
 from ..targets.conformance.measuring.probes import FILE, Probe
 from ..targets.conformance.profiles import keep
 from ..targets.runner.codes import CodeError
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
 _INEXACT: tuple[tuple[str, str], ...] = (
     ("subtexel_bits", "weights of texels"),
+    ("product_bits", "their products"),
     ("mip_bits", "levels that are named"),
     ("fixed_bits", "results of texels in fixed point"),
     ("float_bits", "blends of float texels"),

@@ -95,6 +95,7 @@ def rules_of(
         frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
         lod_error=hardware.lod_error,
+        product_bits=hardware.product_bits,
         fixed_bits=hardware.fixed_bits,
         half_bits=hardware.half_bits,
         float_bits=hardware.float_bits,

@@ -29,6 +29,8 @@ class Hardware:
     """Places of a level of detail that a program names."""
     lod_error: float | None = None
     """How far off one is that follows from steps, in levels; ``None``: a step of the others."""
+    product_bits: int | None = None
+    """Places of the weight of each of several texels, which is a product; ``None``: a float's."""
     fixed_bits: int | None = None
     """Places of the result of a filter over texels in fixed point; ``None``: a float's."""
     half_bits: int | None = None

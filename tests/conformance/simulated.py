@@ -1,9 +1,10 @@
 """A device that filters textures as NVIDIA's do, simulated by the reference.
 
-It was made after what an H200 draws (driver 580.159.04, by Vulkan, wgpu and OpenGL): weights are
-rounded to 1/256, levels are cut off to 1/256, and follow from the longer axis of the ellipse that
-both steps span, which is known only roughly; results have 16 bits. While ``sampling`` lasts, the
-reference reads textures like that, if it draws without bounds.
+It was made after what an H200 draws (driver 580.159.04, by Vulkan, wgpu and OpenGL). Weights along
+an axis are rounded to 1/256, and so are their products, the weights of texels. Levels follow from
+the longer axis of the ellipse that both steps span, which is known only roughly, and are cut off to
+1/256. Results have 16 bits. While ``sampling`` lasts, the reference reads textures like that, if it
+draws without bounds.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 import pytest
 
 from burnish.compiler.reference.bounds import Bounded, exact
-from burnish.compiler.reference.picture import filtering, levels, texels
+from burnish.compiler.reference.picture import blending, filtering, levels, texels
 from burnish.compiler.reference.picture.levels import CoordinateSteps
 from burnish.compiler.reference.picture.scene import Floats
 from burnish.compiler.reference.picture.texels import Image
@@ -71,14 +72,31 @@ def _weight(share: Bounded, *, of_levels: bool) -> Bounded:
 
 
 def _blended(
-    corners: Sequence[Bounded], shares: Sequence[Bounded], _error: float | None
+    corners: Sequence[Bounded],
+    shares: Sequence[Bounded],
+    _error: float | None,
+    _product: float = 0.0,
 ) -> Bounded:
     of_levels = len(corners) == 2
-    given = [_weight(share, of_levels=of_levels) for share in shares]
-    return _EXACTLY(corners, given, None)
+    given = [_weight(share, of_levels=of_levels).value for share in shares]
+    if of_levels:
+        return _EXACTLY(corners, list(map(exact, given)), None)
+    weights = _rounded_weights(np.broadcast_arrays(*given))
+    return exact(np.asarray(sum(w * c.value for w, c in zip(weights, corners, strict=True))))
 
 
-_EXACTLY = filtering.blended
+def _rounded_weights(shares: Sequence[Floats]) -> list[Floats]:
+    """The weights of all texels, rounded so that those along each axis stay what they are."""
+    if len(shares) == 1:
+        return [1.0 - shares[0], shares[0]]
+    first, *others = shares
+    rest = _rounded_weights(others)
+    second = [np.floor(first * weight * WEIGHTS + 0.5) / WEIGHTS for weight in rest[1:]]
+    second.insert(0, first - sum(second))
+    return [a - b for a, b in zip(rest, second, strict=True)] + second
+
+
+_EXACTLY = blending.blended
 
 
 def _kept(reader: Any, found: Bounded, blends_levels: bool) -> Bounded:

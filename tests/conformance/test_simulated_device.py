@@ -67,6 +67,7 @@ def test_its_precision_is_found_with_a_margin() -> None:
     assert found.footprint == "ellipse"
     assert found.lod_error is not None
     assert 22.5 / 256 < found.lod_error < 0.125
+    assert found.product_bits == 8
     assert found.fixed_bits in (15, 16)
     assert found.float_bits in (16, 17)
     assert found.mixing_bits in (15, 16)

@@ -193,7 +193,7 @@ class Filter:
                 increasing(lambda x, first=first: np.clip(x - first, 0.0, 1.0), lane_at(part, lane))
                 for lane, first in zip(texels, cell, strict=True)
             ]
-            return blended(corners, shares, image.blending)
+            return blended(corners, shares, image.blending, image.of_products)
 
         def anything(pixels: Ints) -> tuple[Floats, Floats]:
             return self._anything(place, at(pixels, np.broadcast_to(level, texels[0].shape)))

@@ -166,6 +166,9 @@ class RasterRules:
     """
     footprint: Footprint = "any"
     """The length from which the level follows. Of cubes, ``euclidean`` is not known."""
+    product_bits: int | None = None
+    """The binary places of the weight of each of four or eight texels, which is the product of
+    those along the axes; ``None``: it is as precise as a float32."""
     fixed_bits: int | None = None
     """The binary places of the result of a filter over texels in fixed point.
 
@@ -236,6 +239,7 @@ class RasterRules:
             subtexel_bits=None,
             mip_bits=None,
             lod_error=None,
+            product_bits=None,
             fixed_bits=None,
             half_bits=None,
             float_bits=None,

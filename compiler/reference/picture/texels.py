@@ -81,6 +81,13 @@ class Image:
         return BLENDING if bits is None else 2.0**-bits
 
     @property
+    def of_products(self) -> float:
+        """The error of the weight of one of the texels around a place, from its weights along the
+        axes."""
+        bits = self.rules.product_bits
+        return 0.0 if bits is None else 2.0**-bits
+
+    @property
     def has_known_steps(self) -> bool:
         """True if the device takes the steps of a quad as the reference does."""
         is_known = self.rules.footprint == "euclidean" and self.type.dimension != "cube"

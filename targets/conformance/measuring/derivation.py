@@ -28,6 +28,8 @@ MOST_BITS = 16
 FLOAT_BITS = 20
 """A result with as many places is taken for that of a float32."""
 FIRST, NEXT = FIXED[2]
+ROUGHEST = 2.0**-6
+"""The largest relative error of what is read of a texture of one colour."""
 _ON_STEP = 0.05
 """The part of a binary place by which an error may be larger than the step that it stands for:
 that of a weight contains some of the result's."""
@@ -35,13 +37,25 @@ _ON_GRID = 2.0**-6
 """The part of a step of weights that is rounding of the place."""
 
 
+class MeasuringError(Exception):
+    """A device could not be measured; the text tells people why."""
+
+
 def derived(drawn: Drawn, assumed: Hardware, *, bottom_up: bool) -> Hardware:
-    """The precision of a device that has drawn this; what is not measured is as assumed."""
+    """The precision of a device that has drawn this; what is not measured is as assumed.
+
+    Raises ``MeasuringError`` if it does not filter, or reads something else.
+    """
     (weights,), (levels,), (slopes,) = (drawn[name] for name in ("Weights", "Levels", "Slopes"))
-    shares, of_constant = _shares(weights[2]), _float_error(weights[1])
+    shares, of_constant = _shares(weights[3]), _float_error(weights[1])
+    if of_constant > ROUGHEST:
+        raise MeasuringError("it reads something else than the texels of a texture of one colour")
     subtexel = _weight_bits(weights[1], shares, of_constant)
     of_floats = max(of_constant, _at_steps(weights[1], shares, subtexel, FLOATS))
     mip = _level_bits(levels[2][..., 0], levels[3][..., 0], of_floats)
+    for bits, what in ((subtexel, "texels"), (mip, "levels")):
+        if not bits:
+            raise MeasuringError(f"it blends {what} by weights of 0 bits, so it does not filter")
     of_fixed = max(
         _fixed_error(weights[0]),
         _at_steps(weights[0], shares, subtexel, FIXED),
@@ -55,6 +69,7 @@ def derived(drawn: Drawn, assumed: Hardware, *, bottom_up: bool) -> Hardware:
         mip_bits=mip,
         lod_error=lod_error,
         footprint=footprint,
+        product_bits=places(_product_error(weights[2], shares, subtexel), FLOAT_BITS),
         fixed_bits=places(of_fixed, FLOAT_BITS),
         float_bits=places(of_floats / 2, FLOAT_BITS),
         mixing_bits=places(of_single, FLOAT_BITS),
@@ -95,6 +110,22 @@ def _weight_bits(read: Floats, shares: Floats, error: float) -> int:
     """The places of weights, from texels that are 0 and 1 apart."""
     off = np.abs(read[..., :2] - shares).max() - error
     return _places(float(off), MOST_BITS)
+
+
+def _product_error(read: Floats, shares: Floats, bits: int) -> float:
+    """The error of weights that are products, where those along the axes are certain within a step.
+
+    The texels change twice as much with the product as they are apart.
+    """
+    across, down = (
+        np.stack(_neighbours(shares[..., axis], bits))
+        if bits < MOST_BITS
+        else shares[None, ..., axis]
+        for axis in (0, 1)
+    )
+    tried = [x * y + (1 - x) * (1 - y) for x in across for y in down]
+    off = np.min(np.abs(read[..., 0] - np.array(tried)), axis=0)
+    return float(off.max() / 2)
 
 
 def _at_steps(read: Floats, shares: Floats, bits: int, pairs: Sequence[Pair]) -> float:

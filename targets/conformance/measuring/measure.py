@@ -18,7 +18,7 @@ from ...runner.scene_state import SceneState
 from ...runner.subject import Subject
 from ...toolchain import Toolchain
 from ..drivers import Hardware
-from .derivation import Pictures, derived
+from .derivation import MeasuringError, Pictures, derived
 from .probes import PROBES, Probe
 
 Draw = Callable[[Subject, Sequence[SceneState]], Sequence[Pictures]]
@@ -26,10 +26,6 @@ Draw = Callable[[Subject, Sequence[SceneState]], Sequence[Pictures]]
 Compile = Callable[[Probe, str], Subject]
 """Compiles the material of a probe for a profile; callers know the compiler, this package does
 not."""
-
-
-class MeasuringError(Exception):
-    """A device could not be measured; the text tells people why."""
 
 
 def measured(
@@ -61,10 +57,4 @@ def measured_by(
         if not all(np.isfinite(target).all() for each in pictures for target in each):
             raise MeasuringError(f"it drew what is not a number for the probe `{probe.material}`")
         found[probe.material] = pictures
-    hardware = derived(found, assumed, bottom_up=bottom_up)
-    for bits, what in (
-        (hardware.subtexel_bits, "texels"), (hardware.mip_bits, "levels")
-    ):  # fmt: skip
-        if not bits:
-            raise MeasuringError(f"it blends {what} by weights of 0 bits, so it does not filter")
-    return hardware
+    return derived(found, assumed, bottom_up=bottom_up)

@@ -37,6 +37,8 @@ FLOATS: Sequence[Pair] = ((0, 1), (0, 1), (THIRD, float(np.float32(7 / 9))), (TH
 """The two texels that are blended in each lane."""
 FIXED: Sequence[Pair] = ((0, 1), (0, 1), (77 / 255, 78 / 255), (77 / 255, 77 / 255))
 """The same in fixed point: some are nearly the same."""
+SADDLE = np.array([[1.0, 0.0], [0.0, 1.0]])
+"""Texels whose blend hangs on the product of the weights along both axes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +83,7 @@ def _weights() -> dict[str, Texture]:
     return {
         "fixed": Texture.of_array(fixed.astype(np.uint8)),
         "floats": Texture.of_array(floats.astype(np.float32)),
+        "saddle": Texture.of_array(np.repeat(SADDLE[..., None], 4, -1).astype(np.float32)),
     }
 
 
