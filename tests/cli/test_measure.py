@@ -49,7 +49,7 @@ def test_a_device_is_measured_and_later_runs_know_it() -> None:
     after = invoke("conform", "m.burnish", "--routes", ROUTE)
     assert (before.exit_code, after.exit_code) == (0, 0)
     wide, narrow = (_steps(each.stdout) for each in (before, after))
-    assert narrow < wide / 4
+    assert narrow < wide / 2
 
 
 def _steps(table: str) -> float:

@@ -91,7 +91,7 @@ def test_a_device_that_reports_weights_of_0_bits_is_told() -> None:
     where[..., 1] = where[..., 0].T
     nearest = np.rint(where * 2 - 0.5)
     nearest[..., 3] = THIRD
-    drawn = {
+    drawn: dict[str, Any] = {
         "Weights": [(nearest, nearest, nearest, where)],
         "Levels": [(where, where, where, where)],
         "Slopes": [(where,)],
