@@ -148,7 +148,7 @@ def conformance_page() -> str:
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = spliced(page, "routes", table(("route", "text", "how"), _routes()))
     heading = (
-        "driver", "", "interpolated", "position", "subtexel", "level", "footprint", "off", "mixed",
+        "driver", "", "interpolated", "position", "subtexel", "product", "level", "footprint", "off", "mixed",
         "fixed", "half", "float", "edges, in pixels", "lines",
     )  # fmt: skip
     return spliced(page, "drivers", table(heading, _drivers()))
@@ -170,7 +170,8 @@ def _drivers() -> Iterator[tuple[str, ...]]:
 def _hardware(found: Hardware) -> tuple[object, ...]:
     """The precision of a device's fixed functions; nothing where it is that of a float32."""
     return (
-        found.varying_bits, found.frag_coord_bits, found.subtexel_bits, found.mip_bits,
+        found.varying_bits, found.frag_coord_bits, found.subtexel_bits,
+        found.product_bits or "", found.mip_bits,
         found.footprint, found.lod_error or "", found.mixing_bits or "", found.fixed_bits or "",
         found.half_bits or "", found.float_bits or "",
     )  # fmt: skip
