@@ -48,6 +48,8 @@ def test_a_device_is_measured_and_later_runs_know_it() -> None:
     assert len(kept()) == 1
     after = invoke("conform", "m.burnish", "--routes", ROUTE)
     assert (before.exit_code, after.exit_code) == (0, 0)
+    hint = f"`burnish conform --measure --routes {ROUTE.partition(':')[0]}`"
+    assert (hint in before.stdout, hint in after.stdout) == (True, False)
     wide, narrow = (_steps(each.stdout) for each in (before, after))
     assert narrow < wide / 2
 

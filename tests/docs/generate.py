@@ -148,8 +148,8 @@ def conformance_page() -> str:
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = spliced(page, "routes", table(("route", "text", "how"), _routes()))
     heading = (
-        "driver", "", "interpolated", "position", "subtexel", "product", "level", "footprint", "off", "mixed",
-        "fixed", "half", "float", "edges, in pixels", "lines",
+        "driver", "", "interpolated", "position", "subtexel", "product", "level", "footprint",
+        "off", "mixed", "fixed", "half", "float", "edges, in pixels", "lines",
     )  # fmt: skip
     return spliced(page, "drivers", table(heading, _drivers()))
 

@@ -53,19 +53,15 @@ def found(
 
 def derivatives(slopes: Floats, *, bottom_up: bool) -> Derivatives:
     """The pixels between which a device takes differences."""
-    height, across, down = (slopes[..., lane] for lane in range(3))
-    own_across, own_down = _differences(height)
+    height, *drawn = (slopes[..., lane] for lane in range(3))
+    own = _differences(height)
+    # Pictures are upright, whichever way the device counts rows.
     row = 1 if bottom_up else 0
-    first_across, first_down = own_across.copy(), own_down.copy()
-    first_across[row ^ 1 :: 2] = own_across[row::2]
-    first_down[:, 1::2] = own_down[:, ::2]
-    # Rows are upright in pictures, whichever way the device counts them.
-    for kind, right, below in (
-        ("own", own_across, own_down), ("first", first_across, first_down)
-    ):  # fmt: skip
-        off = max(np.abs(across - right).max(), np.abs(down - below).max())
-        if off <= _SLOPE:
-            return "own" if kind == "own" else "first"
+    first = np.repeat(own[0][row::2], 2, axis=0), np.repeat(own[1][:, ::2], 2, axis=1)
+    kinds: dict[Derivatives, tuple[Floats, Floats]] = {"own": own, "first": first}
+    for kind, meant in kinds.items():
+        if all(np.abs(x - y).max() <= _SLOPE for x, y in zip(drawn, meant, strict=True)):
+            return kind
     return "any"
 
 
