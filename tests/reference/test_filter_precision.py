@@ -109,6 +109,39 @@ def test_a_result_is_as_precise_as_the_format_is_filtered(
     assert all(_width(other, rules) < 1e-5 for other in get_args(Stored) if other != stored)
 
 
+@pytest.mark.parametrize("dimension", ["2d", "3d"])
+def test_weights_of_texels_may_be_rounded_while_those_along_an_axis_stay(dimension: Any) -> None:
+    """A device rounds the weight of the last texel, and gives the rest to its neighbours."""
+    random = np.random.default_rng(4)
+    axes = int(dimension[0])
+    texels = random.uniform(-1, 1, (*(2,) * axes, 4))
+    rules = RasterRules(1, 1, subtexel_bits=30, product_bits=6)
+    read = Read(dimension, "float", texels, rules=rules, filter="linear", mip="none")
+    widest = 0.0
+    for _ in range(50):
+        shares = random.uniform(0, 1, axes)
+        low, high = read.hull("sample_level", tuple(0.25 + shares / 2), 0)
+        weights = _weights(shares, 2.0**-6)
+        device = sum(w * texels[place][0] for place, w in weights.items())
+        assert low - 1e-6 <= device <= high + 1e-6
+        widest = max(widest, high - low)
+    assert widest < 3 * 2 * 2.0**-6 * 4
+
+
+def _weights(shares: Any, step: float) -> dict[tuple[int, ...], float]:
+    """The weights of texels by their place, the one along the first axis last."""
+    found: dict[tuple[int, ...], float] = {(): 1.0}
+    for share in shares:
+        wider: dict[tuple[int, ...], float] = {}
+        parts = {place: np.rint(share * w / step) * step for place, w in found.items()}
+        last = max(found)
+        parts[last] = share - sum(w for place, w in parts.items() if place != last)
+        for place, w in found.items():
+            wider[(0, *place)], wider[(1, *place)] = w - parts[place], parts[place]
+        found = wider
+    return found
+
+
 def test_a_result_in_fixed_point_is_between_0_and_1() -> None:
     texels = np.zeros((2, 2, 4))
     texels[0] = 1.0
