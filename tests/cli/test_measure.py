@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from burnish.targets.conformance.profiles import STORE
-from burnish.targets.runner.drivers.device import DriverError
+from burnish.targets.runner.drivers.device import Device, DriverError
 from burnish.targets.runner.runner import Runner
 from burnish.targets.runner.store import Store
 
@@ -81,6 +81,18 @@ def test_a_device_that_is_lost_meanwhile(monkeypatch: pytest.MonkeyPatch) -> Non
     assert (result.exit_code, result.stdout) == (1, "")
     assert result.stderr == (
         f"error: {ROUTE}: its device was not measured, and nothing is kept: the device was lost\n"
+    )
+    assert kept() == []
+
+
+def test_a_device_that_reports_0_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    device = Device("Some GPU", "1", subpixel_bits=0, subtexel_bits=0, mip_bits=0)
+    monkeypatch.setattr(Runner, "device", lambda *_: device)
+    result = invoke("conform", "--measure", "--routes", ROUTE)
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert result.stderr == (
+        f"error: {ROUTE}: its device was not measured, and nothing is kept: it reports 0 bits for "
+        "the places of vertices, so no picture of it can be compared\n"
     )
     assert kept() == []
 

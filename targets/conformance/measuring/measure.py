@@ -36,6 +36,11 @@ def measured(
     Raises ``CodeError``, ``DriverError`` and ``MeasuringError``.
     """
 
+    if runner.device(route).subpixel_bits < 1:
+        raise MeasuringError(
+            "it reports 0 bits for the places of vertices, so no picture of it can be compared"
+        )
+
     def draw(material: Subject, states: Sequence[SceneState]) -> Sequence[Pictures]:
         codes = compile_one(route, material.files, toolchain)
         bound = pipeline(material.reflection, route, codes)
