@@ -31,6 +31,7 @@ class ConformRequest(NamedTuple):
     search_path: tuple[Path, ...]
     hoist: bool
     native_stages: bool
+    measure: bool = False
 
 
 Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]

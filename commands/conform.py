@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
+@click.argument("files", type=click.Path(path_type=Path), nargs=-1, metavar="FILE…")
 @click.option(
     "--routes", metavar="ROUTE,…", default="all", show_default=True,
     help="Routes to draw with, as `burnish doctor` lists them: `lavapipe`, `chromium:webgpu`, ….",
@@ -55,6 +55,11 @@ if TYPE_CHECKING:
     help="The pixel's scene: `defaults`, `stretched`, `behind`, `inside`, or `declared` if the "
     "pass blends, masks lanes or has several samples; or the output of a frame. By default, the "
     "one where the pixel is the least certain.",
+)  # fmt: skip
+@click.option(
+    "--measure", is_flag=True,
+    help="Instead of comparing files, measure how precisely the devices of --routes filter "
+    "textures (by default of `vulkan,opengl,wgpu`), and keep it for later runs on these devices.",
 )  # fmt: skip
 @click.option(
     "--seed", type=int, default=0, show_default=True,
@@ -83,6 +88,11 @@ def conform(**chosen: Any) -> None:
     from 0,0 in the upper left corner. Of a frame it says which step has made the pixel, and what
     carries the error to it.
 
+    What is guaranteed of a device of this machine is little. --measure draws ramps, levels and
+    cubes on it, which takes seconds, and finds how it rounds: then its pictures are held against
+    that first, and only where they leave it against what is guaranteed. What was found is kept by
+    driver, device and version, so measure again after an update of the driver.
+
     With --native-stages, routes draw with the stages that their target has for primitives, and what
     the reference draws is the same: a route whose target has no such stage is not run.
 
@@ -90,6 +100,7 @@ def conform(**chosen: Any) -> None:
     Example:
         burnish conform plastic.burnish
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
+        burnish conform --measure --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
@@ -98,7 +109,10 @@ def conform(**chosen: Any) -> None:
     with Stopping() as stopping, errors_as_messages():
         _check_report(request.report)
         routes = _routes(request)
-        if request.explain is None:
+        if request.measure:
+            with stopping.at_once():
+                _measure(request, routes)
+        elif request.explain is None:
             _judge(request, routes, stopping)
         else:
             with stopping.at_once():
@@ -107,6 +121,11 @@ def conform(**chosen: Any) -> None:
 
 def _check_options(request: ConformRequest) -> None:
     """Raise ``UsageError`` for options that would have no effect together."""
+    if request.measure:
+        _check_measuring(request)
+        return
+    if not request.files:
+        raise click.UsageError("Missing argument 'FILE…'.")
     if request.explain is None:
         if request.case is not None:
             raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
@@ -115,6 +134,24 @@ def _check_options(request: ConformRequest) -> None:
         if given:
             raise click.UsageError(
                 f"{option} is about verdicts, which --explain does not give: leave out one of them"
+            )
+
+
+def _check_measuring(request: ConformRequest) -> None:
+    """Raise ``UsageError`` for what has no effect where devices are measured."""
+    for given, what in (
+        (request.files, "a FILE"),
+        (request.report, "--report"),
+        (request.strict, "--strict"),
+        (request.explain, "--explain"),
+        (request.case, "--case"),
+        (request.rig, "--rig"),
+        (request.pass_, "--pass"),
+        (request.native_stages, "--native-stages"),
+    ):
+        if given:
+            raise click.UsageError(
+                f"--measure compares nothing, so {what} has no effect: leave out one of them"
             )
 
 
@@ -129,11 +166,26 @@ def _check_report(folder: Path | None) -> None:
 def _routes(request: ConformRequest) -> Sequence[Route]:
     from ..targets.runner.routes import select
 
-    routes = select([request.routes])
+    routes = select([_wanted(request)])
     if not routes:
         raise click.UsageError("--routes names no route")
     check_device(request.device, routes)
     return routes
+
+
+def _wanted(request: ConformRequest) -> str:
+    """The names of the routes; those that draw the same on every machine need no measuring."""
+    from ..targets.runner.routes import ALL, DEVICE_DRIVERS
+
+    is_usual = request.measure and request.routes == ALL
+    return ",".join(DEVICE_DRIVERS) if is_usual else request.routes
+
+
+def _measure(request: ConformRequest, routes: Sequence[Route]) -> None:
+    """Measure the devices of the routes."""
+    from .measure import measure
+
+    measure(routes, request.device, named=request.routes != "all")
 
 
 def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:

@@ -73,6 +73,7 @@ def print_summary(rows: Sequence[Row], unfinished: Unfinished | None, *, strict:
         messages,
         outcome,
         tools,
+        unmeasured,
     )  # fmt: skip
 
     for driver, device in devices(rows).items():
@@ -87,6 +88,11 @@ def print_summary(rows: Sequence[Row], unfinished: Unfinished | None, *, strict:
             heading = f"{material}, {routes}: {said[0].status}"
             failed = is_failure(said[0], strict=strict)
             remark("error" if failed else "warning", "\n  ".join([heading, *lines]))
+    if drivers := unmeasured(rows):
+        say(
+            "bounds of a device are narrower once it is measured: "
+            f"`burnish conform --measure --routes {','.join(drivers)}`"
+        )
     say(outcome(rows, unfinished))
 
 

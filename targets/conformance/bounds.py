@@ -17,6 +17,7 @@ from ..runner.routes import Route
 from .compare import Level
 from .drivers import DRIVERS, Driver, Hardware
 from .measured import ENVELOPES
+from .profiles import profile_of
 
 _ANY: tuple[Platform, ...] = ("vulkan",)
 """The platform for errors of functions. Errors that were not measured follow from those that were,
@@ -45,7 +46,10 @@ class Sized2d(Protocol):
 
 
 def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...]:
-    """The bounds of a picture: those that were measured of the driver, then the guaranteed ones."""
+    """The bounds of a picture: those that were measured, then the guaranteed ones.
+
+    Of software, its driver was measured; of other devices, this user may have measured theirs.
+    """
     driver = DRIVERS[route.driver]
     ruled = partial(rules_of, state, device, driver, bottom_up=route.bottom_up)
     guaranteed = Bounds(
@@ -53,15 +57,15 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
         ruled(_guaranteed(driver.assumed, device)),
         Errors(route.platforms),
     )
-    if driver.measured is None:
+    if driver.measured is not None:
+        functions = ENVELOPES[route.driver].allowed()
+        errors = Errors(_ANY, tuple(sorted(functions.items())))
+        return Bounds("measured", ruled(driver.measured), errors), guaranteed
+    profile = profile_of(route.driver, device)
+    if profile is None:
         return (guaranteed,)
-    functions = ENVELOPES[route.driver].allowed()
-    measured = Bounds(
-        "measured",
-        ruled(driver.measured),
-        Errors(_ANY, tuple(sorted(functions.items()))),
-    )
-    return measured, guaranteed
+    # Nothing was measured of the device's functions.
+    return Bounds("measured", ruled(profile), guaranteed.errors), guaranteed
 
 
 def _guaranteed(assumed: Hardware, device: Device) -> Hardware:
@@ -90,9 +94,14 @@ def rules_of(
         varying_bits=hardware.varying_bits,
         frag_coord_bits=hardware.frag_coord_bits,
         mip_bits=hardware.mip_bits,
+        lod_error=hardware.lod_error,
+        product_bits=hardware.product_bits,
+        fixed_bits=hardware.fixed_bits,
+        half_bits=hardware.half_bits,
+        float_bits=hardware.float_bits,
         mixing_bits=hardware.mixing_bits,
         derivatives=hardware.derivatives,
-        euclidean_steps=hardware.euclidean_steps,
+        footprint=hardware.footprint,
         corner_bits=hardware.corner_bits,
         lines=hardware.lines,
         snaps_line_ends=driver.snaps_line_ends,
@@ -109,11 +118,8 @@ def precise(rules: RasterRules) -> RasterRules:
     Of this device, nothing is known about an operation without a guard that leaves its domain.
     """
     return replace(
-        rules,
-        subtexel_bits=None,
+        rules.reading_exactly,
         varying_bits=None,
         frag_coord_bits=None,
-        mip_bits=None,
-        mixing_bits=None,
         unguarded_is_nan=True,
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from ...compiler.reference.picture.scene import Derivatives, Lines
+from ...compiler.reference.picture.scene import Derivatives, Footprint, Lines
 from ...stdlib.builtins.accuracy import INTERPOLATED_BITS
 
 
@@ -26,13 +26,24 @@ class Hardware:
     subtexel_bits: int
     """Places of the weights of filters."""
     mip_bits: int
-    """Places of the level of detail."""
+    """Places of a level of detail that a program names."""
+    lod_error: float | None = None
+    """How far off one is that follows from steps, in levels; ``None``: a step of the others."""
+    product_bits: int | None = None
+    """Places of the weight of each of several texels, which is a product; ``None``: a float's."""
+    fixed_bits: int | None = None
+    """Places of the result of a filter over texels in fixed point; ``None``: a float's."""
+    half_bits: int | None = None
+    """Places of a blend of texels that are short floats, relative to the larger one; ``None``: a
+    float's."""
+    float_bits: int | None = None
+    """The same for floats of 32 bits."""
     mixing_bits: int | None = None
     """Places of the weights of two levels whose texels are not filtered; ``None``: they are
     floats."""
     derivatives: Derivatives = "any"
-    euclidean_steps: bool = False
-    """True if mip levels follow from a quad's first row and column, by Euclidean lengths."""
+    footprint: Footprint = "any"
+    """The length from which mip levels follow."""
     corner_bits: int | None = None
     """Places of the mean of the three texels around a cube's corner; ``None``: it may be one of
     them."""
@@ -74,7 +85,7 @@ _LLVM = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
-        derivatives="own", euclidean_steps=True, corner_bits=20, lines="rectangle",
+        derivatives="own", footprint="euclidean", corner_bits=20, lines="rectangle",
     ),
     clips_sides=True,
     edge_slack=2.0**-11,
@@ -86,7 +97,7 @@ _SWIFTSHADER = Driver(
     Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
-        derivatives="first", euclidean_steps=True, corner_bits=8, lines="rectangle",
+        derivatives="first", footprint="euclidean", corner_bits=8, lines="rectangle",
     ),
     interpolates_snapped=True,
     clips_sides=True,
@@ -105,20 +116,26 @@ def _with_lines(driver: Driver, lines: Lines) -> Driver:
 # WebGL's rows are drawn from the bottom up, which turns the top-left rule into a bottom-left one.
 _WEBGL = replace(_with_lines(_SWIFTSHADER, "parallelogram"), owns_bottom=True)
 
-# Nobody has measured the devices of other people's machines. Where the API reports nothing, this is
-# less than such devices are known to have. It was tried on Mesa's software only.
+# The devices of other people's machines, unless they have measured theirs (``profiles.py``). Where
+# the API reports nothing, this is less than such devices are known to have. Vulkan says nothing of
+# the precision of levels and of filtered results. Its conformance tests (VK-GL-CTS,
+# vktPipelineImageSamplingInstance.cpp) accept levels with 4 places and results that lack two of a
+# texel's 8 bits; a filter over floats is given the same as over fixed point.
 _ANY_DEVICE = Driver(
     Hardware(
         varying_bits=INTERPOLATED_BITS,
         frag_coord_bits=INTERPOLATED_BITS,
         subtexel_bits=8,
         mip_bits=4,
+        lod_error=2.0**-4,
+        fixed_bits=6,
+        half_bits=8,
+        float_bits=8,
         mixing_bits=8,
     ),
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,
-    level_power=4,
 )
 
 DRIVERS: Mapping[str, Driver] = {

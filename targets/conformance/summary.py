@@ -8,7 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from .compare import Sample
+from .drivers import DRIVERS
 from .error_words import lanes_text
+from .profiles import profile_of
 from .rows import STATUSES, CaseResult, Row, Status
 
 FAILURES: frozenset[Status] = frozenset({"differs", "overflows", "failed"})
@@ -130,6 +132,19 @@ def messages(rows: Sequence[Row]) -> Iterator[tuple[Sequence[Row], Sequence[str]
             yield weak, list(details(row))
         elif row.status not in ("proves little", "not run") and (lines := list(details(row))):
             yield [row], lines
+
+
+def unmeasured(rows: Iterable[Row]) -> list[str]:
+    """The drivers of rows that prove little, of whose devices nothing was measured."""
+    weak = {
+        row.route.driver: row.device
+        for row in rows
+        if row.status == "proves little" and DRIVERS[row.route.driver].measured is None
+    }
+    return [
+        driver for driver, device in weak.items()
+        if device is not None and profile_of(driver, device) is None
+    ]  # fmt: skip
 
 
 def details(row: Row) -> Iterator[str]:

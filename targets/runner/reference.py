@@ -128,7 +128,11 @@ def texels_of(instance: Instance) -> dict[str, Texels]:
                 for level in each.levels)  # fmt: skip
     check("memory", count * _BYTES_OF_TEXEL, "what the reference reads of textures takes")
     return {
-        name: Texels(tuple(texture.linear()), texture.format.endswith("-srgb"))
+        name: Texels(
+            tuple(texture.linear()),
+            is_srgb=texture.format.endswith("-srgb"),
+            stored="fixed" if "unorm" in texture.format else "float",
+        )
         for name, texture in textures.items()
     }
 

@@ -20,7 +20,7 @@ from burnish.compiler.ir.rulebook import RULES
 from burnish.compiler.passes.rules.notation import conditions, equations
 from burnish.compiler.passes.rules.table import RULES as SIMPLIFICATIONS
 from burnish.compiler.syntax.ast import KINDS
-from burnish.targets.conformance.drivers import DRIVERS
+from burnish.targets.conformance.drivers import DRIVERS, Hardware
 from burnish.targets.runner.routes import EVERY_ROUTE
 from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 
@@ -148,8 +148,8 @@ def conformance_page() -> str:
     page = (DOCS / "conformance.md").read_text(encoding="utf-8")
     page = spliced(page, "routes", table(("route", "text", "how"), _routes()))
     heading = (
-        "driver", "", "interpolated", "position", "subtexel", "level", "mixed", "edges, in pixels",
-        "lines",
+        "driver", "", "interpolated", "position", "subtexel", "product", "level", "footprint",
+        "off", "mixed", "fixed", "half", "float", "edges, in pixels", "lines",
     )  # fmt: skip
     return spliced(page, "drivers", table(heading, _drivers()))
 
@@ -164,11 +164,17 @@ def _drivers() -> Iterator[tuple[str, ...]]:
         slack = f"{row.edge_slack:.1e}" if row.edge_slack else "0"
         for what, found in (("assumed", row.assumed), ("measured", row.measured)):
             if found is not None:
-                bits = (
-                    found.varying_bits, found.frag_coord_bits, found.subtexel_bits, found.mip_bits,
-                    found.mixing_bits or "",
-                )  # fmt: skip
-                yield f"`{name}`", what, *map(str, bits), slack, found.lines
+                yield f"`{name}`", what, *map(str, _hardware(found)), slack, found.lines
+
+
+def _hardware(found: Hardware) -> tuple[object, ...]:
+    """The precision of a device's fixed functions; nothing where it is that of a float32."""
+    return (
+        found.varying_bits, found.frag_coord_bits, found.subtexel_bits,
+        found.product_bits or "", found.mip_bits,
+        found.footprint, found.lod_error or "", found.mixing_bits or "", found.fixed_bits or "",
+        found.half_bits or "", found.float_bits or "",
+    )  # fmt: skip
 
 
 def graph_page() -> str:

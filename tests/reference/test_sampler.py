@@ -202,13 +202,13 @@ def test_the_bounds_are_those_of_the_levels_bits() -> None:
     low, high = reds(read(LEVELS, "", (0, 3), subtexel_bits=8, mip_bits=6))
     assert np.allclose(high - low, 2.0**-5, atol=1e-4)
     # A step along x moves as far in u as in v; its length may be taken for the larger of the two
-    # or for their sum, half a level to either side.
-    turned = [(0, 0), (6, 6), (-6, 6)]
+    # or for their sum, half a level to either side. The axis of an ellipse may be half more.
+    turned = [(0, 0), (3, 3), (-3, 3)]
     found = read(LEVELS, "", corners=turned, subtexel_bits=8, mip_bits=6)
-    middle = np.log2(3 * np.sqrt(2))
+    middle = np.log2(1.5 * np.sqrt(2))
     low, high = reds(found)
     assert np.allclose(found.targets[0][..., 0], middle)
-    assert np.allclose(high, middle + 0.5 + 2.0**-6, atol=1e-4)
+    assert np.allclose(high, middle + 1 + 2.0**-6, atol=1e-4)
     assert np.allclose(low, middle - 0.5 - 2.0**-6, atol=1e-4)
 
 

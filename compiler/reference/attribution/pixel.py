@@ -218,8 +218,7 @@ class AttributionReader:
     """Reads a texture without rounding; or, at coordinates with bounds, as a device may."""
 
     def __init__(self, texels: Texels, texture: Texture, rules: RasterRules) -> None:
-        exactly = replace(rules, subtexel_bits=None, mip_bits=None, mixing_bits=None)
-        self._exact = TextureReader(Image(texels, texture, exactly))
+        self._exact = TextureReader(Image(texels, texture, rules.reading_exactly))
         self._rounding = TextureReader(Image(texels, texture, rules))
 
     def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:

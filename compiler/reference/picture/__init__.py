@@ -12,7 +12,7 @@ from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
 from .resolve import expected_on, samples_on
-from .scene import Counted, Expected, Geometry, RasterRules, Texels, instanced
+from .scene import Counted, Expected, Geometry, RasterRules, Stored, Texels, instanced
 from .stage_evaluation import PIXELS_AT_ONCE
 
 __all__ = [
@@ -25,6 +25,7 @@ __all__ = [
     "Hulls",
     "Places",
     "RasterRules",
+    "Stored",
     "Texels",
     "canvas_size",
     "draw",

@@ -94,7 +94,7 @@ class Filter:
 
         found = hull_of_choices([place.layer, self._number(level)], compute, anything)
         if place.reference is None:
-            return self._weighed(found)
+            return self._kept(self._weighed(found), blends)
         # A blend of zeros and ones may exceed 1, but not fall below 0 (``builtins/texture.py``).
         return exact(found.value) if found.is_exact else limited(found, 0.0, np.inf)
 
@@ -138,10 +138,10 @@ class Filter:
         above = np.minimum(number + 1, self._image.levels - 1)
         if len(reached) == len(above):
             upper = self._in_level(place, layer, above)
-            return blended((lower, upper), (share,), self._image.is_exact)
+            return blended((lower, upper), (share,), self._image.blending)
         upper = self._in_level(place.at(reached), at(reached, layer), at(reached, above))
         both = lane_at(reached, lower), upper
-        mixed = blended(both, (lane_at(reached, share),), self._image.is_exact)
+        mixed = blended(both, (lane_at(reached, share),), self._image.blending)
         return replaced(lower, reached, mixed)
 
     def _weighed(self, found: Bounded) -> Bounded:
@@ -152,6 +152,19 @@ class Filter:
         bits = self._image.rules.mixing_bits
         blends = self._kind == "nearest" and self._image.state["mip"] == "linear"
         return widened(found, 2.0**-bits) if blends and bits is not None else found
+
+    def _kept(self, found: Bounded, blends_levels: bool) -> Bounded:
+        """The result of a filter over texels in fixed point, with as many bits as a device keeps.
+
+        It stays between 0 and 1, as all texels do.
+        """
+        image = self._image
+        bits = image.rules.fixed_bits if image.stored == "fixed" else None
+        if bits is None or not (blends_levels or self._kind == "linear"):
+            return found
+        off = 2.0**-bits
+        low = np.maximum(found.low - off, np.minimum(found.low, 0.0))
+        return Bounded(found.value, low, np.minimum(found.high + off, np.maximum(found.high, 1.0)))
 
     # --- texels -----------------------------------------------------------------------------------
 
@@ -180,7 +193,7 @@ class Filter:
                 increasing(lambda x, first=first: np.clip(x - first, 0.0, 1.0), lane_at(part, lane))
                 for lane, first in zip(texels, cell, strict=True)
             ]
-            return blended(corners, shares, image.is_exact)
+            return blended(corners, shares, image.blending, image.of_products)
 
         def anything(pixels: Ints) -> tuple[Floats, Floats]:
             return self._anything(place, at(pixels, np.broadcast_to(level, texels[0].shape)))

@@ -14,7 +14,7 @@ import numpy as np
 
 from ....support.frozen import frozen
 from ..transfer import decode_srgb, encode_srgb
-from .scene import Floats
+from .scene import Floats, Stored
 
 _CURVED = 0.1
 """The part of a step by which a device's sRGB curve may be off, besides rounding.
@@ -43,6 +43,13 @@ class Format:
     def steps(self) -> Floats:
         """The number of steps from 0 to 1 of each lane, where these are equal."""
         return np.array([2.0**self.bits - 1] * 3 + [2.0**self.alpha_bits - 1])
+
+    @property
+    def stored(self) -> Stored:
+        """The kind of its numbers."""
+        if not self.is_float:
+            return "fixed"
+        return "half" if self.bits < 32 else "float"
 
     @property
     def kind(self) -> type[np.float16 | np.float32]:

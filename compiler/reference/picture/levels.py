@@ -3,7 +3,10 @@
 Source: Vulkan, "Scale Factor Operation, LOD Operation and Image Level(s) Selection". A device may
 take differences between either two rows and columns of a quad, may take for the length of a step
 anything from its largest lane to the sum of all lanes, and rounds the level to a number of binary
-places.
+places. Direct3D (11.3 functional specification, 7.18.11, after Heckbert, *Fundamentals of Texture
+Mapping and Image Warping*, 1989) lets the level follow from the longer axis of the ellipse that the
+two steps span. That may be longer than either of them, but not than the diagonal of both. NVIDIA's
+devices do so in Vulkan, too, and know the axis only roughly.
 """
 
 from __future__ import annotations
@@ -16,8 +19,8 @@ import numpy as np
 from ....stdlib.builtins.facts import ULP
 from ..bounds import Bounded, between, exact
 from .choices import Part, lane_at
-from .intervals import difference, increasing, largest, quotient, widened
-from .scene import Floats, Ints, RasterRules
+from .intervals import difference, increasing, largest, product, quotient, widened
+from .scene import Floats, RasterRules
 from .texels import Image
 
 _TINY = 2.0**-60
@@ -80,10 +83,9 @@ def _difference(lane: Bounded, axis: int, image: Image) -> Bounded:
 
 def of_steps(image: Image, steps: CoordinateSteps) -> Bounded:
     """The level for these steps, in units of the texture or face."""
-    sizes = image.first_sizes
-    footprint = largest([_length(lanes, sizes, image) for lanes in (steps.across, steps.down)])
+    across, down = (_in_texels(lanes, image) for lanes in (steps.across, steps.down))
     power = image.rules.level_power
-    level = increasing(lambda x: _logarithm(x, power), footprint)
+    level = increasing(lambda x: _logarithm(x, power), _footprint(across, down, image))
     return _rounded(image, level)
 
 
@@ -129,17 +131,50 @@ def scaled(
     return steps.mapped(lambda lane: quotient(lane, out))
 
 
-def _length(lanes: Sequence[Bounded], sizes: Sequence[Ints], image: Image) -> Bounded:
-    """The length of a step in texels."""
-    texels = [
-        increasing(lambda x, size=size: x * size, abs(lane))
-        for lane, size in zip(lanes, sizes, strict=True)
+def _in_texels(lanes: Sequence[Bounded], image: Image) -> list[Bounded]:
+    """A step in texels of the first level."""
+    return [
+        increasing(lambda x, size=size: x * size, lane)
+        for lane, size in zip(lanes, image.first_sizes, strict=True)
     ]
-    euclidean = increasing(lambda *x: np.sqrt(sum(size * size for size in x)), *texels)
+
+
+def _footprint(across: Sequence[Bounded], down: Sequence[Bounded], image: Image) -> Bounded:
+    """The length that decides the level, for the steps to the right and downwards in texels."""
+    steps = [[abs(lane) for lane in step] for step in (across, down)]
+    lengths = [increasing(_euclidean, *lanes) for lanes in steps]
+    longer = largest(lengths)
     if image.has_known_steps:
-        return euclidean
-    low = np.max(np.broadcast_arrays(*(lane.low for lane in texels)), axis=0)
-    return between(euclidean.value, low, sum(lane.high for lane in texels))
+        return longer
+    if image.rules.footprint == "ellipse":
+        return between(longer.value, longer.low, _longer_axis(lengths, across, down))
+    low = np.max(np.broadcast_arrays(*(lane.low for step in steps for lane in step)), axis=0)
+    sums = [sum(lane.high for lane in step) for step in steps]
+    # A cube's level on a device that is known otherwise follows from one of the steps.
+    high = np.hypot(*sums) if image.rules.footprint == "any" else np.maximum(*sums)
+    return between(longer.value, low, high)
+
+
+def _euclidean(*lanes: Floats) -> Floats:
+    """The length of a step with these lanes."""
+    length: Floats = np.sqrt(sum(lane * lane for lane in lanes))
+    return length
+
+
+def _longer_axis(
+    lengths: Sequence[Bounded], across: Sequence[Bounded], down: Sequence[Bounded]
+) -> Floats:
+    """The upper bound of the longer half axis of the ellipse that two steps span.
+
+    Its square is the larger eigenvalue of the products of the steps with each other and with
+    themselves, which grows with each of these products.
+    """
+    first, second = (length.high * length.high for length in lengths)
+    pairs = [product(x, y) for x, y in zip(across, down, strict=True)]
+    low, high = sum(pair.low for pair in pairs), sum(pair.high for pair in pairs)
+    mixed = np.maximum(np.abs(low), np.abs(high))
+    axis: Floats = np.sqrt((first + second + np.hypot(first - second, 2 * mixed)) / 2)
+    return axis
 
 
 def _logarithm(footprint: Floats, power: int | None) -> Floats:
@@ -162,9 +197,11 @@ def _at_least_tiny(number: Floats) -> Floats:
 
 
 def _rounded(image: Image, level: Bounded) -> Bounded:
-    """A level that a device computes with so many binary places."""
-    bits = image.rules.mip_bits
-    return _limited(image, level if bits is None else widened(level, 2.0**-bits))
+    """A level that follows from steps, as precisely as a device computes it."""
+    bits, error = image.rules.mip_bits, image.rules.lod_error
+    if bits is None:
+        return _limited(image, level)
+    return _limited(image, widened(level, 2.0**-bits if error is None else error))
 
 
 def _limited(image: Image, level: Bounded) -> Bounded:

@@ -111,7 +111,7 @@ class _Held:
             case Texture():
                 yield repr(changed(node.data, name="")).encode()
                 texels = self._textures[node.data.name]
-                yield from _of_value((texels.levels, texels.is_srgb))
+                yield from _of_value((texels.levels, texels.is_srgb, texels.stored))
             case Buffer():
                 yield from _of_value(self._values[node.data.name])
             case Binder():

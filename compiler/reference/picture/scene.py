@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -28,6 +28,18 @@ Derivatives = Literal["own", "first", "any"]
 
 ``own``: those of each pixel's own row and column. ``first``: those of the first row and column for
 the whole quad. ``any``: nothing is known, so any of its quad.
+"""
+Footprint = Literal["euclidean", "ellipse", "any"]
+"""The length in texels from whose logarithm the level follows.
+
+``euclidean``: that of the longer one of the steps in a quad's first row and column. ``ellipse``:
+anything from the longer step to the longer axis of the ellipse that both steps span, for the steps
+in any row and column of the quad. ``any``: all that APIs allow (``levels.py``).
+"""
+Stored = Literal["float", "half", "fixed"]
+"""The numbers of a texture's format: floats of 32 bits or of fewer, or fixed point in 0..1.
+
+How precise the result of a filter is depends on it.
 """
 Counted = frozenset[tuple[str, Hashable]]
 """Names and values of raster rules in ``RARE`` on which a picture depends."""
@@ -109,6 +121,8 @@ class Texels:
     """
     has_undefined: bool = False
     """True if some texels were drawn that are undefined; they are NaN."""
+    stored: Stored = "float"
+    """The numbers of the texture's format."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +160,27 @@ class RasterRules:
     frag_coord_bits: int | None = None
     """The exact binary places of the planes of a fragment's depth, and of its 1 / w."""
     mip_bits: int | None = None
-    """The binary places of the level of detail; ``None``: exact."""
+    """The binary places of a level that a program names; ``None``: exact."""
+    lod_error: float | None = None
+    """How far off the level is that follows from steps, in levels; ``None``: a step of the others.
+    """
+    footprint: Footprint = "any"
+    """The length from which the level follows. Of cubes, ``euclidean`` is not known."""
+    product_bits: int | None = None
+    """The binary places of the weight of each of four or eight texels, which is the product of
+    those along the axes; ``None``: it is as precise as a float32."""
+    fixed_bits: int | None = None
+    """The binary places of the result of a filter over texels in fixed point.
+
+    ``None``: it is as precise as a float32 is.
+    """
+    half_bits: int | None = None
+    """The binary places of each blend of texels that are short floats, relative to the larger one.
+
+    ``None``: as many as a float32 has.
+    """
+    float_bits: int | None = None
+    """The same for texels that are floats of 32 bits."""
     mixing_bits: int | None = None
     """The binary places of a mean of single texels of two levels; ``None``: exact.
 
@@ -158,12 +192,6 @@ class RasterRules:
     It reads the logarithm from a float's bits.
     """
     derivatives: Derivatives = "any"
-    euclidean_steps: bool = False
-    """True if the device is known to take Euclidean lengths of simple differences.
-
-    The differences are between pixels in a quad's first row and column; cubes are excepted. Vulkan
-    allows other ways, too.
-    """
     corner_bits: int | None = None
     """The binary places of the texel beyond a cube's corner; ``None``: it may read one of three.
 
@@ -202,6 +230,21 @@ class RasterRules:
 
     Left and right are exchanged: a known mistake.
     """
+
+    @property
+    def reading_exactly(self) -> RasterRules:
+        """These rules for a device whose texture reads do not round."""
+        return replace(
+            self,
+            subtexel_bits=None,
+            mip_bits=None,
+            lod_error=None,
+            product_bits=None,
+            fixed_bits=None,
+            half_bits=None,
+            float_bits=None,
+            mixing_bits=None,
+        )
 
     @property
     def common(self) -> Counted:

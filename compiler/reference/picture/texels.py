@@ -19,6 +19,7 @@ from ...ir.leaves import Texture
 from ...ir.types import TextureType
 from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
+from .blending import BLENDING
 from .cube import across_edges, beyond_corner
 from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
@@ -52,6 +53,7 @@ class Image:
                   for level in texels.levels]  # fmt: skip
         layers, heights, widths = np.array(shapes).T
         counts = layers * heights * widths
+        self.stored = texels.stored
         self._starts = np.cumsum(counts) - counts
         self._table = _table(texels.levels)
         self._ends = None if self.is_exact else _ends_of(self._table, texels)
@@ -70,9 +72,26 @@ class Image:
         return self.rules.subtexel_bits is None
 
     @property
+    def blending(self) -> float | None:
+        """The error of one blend of two texels, relative to the larger one; ``None``: no error."""
+        if self.is_exact:
+            return None
+        rules = self.rules
+        bits = {"fixed": None, "half": rules.half_bits, "float": rules.float_bits}[self.stored]
+        return BLENDING if bits is None else 2.0**-bits
+
+    @property
+    def of_products(self) -> float:
+        """The error of the weight of one of the texels around a place, from its weights along the
+        axes."""
+        bits = self.rules.product_bits
+        return 0.0 if bits is None else 2.0**-bits
+
+    @property
     def has_known_steps(self) -> bool:
         """True if the device takes the steps of a quad as the reference does."""
-        return self.is_exact or (self.rules.euclidean_steps and self.type.dimension != "cube")
+        is_known = self.rules.footprint == "euclidean" and self.type.dimension != "cube"
+        return self.is_exact or is_known
 
     @property
     def levels(self) -> int:

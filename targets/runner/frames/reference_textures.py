@@ -26,6 +26,7 @@ from ....compiler.reference.picture import (
     Canvas,
     Hulls,
     RasterRules,
+    Stored,
     Texels,
     expected_on,
     formats,
@@ -100,7 +101,15 @@ class DrawnTexture:
             bool(np.isnan(level[0][undecided]).any())
             for level, undecided in zip(self.levels, self.undecided, strict=True)
         )
-        return Texels(value, self.format.endswith("srgb"), low, high, has_undefined)
+        is_srgb = self.format.endswith("srgb")
+        return Texels(value, is_srgb, low, high, has_undefined, self._stored)
+
+    @property
+    def _stored(self) -> Stored:
+        """The kind of the format's numbers."""
+        if self.format.startswith(DEPTHS):
+            return "float"
+        return formats.format_of(self.format).stored
 
     def arrays(self, layer: int, level: int) -> Iterator[NDArray[Any]]:
         """All that is kept of one layer and level, as views of it."""
