@@ -81,6 +81,11 @@ MISPLACED_MEMBER = error(
     "Only a pass says what is written to which target, how it is blended and which pixels are "
     "discarded. Only materials and passes have vertex attributes.",
 )
+CASE_OF_NAMES = warning(
+    "B0215",
+    "`{name}` and `{first}` differ by letter case only",
+    "Each material has files of its name, and Windows and macOS take these for the same files.",
+)
 UNREADABLE_NAME = error(
     "B0214",
     "`{name}` cannot be the name of a value",
