@@ -103,8 +103,21 @@ def _written(
         count = len(frame.plan.steps)
         steps = "1 step" if count == 1 else f"{count} steps"
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
-    remarks = tuple(_remarks_on_languages(result))
+    remarks = (*_remarks_on_passes(request, result), *_remarks_on_languages(result))
     return Compiled(texts, reflections, plans, tuple(lines), remarks, warnings, result.inputs)
+
+
+def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterator[str]:
+    """A line that tells of the passes of a file that have not drawn its materials."""
+    from ..api import entry_points as api
+
+    drawn = any(file.stage == "fragment" for each in result.materials for file in each.files)
+    if request.pass_ is not None or not drawn or result.frames:
+        return
+    passes = api.declared(request.files[0], search_path=request.search_path).passes
+    if passes:
+        ways = " or ".join(f"`--pass {name}`" for name in passes)
+        yield f"the library's pass Forward draws; {ways} takes one of {request.files[0].name}\n"
 
 
 def _remarks_on_languages(result: CompileResult) -> Iterator[str]:

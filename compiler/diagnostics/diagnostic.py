@@ -32,6 +32,8 @@ class Rule:
 
     It is suppressed for names that text declares which could not be parsed.
     """
+    of_the_whole: bool = False
+    """True if it is told only of programs without errors, since an error could be why."""
 
 
 @frozen
@@ -171,7 +173,8 @@ class Report:
 
         Findings without a place come first. Files are ordered by their first finding.
         """
-        found = self._found.values()
+        failed = self.failed
+        found = [each for each in self._found.values() if not (failed and each.rule.of_the_whole)]
         sources = {id(f.span.source): None for f in found if f.span is not None}
         rank = {source: i for i, source in enumerate(sources)}
 

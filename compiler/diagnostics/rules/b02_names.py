@@ -56,11 +56,18 @@ NOT_A_VALUE = error(
     "Functions, terms and structures are called, as in `f(x)`. Of `light`, `material` and "
     "`inherited` a slot is read, as in `light.diffuse`.",
 )
-MISSPELT_SLOT = warning(
+UNREAD_SLOT = warning(
     "B0210",
     "nothing reads `{name}`",
     "A name that no base declares is a new slot of the material. Nothing outside of the material "
     "reads it, so it has an effect only if another equation of the material uses it.",
+)
+WITHOUT_COLOR = warning(
+    "B0211",
+    "nothing reads `{name}`, and `{material}` sets no `color`",
+    "A material shows its slot `color`. Without one it has the grey of the library's surface, "
+    "whatever its other slots say.",
+    of_the_whole=True,
 )
 UNUSUAL_GROUP = warning(
     "B0212",
@@ -80,4 +87,9 @@ UNREADABLE_NAME = error(
     "In a material, light or pass, `material` stands for the material that is drawn, and "
     "`inherited` for what the base defines. A slot, a constant or a function with one of these "
     "names could not be read there.",
+)
+CASE_OF_NAMES = warning(
+    "B0215",
+    "`{name}` and `{first}` differ by letter case only",
+    "Each material has files of its name, and Windows and macOS take these for the same files.",
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .row import error
+from .row import error, warning
 
 WRONG_TYPE = error(
     "B0301",
@@ -208,4 +208,10 @@ LOOPS_TOO_NESTED = error(
     "loops are nested too deeply: more than {most}",
     "Compilers of shading languages do not take many more. Loops in functions that are called in a "
     "loop count as well. Join several of these loops into one.",
+)
+BYTES_OF_COLOR = warning(
+    "B0390",
+    "`{written}` is much brighter than white",
+    "The lanes of a colour are amounts of light, of which white has 1. A colour that is known by "
+    "its bytes is written as `#ff8000`.",
 )

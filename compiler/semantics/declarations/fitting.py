@@ -9,6 +9,7 @@ from ...ir.node import Node
 from ...ir.types import Type, scalar_kind
 from ...syntax import ast
 from ..hints import advice
+from ..hints.color_bytes import warn_of_hex
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
@@ -28,6 +29,8 @@ def fit(
     """``node`` as a ``wanted``, or a report at ``span``."""
     if isinstance(node, Failure):
         return FAILURE
+    if declared == "rgb":
+        warn_of_hex(ctx, span)
     fitted = coerce(ctx.tree, node, wanted)
     if fitted is None and ctx.deferred.is_wrong(node):
         return FAILURE

@@ -19,6 +19,8 @@ from ..types.typenames import described
 from .duplicates import check_once
 from .modules import Module, Named, Symbol
 
+_PROGRAMS = ("material", "kernel", "frame")
+"""The kinds of records whose names are those of files that the command line writes."""
 _Heads = dict[tuple[str, ...], ast.Name]
 """The functions declared so far, by name and types of arguments, each with where it stands."""
 
@@ -32,6 +34,7 @@ def declare_all(module: Module, report: Report) -> list[ast.Import]:
             imports.append(declaration)
         else:
             _declare(module, declaration, heads, report)
+    _check_files(module, report)
     # Names that are asked for come first: they decide between files that are imported whole.
     return sorted(imports, key=lambda wanted: wanted.names is None)
 
@@ -56,6 +59,22 @@ def _declare(module: Module, declaration: Named, heads: _Heads, report: Report) 
     if isinstance(declaration, ast.ExternBlock):
         for member in declaration.members:
             _declare(module, member, heads, report)
+
+
+def _check_files(module: Module, report: Report) -> None:
+    """Warns of programs of which some systems cannot tell the files apart."""
+    programs: dict[str, ast.Name] = {}
+    for name, (symbol, *_) in module.declared.items():
+        declaration = symbol.declaration
+        if not isinstance(declaration, ast.Record) or declaration.abstract:
+            continue
+        if declaration.kind in _PROGRAMS:
+            first = programs.setdefault(name.casefold(), declaration.name)
+            if first is not declaration.name:
+                report.add(
+                    rules.CASE_OF_NAMES, declaration.name.span, name=name, first=first.text,
+                    labels=[Label(first.span, "this one")],
+                )  # fmt: skip
 
 
 def _check_function(function: ast.Function, report: Report) -> None:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from ....stdlib import COMPANIONS
 from ...diagnostics import rules
-from ...diagnostics.nearest import nearest_in, respelt
 from ...syntax import ast
 from ..checking.lights import light_instance
 from ..checking.slots import slot
 from ..checking.step_needs import is_brought
-from ..inheritance.records import Definition, is_abstract
+from ..inheritance.records import Record, is_abstract
+from ..names.modules import Module
 from ..state.context import Context
 from ..state.scope import Instance
+from .assembly import is_declared_abstract
+from .unread_slots import named_in, warn_of_all, warn_of_unread
 
 
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
@@ -26,11 +28,7 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
             made = base
         check_instance(ctx, instance)
     _check_companions(ctx, surface)
-    known, root = surface.record.definitions, surface.record.root
-    inherited = [name for name, definitions in known.items() if definitions[-1].owner is root]
-    for name, definitions in known.items():
-        if name not in read:
-            _check_spelling(ctx, surface, name, definitions, inherited)
+    _check_unread(ctx, surface, passing, read)
 
 
 def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
@@ -76,24 +74,31 @@ def _check_companions(ctx: Context, surface: Instance) -> None:
                 )  # fmt: skip
 
 
-def _check_spelling(
-    ctx: Context,
-    surface: Instance,
-    name: str,
-    definitions: tuple[Definition, ...],
-    inherited: list[str],
-) -> None:
-    """Warn of an own slot that nothing reads and that is nearly called like an ``inherited`` one.
+def _check_unread(ctx: Context, surface: Instance, passing: Instance, read: set[str]) -> None:
+    """Warn of unread slots of a material and of its pass that look like mistakes."""
+    record, drawn = surface.record, passing.record
+    is_alone = drawn.symbol.module.is_standard and not _draws(record.symbol.module)
+    if is_declared_abstract(record):
+        # Its slots are an offer to the materials that extend it.
+        warn_of_unread(ctx, record, read | named_in(record.symbol.module), all_read_here=False)
+    elif is_alone and not _sets_color(record):
+        warn_of_all(ctx, record, read)
+    else:
+        warn_of_unread(ctx, record, read, all_read_here=is_alone)
+    # A pass may have its own form of any slot of the material, and the material reads it.
+    shared = record.definitions.keys()
+    warn_of_unread(ctx, drawn, {*read, *shared, *named_in(drawn.symbol.module)}, also=shared)
 
-    What an imported file declares is an offer, and its names are for that file to check.
-    """
-    root = surface.record.root
-    member, owner = definitions[0].member, definitions[0].owner
-    if not isinstance(member, ast.Slot) or definitions[-1].owner is root:
-        return
-    if owner.module is not surface.record.symbol.module:
-        return
-    meant = nearest_in(member.name.span.source, name, inherited)
-    if meant is not None and not surface.record.baseless:
-        hint = respelt(name, member.name.span, meant)
-        ctx.report.add(rules.MISSPELT_SLOT, member.name.span, name=name, hint=hint)
+
+def _draws(module: Module) -> bool:
+    """True if a file has passes or frames, which may read more of its materials."""
+    return any(
+        isinstance(symbol.declaration, ast.Record) and symbol.declaration.kind in ("pass", "frame")
+        for symbols in module.declared.values()
+        for symbol in symbols
+    )
+
+
+def _sets_color(record: Record) -> bool:
+    """True if a material, or what it is made of, has another colour than the library's surface."""
+    return record.definitions["color"][0].owner is not record.root
