@@ -8,7 +8,7 @@ name that nearly is one of a base, or that means something elsewhere, would be i
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ....support.frozen import frozen
 from ...diagnostics import rules
@@ -16,7 +16,7 @@ from ...diagnostics.fixes import Hint
 from ...diagnostics.nearest import nearest_in, respelt
 from ...syntax import ast
 from ..inheritance.records import Record, is_abstract
-from ..names.modules import Module
+from ..names.modules import Module, Symbol
 from ..state.context import Context
 
 _GLTF = "only a base that has it makes something of it, such as the library's material of glTF"
@@ -51,27 +51,30 @@ class Own:
     """A slot that a record's own file declares, and that no base of it has."""
 
     name: ast.Name
-    others: tuple[str, ...]
+    others: frozenset[str]
     """The names that its bases and mixins declare."""
 
 
-def own_slots(record: Record) -> Iterator[Own]:
-    """The slots of a record that its file adds to the chain.
+def own_slots(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
+    """The slots of a record that its file adds to the chain; ``also`` are further ``others``.
 
     What an imported file declares is an offer, and its names are for that file to check.
     """
-    known = record.definitions
-    for definitions in known.values():
+    others: dict[Symbol, frozenset[str]] = {}
+    for definitions in record.definitions.values():
         member, owner = definitions[0].member, definitions[0].owner
         is_new = all(definition.owner is owner for definition in definitions)
         if is_new and isinstance(member, ast.Slot) and owner.module is record.symbol.module:
-            # One that is abstract, and stays so, is told of by itself.
-            others = tuple(
-                name
-                for name, rows in known.items()
-                if any(row.owner is not owner for row in rows) and not is_abstract(rows[0].member)
-            )
-            yield Own(member.name, others)
+            if owner not in others:
+                others[owner] = frozenset((*_others(record, owner), *also))
+            yield Own(member.name, others[owner])
+
+
+def _others(record: Record, owner: Symbol) -> Iterator[str]:
+    """The names that others than one owner declare. One that stays abstract is told by itself."""
+    for name, rows in record.definitions.items():
+        if not is_abstract(rows[0].member) and any(row.owner is not owner for row in rows):
+            yield name
 
 
 def warn_of_unread(
@@ -89,11 +92,11 @@ def warn_of_unread(
     """
     if record.baseless:
         return
-    for own in own_slots(record):
+    for own in own_slots(record, also):
         name = own.name.text
         if name in read:
             continue
-        hint = _hint(own, also) or (ELSEWHERE.get(_folded(name), "") if all_read_here else "")
+        hint = _hint(own) or (ELSEWHERE.get(_folded(name), "") if all_read_here else "")
         if hint:
             _warn(ctx, own.name, hint)
 
@@ -105,7 +108,7 @@ def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
         name = own.name.text
         if record.baseless or name in read:
             continue
-        hint = _hint(own, ()) or ELSEWHERE.get(_folded(name), "")
+        hint = _hint(own) or ELSEWHERE.get(_folded(name), "")
         if hint:
             _warn(ctx, own.name, hint)
         elif name not in named:  # Else it is the one that reads this that is told.
@@ -118,9 +121,9 @@ def named_in(module: Module) -> set[str]:
     return set(_NAMED.findall(module.file.source.text))
 
 
-def _hint(own: Own, also: Collection[str]) -> Hint:
+def _hint(own: Own) -> Hint:
     name, span = own.name.text, own.name.span
-    meant = nearest_in(span.source, name, {*own.others, *also})
+    meant = nearest_in(span.source, name, own.others)
     return "" if meant is None else respelt(name, span, meant)
 
 
