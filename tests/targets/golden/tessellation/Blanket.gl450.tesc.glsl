@@ -10,16 +10,16 @@ layout(std140, binding = 1) uniform Material {
 layout(vertices = 4) out;
 
 layout(location = 0) in vec3 v_object_position[];
-layout(location = 1) in vec3 v_vertex_normal[];
+layout(location = 1) in vec3 v_object_normal[];
 layout(location = 2) in vec2 v_uv_2[];
 
 layout(location = 0) out vec3 p_object_position[];
-layout(location = 1) out vec3 p_vertex_normal[];
+layout(location = 1) out vec3 p_object_normal[];
 layout(location = 2) out vec2 p_uv_2[];
 
 void main() {
     p_object_position[gl_InvocationID] = v_object_position[gl_InvocationID];
-    p_vertex_normal[gl_InvocationID] = v_vertex_normal[gl_InvocationID];
+    p_object_normal[gl_InvocationID] = v_object_normal[gl_InvocationID];
     p_uv_2[gl_InvocationID] = v_uv_2[gl_InvocationID];
     if (gl_InvocationID == 0) {
         float edge_level_0 = max(

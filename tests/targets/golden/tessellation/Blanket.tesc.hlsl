@@ -8,13 +8,13 @@ cbuffer Material : register(b0, space2) {
 
 struct ControlInput {
     [[vk::location(0)]] float3 object_position : TEXCOORD0;
-    [[vk::location(1)]] float3 vertex_normal : TEXCOORD1;
+    [[vk::location(1)]] float3 object_normal : TEXCOORD1;
     [[vk::location(2)]] float2 uv_2 : TEXCOORD2;
 };
 
 struct ControlOutput {
     [[vk::location(0)]] float3 object_position : TEXCOORD0;
-    [[vk::location(1)]] float3 vertex_normal : TEXCOORD1;
+    [[vk::location(1)]] float3 object_normal : TEXCOORD1;
     [[vk::location(2)]] float2 uv_2 : TEXCOORD2;
 };
 
@@ -58,7 +58,7 @@ PatchOutput levels_of_patch(InputPatch<ControlInput, 4> input) {
 ControlOutput main(InputPatch<ControlInput, 4> input, uint point_index : SV_OutputControlPointID) {
     ControlOutput output;
     output.object_position = input[point_index].object_position;
-    output.vertex_normal = input[point_index].vertex_normal;
+    output.object_normal = input[point_index].object_normal;
     output.uv_2 = input[point_index].uv_2;
     return output;
 }

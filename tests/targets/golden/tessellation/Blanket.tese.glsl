@@ -23,7 +23,7 @@ layout(std140, set = 3, binding = 1) uniform DrawDerived {
 layout(quads, fractional_odd_spacing, cw) in;
 
 layout(location = 0) in vec3 p_object_position[];
-layout(location = 1) in vec3 p_vertex_normal[];
+layout(location = 1) in vec3 p_object_normal[];
 layout(location = 2) in vec2 p_uv_2[];
 
 layout(location = 0) out vec2 v_uv;
@@ -36,8 +36,8 @@ void main() {
     );
     vec3 inherited_position = (object_to_world * vec4(object_position, 1.0)).xyz;
     vec3 object_normal = mix(
-        mix(p_vertex_normal[0], p_vertex_normal[1], gl_TessCoord.x),
-        mix(p_vertex_normal[3], p_vertex_normal[2], gl_TessCoord.x), gl_TessCoord.y
+        mix(p_object_normal[0], p_object_normal[1], gl_TessCoord.x),
+        mix(p_object_normal[3], p_object_normal[2], gl_TessCoord.x), gl_TessCoord.y
     );
     vec3 normal_upright = (normal_matrix * object_normal).xyz;
     // Zero stays zero.

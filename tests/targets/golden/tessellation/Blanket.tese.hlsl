@@ -21,7 +21,7 @@ cbuffer DrawDerived : register(b1, space3) {
 
 struct EvaluationInput {
     [[vk::location(0)]] float3 object_position : TEXCOORD0;
-    [[vk::location(1)]] float3 vertex_normal : TEXCOORD1;
+    [[vk::location(1)]] float3 object_normal : TEXCOORD1;
     [[vk::location(2)]] float2 uv_2 : TEXCOORD2;
 };
 
@@ -46,8 +46,8 @@ EvaluationOutput main(
     );
     float3 inherited_position = mul(object_to_world, float4(object_position, 1.0)).xyz;
     float3 object_normal = lerp(
-        lerp(input[0].vertex_normal, input[1].vertex_normal, patch_coordinate.x),
-        lerp(input[3].vertex_normal, input[2].vertex_normal, patch_coordinate.x), patch_coordinate.y
+        lerp(input[0].object_normal, input[1].object_normal, patch_coordinate.x),
+        lerp(input[3].object_normal, input[2].object_normal, patch_coordinate.x), patch_coordinate.y
     );
     float3 normal_upright = mul(normal_matrix, object_normal).xyz;
     // Zero stays zero.
