@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render
 
@@ -56,7 +57,7 @@ def _of_codes(claimed: tuple[str, ...], reported: list[Diagnostic]) -> Iterator[
     for diagnostic in reported:
         if diagnostic.rule.code in missing:
             missing.remove(diagnostic.rule.code)
-        else:
+        elif diagnostic.rule is not rules.WITHOUT_COLOR:  # Pages say what slots are, unread.
             yield f"no mark says that this is reported here:\n{render(diagnostic)}"
     for code in missing:
         yield f"{code} is not reported here"

@@ -102,18 +102,24 @@ def warn_of_unread(
 
 
 def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
-    """Warn of each own slot that nothing reads, in a material that sets no colour."""
+    """Warn of own slots that nothing reads, in a material that sets no colour.
+
+    Of those that do not look like mistakes by themselves, the first one is told.
+    """
+    if record.baseless:
+        return
+    idle: list[ast.Name] = []
     named = named_in(record.symbol.module)
     for own in own_slots(record):
         name = own.name.text
-        if record.baseless or name in read:
+        if name in read:
             continue
-        hint = _hint(own) or ELSEWHERE.get(_folded(name), "")
-        if hint:
+        if hint := _hint(own) or ELSEWHERE.get(_folded(name), ""):
             _warn(ctx, own.name, hint)
-        elif name not in named:  # Else it is the one that reads this that is told.
-            material = record.name
-            ctx.report.add(rules.WITHOUT_COLOR, own.name.span, name=name, material=material)
+        elif name not in named:  # Else it is the one that reads this that is idle.
+            idle.append(own.name)
+    for first in idle[:1]:
+        ctx.report.add(rules.WITHOUT_COLOR, first.span, name=first.text, material=record.name)
 
 
 def named_in(module: Module) -> set[str]:
