@@ -16,10 +16,13 @@ from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
 from ..declarations.transform_paths import transforms
+from ..declarations.written_types import struct_of
 from ..inheritance.records import Definition
+from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Failure, Instance, Scope
 from ..state.transcripts import Reading, Replay, Transcript, Ways, level_in
+from ..types.typenames import Declared
 
 Slot = Callable[[Context, Instance, str, Span, int], Node | Failure]
 
@@ -92,6 +95,7 @@ def _found(ctx: Context, instance: Instance, name: str, level: int) -> Transcrip
         and all(_is_read_alike(ctx, instance, reading) for reading in found.readings)
         and not any(_is_declared(instance, name) for name in found.inputs)
         and (found.ways is None or ways_of(ctx, instance) == found.ways)
+        and all(_has_structure(ctx, instance, *each) for each in found.structures)
     )
     return found if holds else None
 
@@ -101,6 +105,16 @@ def _is_same(definition: Definition | None, other: Definition | None) -> bool:
     if definition is None or other is None:
         return definition is other
     return definition.member is other.member
+
+
+def _has_structure(
+    ctx: Context, instance: Instance, symbol: Symbol, declared: Declared | None
+) -> bool:
+    """True if a structure of the library has the same type here: no other one takes its name."""
+    is_free = symbol.name not in instance.record.symbol.module.declared
+    return (is_free or instance.record.symbol.module is symbol.module) and (
+        struct_of(ctx, symbol) == declared
+    )
 
 
 def _is_declared(instance: Instance, name: str) -> bool:

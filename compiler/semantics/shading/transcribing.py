@@ -16,6 +16,7 @@ from ...ir.node import Node
 from ...ir.operations import INPUT
 from ...ir.ranges import Ranges
 from ...ir.shader import Notes
+from ...ir.types import Struct
 from ...syntax import ast
 from ..checking.call_marks import Callee
 from ..checking.expressions import RULES
@@ -41,6 +42,7 @@ from ..state.transcripts import (
     Transcript,
     taking,
 )
+from ..types.typenames import Declared
 from .instances import instance_of
 from .placeholders import stand_in
 from .rigs import light_entry
@@ -65,17 +67,12 @@ def transcribed(part: LibraryPart) -> Kept:
     if instance is None:
         return {}
     ctx.twins[instance] = partial(_twin, part)
-    structures = len(ctx.types.struct_members)
     log = _logged(ctx, instance)
     for name, definitions in instance.record.definitions.items():
         slot(ctx, instance, name, definitions[0].member.name.span)
     is_right = all(found.rule is rules.EMPTY_RIG for found in ctx.report.since(0))
     is_plain = not (len(ctx.deferred) or ctx.progress.joins_groups)
-    if (
-        not (is_right and is_plain)
-        or not log.is_clear
-        or len(ctx.types.struct_members) > structures
-    ):
+    if not (is_right and is_plain and log.is_clear):
         return {}
     transcribe = _Transcribing(ctx, instance)
     found: dict[Key, Transcript] = {}
@@ -204,7 +201,14 @@ class _Transcribing:
             inputs=frozenset(INPUT.data(node).name for node in needed if node.op == "input"),
             ways=ways_of(self._ctx, self._instance) if frame.is_converted else None,
             unmade=len(own) - len(made),
+            structures=self._structures(needed),
         )
+
+    def _structures(self, nodes: Iterable[Node]) -> tuple[tuple[Symbol, Declared | None], ...]:
+        """The structures that are known by now, if any of these values may be of one."""
+        if not any(isinstance(node.type, Struct) for node in nodes):
+            return ()
+        return tuple(self._ctx.types.structs.items())
 
     def _needed(self, value: Node, own: set[Node]) -> set[Node]:
         """The nodes of a slot that its value needs, or a further check that asks for the same."""

@@ -27,6 +27,7 @@ from ...ir.types import Type
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.modules import Symbol
+from ..types.typenames import Declared
 from .places import Places
 from .scope import OUTERMOST, Instance
 
@@ -162,6 +163,8 @@ class Transcript:
     """The transforms in scope, if a conversion chose among them."""
     unmade: int
     """The number of nodes that checking makes and no step does, as nothing needs them."""
+    structures: tuple[tuple[Symbol, Declared | None], ...]
+    """The structures of the library that its values may be of, each with its type."""
 
 
 Key: TypeAlias = tuple[str, int]
