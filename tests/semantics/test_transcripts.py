@@ -219,6 +219,27 @@ def test_slots_of_the_library_are_replayed_and_others_are_checked(replays: list[
     assert not {"position", "to_eye", "clip_position", "color"} & set(replays)
 
 
+OTHER_POINT = """
+struct MeshPoint { height : float  weight : float }
+fn point(x: float) -> MeshPoint = MeshPoint(x, 2 * x)
+material M { color = point(uv.x).weight * vec3(normal) }
+"""
+"""A structure that is called as one of the library's surface."""
+
+
+def test_structures_of_the_library_are_made_again_unless_others_have_their_names(
+    replays: list[str],
+) -> None:
+    for text, is_replayed in ((OTHER_POINT, False), (OTHER_POINT.replace("Mesh", ""), True)):
+        fresh = checked(text)
+        replays.clear()
+        assert [elaborated(text) for _ in range(3)] == [fresh] * 3
+        assert ("object_shape" in replays) == is_replayed
+        results = [[f.text for f in burnish.compile(f"{text}// {n}\n").materials[0].files]
+                   for n in range(2)]  # fmt: skip
+        assert results[0] == results[1]
+
+
 def test_a_library_that_changes_is_checked_anew(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
