@@ -111,7 +111,7 @@ def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterat
     """A line that tells of the passes of a file that have not drawn its materials."""
     from ..api import entry_points as api
 
-    drawn = any(file.stage == "fragment" for each in result.materials for file in each.files)
+    drawn = any(each.reflection.targets for each in result.materials)
     if request.pass_ is not None or not drawn or result.frames:
         return
     passes = api.declared(request.files[0], search_path=request.search_path).passes
