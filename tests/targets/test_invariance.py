@@ -109,13 +109,13 @@ def test_how_finely_a_patch_is_divided_is_the_same_and_what_goes_through_that_st
     assert native(BUMPS, "glsl:gl450") == {
         "vertex": [
             "layout(location = 0) invariant out vec3 v_object_position;",
-            "layout(location = 1) invariant out vec3 v_vertex_normal;",
+            "layout(location = 1) invariant out vec3 v_object_normal;",
             "layout(location = 2) invariant out vec3 v_position;",
             "layout(location = 3) invariant out vec2 v_vertex_uv;",
         ],
         "control": [
             "layout(location = 0) invariant out vec3 p_object_position[];",
-            "layout(location = 1) invariant out vec3 p_vertex_normal[];",
+            "layout(location = 1) invariant out vec3 p_object_normal[];",
             "layout(location = 3) invariant out vec2 p_vertex_uv[];",
             "invariant gl_TessLevelOuter;",
             "invariant gl_TessLevelInner;",
