@@ -33,10 +33,15 @@ class Change:
         return text[: self.start] + self.replacement + text[self.end :]
 
     def told(self, text: str) -> str:
-        """The line, and what is replaced by what."""
-        line = text.count("\n", 0, self.start) + 1
-        before = " ".join(text[self.start : self.end].split())
-        return f"{self.declaration}, line {line}: {before} -> {self.replacement}"
+        """The declaration, and what is replaced by what."""
+        before, after = (
+            " ".join(each.split()) for each in (text[self.start : self.end], self.replacement)
+        )
+        return f"{self.declaration}: {before} -> {after}"
+
+    def line(self, text: str) -> int:
+        """The number of the line, from 1."""
+        return text.count("\n", 0, self.start) + 1
 
 
 _OPERATORS = {

@@ -126,11 +126,13 @@ def main() -> None:
     chosen = chance.sample(found, min(asked.count, len(found))) if asked.count else found
     counts: Counter[str] = Counter()
     for change, answer in judge_all(chosen):
-        told = change.told(text_of(change.file))
-        verdict = "equivalent" if told in EQUIVALENT else answer["verdict"]
+        text = text_of(change.file)
+        verdict = answer["verdict"]
+        if verdict == "survived" and change.told(text) in EQUIVALENT:
+            verdict = "equivalent"
         counts[verdict] += 1
-        if verdict != "caught":
-            print(f"{verdict:10} {told}", flush=True)
+        if verdict == "survived":
+            print(f"line {change.line(text)}: {change.told(text)}", flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
     sys.exit(bool(counts["survived"]))
 
