@@ -57,23 +57,37 @@ class Offers:
         """Parts are drawn in ``threads``, behind all work that these have been given before."""
         self._threads, self._draw = threads, draw
         self._parts: list[Future[Part]] = []
+        self._common = b""
+        """The data that helpers need for any part: queued calls must not hold it themselves."""
 
     def answer(self, asked: Mapping[str, Any], data: bytes) -> Packet:
         """The answer to a packet of ``LentHelpers``."""
         match asked[_HELP]:
             case "offer":
                 count = asked["count"]
-                self._parts = [self._threads.submit(self._draw, data, n) for n in range(count)]
+                self._common = data
+                self._parts = [self._threads.submit(self._drawn, n) for n in range(count)]
                 return Packet({})
             case "take":
                 return Packet({"part": self._taken()})
             case _:
-                return Packet({}, pickle.dumps([_made(part) for part in self._parts]))
+                made = [_made(part) for part in self._parts]
+                self._forget()
+                return Packet({}, pickle.dumps(made))
 
     def withdraw(self) -> None:
         """Take back all parts with which nobody has begun: nobody wants them any more."""
         for part in self._parts:
             part.cancel()
+        self._forget()
+
+    def _forget(self) -> None:
+        """Let go of the data, though calls that were cancelled may stay queued for long."""
+        self._parts, self._common = [], b""
+
+    def _drawn(self, number: int) -> Part:
+        common = self._common
+        return self._draw(common, number) if common else None
 
     def _taken(self) -> int | None:
         """The last part with which nobody has begun: helpers begin with the first one."""
@@ -88,5 +102,5 @@ def _made(part: Future[Part]) -> Part:
     """What has become of a part, for which this waits; ``None`` if there is no result."""
     try:
         return part.result()
-    except CancelledError:
+    except (CancelledError, MemoryError):
         return None

@@ -12,6 +12,7 @@ import os
 import pickle
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -109,8 +110,9 @@ class Judges(Closing):
         """
         assert isinstance(about, Unit), "only pictures have parts"
         question = self._question(self._here.part, PartOf(about, common, number))
-        with self._pool.borrow() as worker:
+        with self._pool.borrow() as worker, _restarted_if_left(worker):
             answer = self._reply(worker, question)
+            assert not (asks_driver(answer.reply) or asks_help(answer.reply)), "a part asks nothing"
         found: Part = pickle.loads(answer.data) if answer.data else None
         return found
 
@@ -135,15 +137,16 @@ class Judges(Closing):
         """The answer of a process, whose own questions are answered meanwhile."""
         offers = Offers(self._threads, partial(self._part, about))
         try:
-            answer = self._reply(worker, question)
-            while True:
-                if asks_driver(answer.reply):
-                    packet = asked_for(self._drivers, answer)
-                elif asks_help(answer.reply):
-                    packet = offers.answer(answer.reply, answer.data)
-                else:
-                    return answer
-                answer = self._reply(worker, packet)
+            with _restarted_if_left(worker):
+                answer = self._reply(worker, question)
+                while True:
+                    if asks_driver(answer.reply):
+                        packet = asked_for(self._drivers, answer)
+                    elif asks_help(answer.reply):
+                        packet = offers.answer(answer.reply, answer.data)
+                    else:
+                        return answer
+                    answer = self._reply(worker, packet)
         finally:
             offers.withdraw()
 
@@ -154,3 +157,14 @@ class Judges(Closing):
         if answer is None or self._closed:
             raise DriverError("the run has ended")
         return answer
+
+
+@contextmanager
+def _restarted_if_left(worker: Worker) -> Iterator[None]:
+    """Ends a process whose conversation is left in the middle: it would answer the next question
+    with what it was asked before."""
+    try:
+        yield
+    except BaseException:
+        worker.restart()
+        raise

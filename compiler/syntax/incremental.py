@@ -1,8 +1,9 @@
 """Parses a user's file again after an edit: only the sections that the edit has changed.
 
-The front end calls ``parse`` for each file. Sections without a mistake are remembered by their
-text, so it does not matter where they stood before, nor in which file. Many texts are read once, so
-a section is remembered when it is read for the second time. If anything in a file has
+The front end calls ``parse`` for each file. Sections are remembered by their text, so it does not
+matter where they stood before, nor in which file: the trees of those without a mistake, and of
+others that they have some. Many texts are read once, so a section is remembered when it is read for
+the second time. If anything in a file has
 to be reported, it is cut into tokens as a whole, since messages depend on what stands around a
 mistake; but even then, other sections are not parsed again.
 """
@@ -24,7 +25,7 @@ from .sections import Section, sections
 from .stored import loaded, stored
 
 MOST_KEPT = 16 * 1024 * 1024
-"""The largest size of all remembered sections in bytes, about eight for each character of text."""
+"""The largest size of all remembered sections: eight to thirty bytes for each character."""
 
 _Key = tuple[str, str]
 """The text of a section, and the header that follows."""
@@ -67,7 +68,7 @@ class KnownSections:
             self._forget(key)
             self._kept[key] = tree
             self._size += _size(key, tree)
-            while self._size > self._most:
+            while self._kept and self._size > self._most:
                 self._forget(next(iter(self._kept)))
 
     def _used(self, key: _Key) -> bytes | None:

@@ -1,9 +1,9 @@
 """Cuts a text into sections that can be read one by one, without reading all of it before.
 
 A section reaches from one header of a declaration, such as ``material Name {``, to the next one at
-the left margin; comments right above a header belong to it. Behind the last declaration without a
-mistake nothing is open, so a section is read as it would be in the whole file, if those before it
-have no mistake. ``incremental.py`` asks for the sections.
+the left margin; comments and empty lines right above a header belong to it. Behind the last
+declaration without a mistake nothing is open, so a section is read as it would be in the whole
+file, if those before it have no mistake. ``incremental.py`` asks for the sections.
 """
 
 from __future__ import annotations

@@ -357,3 +357,17 @@ def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int
         assert depth == pytest.approx((along + radius + 7) / (2 * radius + 7))
         assert depth > -1e-9
     assert np.linalg.det(cascade[:3, :3]) < 0  # Depths grow away from the sun: not mirrored.
+
+
+@truth("std.shadows.slice_end", "std.shadows.how_far", "std.shadows.cascade")
+def test_slices_of_a_view_without_a_perspective_are_equally_deep() -> None:
+    camera = "orthographic(4, 2, 1, 10) * look_at({eye}, {target}, {up})".format(
+        eye="(vec3(0, 0, 5) as point<world>)", target="(vec3(0) as point<world>)",
+        up="(vec3(0, 1, 0) as vector<world>)",
+    )  # fmt: skip
+    cascade = matrix(f"cascade({camera}, (vec3(0, -1, 0) as direction<world>), 1, 3, 2)")
+    # The second third of the way from 4 to -5, around (0, 0, -0.5), 4 by 2 by 3 large.
+    radius = math.sqrt(2**2 + 1**2 + 1.5**2)
+    assert moved(cascade, (0.0, radius + 2, -0.5)) == close((0, 0, 0))
+    assert moved(cascade, (0.0, -radius, -0.5)) == close((0, 0, 1))
+    assert abs(moved(cascade, (radius, 0.0, -0.5))[0]) == pytest.approx(1)

@@ -109,7 +109,9 @@ class Filter:
         blends = self._image.axes if self._kind == "linear" else 0
         blends += self._image.state["mip"] == "linear"
         if blends and not self._image.is_exact:
-            texel = widened(texel, blends * BLENDING * texel.magnitude)
+            # Texels in fixed point and halves stay what they are (Direct3D, 7.18.16.3).
+            error = self._image.blending if self._image.stored == "float" else BLENDING
+            texel = widened(texel, blends * (error or 0.0) * texel.magnitude)
         return self._weighed(texel)
 
     # --- levels -----------------------------------------------------------------------------------

@@ -2,11 +2,13 @@
 
 Source: Vulkan, "Scale Factor Operation, LOD Operation and Image Level(s) Selection". A device may
 take differences between either two rows and columns of a quad, may take for the length of a step
-anything from its largest lane to the sum of all lanes, and rounds the level to a number of binary
-places. Direct3D (11.3 functional specification, 7.18.11, after Heckbert, *Fundamentals of Texture
-Mapping and Image Warping*, 1989) lets the level follow from the longer axis of the ellipse that the
-two steps span. That may be longer than either of them, but not than the diagonal of both. NVIDIA's
-devices do so in Vulkan, too, and know the axis only roughly.
+anything from its largest lane to the square root of two times the sum of all lanes, and rounds the
+level to a number of binary places. OpenGL (4.6, 8.14) also allows for the sum of what is the larger
+one, of both steps, for each lane. Direct3D (11.3 functional specification, 7.18.11, after Heckbert,
+*Fundamentals of Texture Mapping and Image Warping*, 1989) lets the level follow from the longer
+axis of the ellipse that the two steps span, which is within that: it may be longer than either of
+them, but not than the diagonal of both. NVIDIA's devices do so in Vulkan, too, and know the axis
+only roughly.
 """
 
 from __future__ import annotations
@@ -149,9 +151,11 @@ def _footprint(across: Sequence[Bounded], down: Sequence[Bounded], image: Image)
     if image.rules.footprint == "ellipse":
         return between(longer.value, longer.low, _longer_axis(lengths, across, down))
     low = np.max(np.broadcast_arrays(*(lane.low for step in steps for lane in step)), axis=0)
-    sums = [sum(lane.high for lane in step) for step in steps]
+    high = np.maximum(*(sum(lane.high for lane in step) for step in steps))
     # A cube's level on a device that is known otherwise follows from one of the steps.
-    high = np.hypot(*sums) if image.rules.footprint == "any" else np.maximum(*sums)
+    if image.rules.footprint == "any":
+        of_lanes = sum(np.maximum(x.high, y.high) for x, y in zip(*steps, strict=True))
+        high = np.maximum(np.sqrt(2.0) * high, of_lanes)
     return between(longer.value, low, high)
 
 

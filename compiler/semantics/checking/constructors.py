@@ -23,7 +23,6 @@ from ...syntax import ast
 from ...syntax.quoting import spanned
 from ...syntax.rewriting import rewritten, together
 from ..hints import advice
-from ..hints.color_bytes import warn_of_bytes
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
 from ..types.coercion import coerce, is_constant
@@ -40,8 +39,6 @@ def is_constructor(name: str) -> bool:
 def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call) -> Node | Failure:
     """The value of calling type ``name``."""
     type_ = NAMED[name].representation
-    if name == "rgb":
-        warn_of_bytes(ctx, e.arguments, e.span)
     result: Node | Failure | None = None
     match type_:
         case Scalar() if len(arguments) == 1:

@@ -53,10 +53,15 @@ def _read(ctx: Context, instance: Instance, span: Span, slot: Slot, reading: Rea
     """The value of a slot that a step reads."""
     holder = instance.surface if reading.of_surface else instance
     assert holder is not None
-    _, first = ctx.transcripts.of(holder)
-    value = slot(ctx, holder, reading.name, span, level_in(reading.level, first))
+    value = slot(ctx, holder, reading.name, span, _level(ctx, holder, reading))
     assert isinstance(value, Node), "a transcript holds only if all that it reads is right"
     return value
+
+
+def _level(ctx: Context, holder: Instance, reading: Reading) -> int:
+    """The level at which a slot is read here: a light asks for that of the whole surface."""
+    _, first = ctx.transcripts.of(holder)
+    return reading.level if reading.of_surface else level_in(reading.level, first)
 
 
 def _remember(ctx: Context, instance: Instance, found: Transcript, values: list[Node]) -> None:
@@ -131,8 +136,7 @@ def _is_read_alike(ctx: Context, instance: Instance, reading: Reading) -> bool:
         holder = instance.surface
     if holder.made is not None or name not in holder.record.definitions:
         return False
-    _, first = ctx.transcripts.of(holder)
-    level = level_in(reading.level, first)
+    level = _level(ctx, holder, reading)
     if level == OUTERMOST and name in holder.replaced:
         return False
     definition = holder.record.at(name, level)

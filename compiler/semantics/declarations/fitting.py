@@ -9,7 +9,7 @@ from ...ir.node import Node
 from ...ir.types import Type, scalar_kind
 from ...syntax import ast
 from ..hints import advice
-from ..hints.color_bytes import warn_of_hex
+from ..hints.color_bytes import warn_of_bytes
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
@@ -30,7 +30,7 @@ def fit(
     if isinstance(node, Failure):
         return FAILURE
     if declared == "rgb":
-        warn_of_hex(ctx, span)
+        warn_of_bytes(ctx, span)
     fitted = coerce(ctx.tree, node, wanted)
     if fitted is None and ctx.deferred.is_wrong(node):
         return FAILURE

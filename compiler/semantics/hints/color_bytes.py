@@ -6,31 +6,25 @@ They mean amounts of light, of which a screen shows the largest as white.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
 from ...diagnostics import rules
 from ...diagnostics.fixes import write
 from ...diagnostics.source import Span
-from ...syntax import ast
 from ..state.context import Context
 
 _HEX = re.compile(r"0[xX]([0-9a-fA-F]{6})")
-_BRIGHT = 32
-"""The least whole number that is taken for a byte, if all lanes are bytes."""
+_LANES = re.compile(r"(?:rgb|vec3)\(\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\)")
+_BRIGHT = 128
+"""The least whole number that is taken for a byte, if all lanes are such numbers: lights may well
+be a hundred times as bright as white."""
 
 
-def warn_of_hex(ctx: Context, span: Span) -> None:
-    """Warn if a number in base sixteen stands where a colour is wanted."""
-    found = _HEX.fullmatch(span.text)
-    if found is not None:
+def warn_of_bytes(ctx: Context, span: Span) -> None:
+    """Warn if what is written where a colour is wanted is nothing but its bytes."""
+    if found := _HEX.fullmatch(span.text):
         _warn(ctx, span, found[1])
-
-
-def warn_of_bytes(ctx: Context, written: Sequence[ast.Expression], span: Span) -> None:
-    """Warn if the three lanes of a colour are written as bytes."""
-    digits = [each.text for each in written if isinstance(each, ast.Number) and each.kind == "int"]
-    if len(digits) == len(written) == 3:
-        lanes = [int(text, 0) for text in digits]
+    elif found := _LANES.fullmatch(span.text):
+        lanes = [int(text) for text in found.groups()]
         if _BRIGHT <= max(lanes) <= 255:
             _warn(ctx, span, "".join(f"{lane:02x}" for lane in lanes))
 

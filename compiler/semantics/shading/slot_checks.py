@@ -13,7 +13,7 @@ from ..names.modules import Module
 from ..state.context import Context
 from ..state.scope import Instance
 from .assembly import is_declared_abstract
-from .unread_slots import named_in, warn_of_all, warn_of_unread
+from .unread_slots import NamedIn, warn_of_all, warn_of_unread
 
 
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
@@ -80,14 +80,15 @@ def _check_unread(ctx: Context, surface: Instance, passing: Instance, read: set[
     is_alone = drawn.symbol.module.is_standard and not _draws(record.symbol.module)
     if is_declared_abstract(record):
         # Its slots are an offer to the materials that extend it.
-        warn_of_unread(ctx, record, read | named_in(record.symbol.module), all_read_here=False)
+        named = NamedIn(record.symbol.module)
+        warn_of_unread(ctx, record, read, named, all_read_here=False)
     elif is_alone and not _sets_color(record):
         warn_of_all(ctx, record, read)
     else:
         warn_of_unread(ctx, record, read, all_read_here=is_alone)
     # A pass may have its own form of any slot of the material, and the material reads it.
     shared = record.definitions.keys()
-    warn_of_unread(ctx, drawn, {*read, *shared, *named_in(drawn.symbol.module)}, also=shared)
+    warn_of_unread(ctx, drawn, read, shared, NamedIn(drawn.symbol.module), also=shared)
 
 
 def _draws(module: Module) -> bool:

@@ -34,7 +34,7 @@ from .instances import instance_of
 from .placeholders import some, stand_in
 from .rigs import light_entry
 from .slot_checks import check_instance, check_rig
-from .unread_slots import named_in, warn_of_unread
+from .unread_slots import NamedIn, warn_of_unread
 from .vertices.expansion import expanded, expands
 
 Check = Callable[[Setting], bool]
@@ -134,7 +134,7 @@ def check_light(symbol: Symbol, setting: Setting) -> bool:
     if is_declared_abstract(record):
         stand_in(ctx, instance)
     check_instance(ctx, instance)
-    warn_of_unread(ctx, record, named_in(symbol.module))
+    warn_of_unread(ctx, record, NamedIn(symbol.module))
     return True
 
 

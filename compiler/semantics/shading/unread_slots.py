@@ -7,10 +7,9 @@ name that nearly is one of a base, or that means something elsewhere, would be i
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping
 
-from ....support.frozen import frozen
+from ....support.frozen import cached_property, frozen
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint
 from ...diagnostics.nearest import nearest_in, respelt
@@ -42,9 +41,6 @@ ELSEWHERE: Mapping[str, str] = {
 """Words of other systems for what a shader writes, in small letters and without underscores, and
 what there is here instead."""
 
-_NAMED = re.compile(r"\b(\w+)\b(?!\s*(?::|=(?!=)))")
-"""A word that is no left side: `name = …`, `name : type`."""
-
 
 @frozen
 class Own:
@@ -71,21 +67,25 @@ def own_slots(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
 
 
 def _others(record: Record, owner: Symbol) -> Iterator[str]:
-    """The names that others than one owner declare. One that stays abstract is told by itself."""
+    """The names that others than one owner declare, without those of the mesh.
+
+    One that is abstract, and stays so, is told by itself.
+    """
     for name, rows in record.definitions.items():
-        if not is_abstract(rows[0].member) and any(row.owner is not owner for row in rows):
+        member = rows[0].member
+        is_theirs = any(row.owner is not owner for row in rows)
+        if is_theirs and not (is_abstract(member) or isinstance(member, ast.Attribute)):
             yield name
 
 
 def warn_of_unread(
     ctx: Context,
     record: Record,
-    read: Collection[str],
-    *,
+    *read: Container[str],
     also: Collection[str] = (),
     all_read_here: bool = True,
 ) -> None:
-    """Warn of each own slot of a record that is not ``read`` and looks like a mistake.
+    """Warn of each own slot of a record that is in none of ``read`` and looks like a mistake.
 
     ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
     no other pass can read its slots, so that words of other systems are told, too.
@@ -93,11 +93,8 @@ def warn_of_unread(
     if record.baseless:
         return
     for own in own_slots(record, also):
-        name = own.name.text
-        if name in read:
-            continue
-        hint = _hint(own) or (ELSEWHERE.get(_folded(name), "") if all_read_here else "")
-        if hint:
+        hint = _hint(own, elsewhere=all_read_here)
+        if hint and not any(own.name.text in each for each in read):
             _warn(ctx, own.name, hint)
 
 
@@ -109,28 +106,60 @@ def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
     if record.baseless:
         return
     idle: list[ast.Name] = []
-    named = named_in(record.symbol.module)
+    named = NamedIn(record.symbol.module)
     for own in own_slots(record):
-        name = own.name.text
-        if name in read:
+        if own.name.text in read:
             continue
-        if hint := _hint(own) or ELSEWHERE.get(_folded(name), ""):
+        if hint := _hint(own):
             _warn(ctx, own.name, hint)
-        elif name not in named:  # Else it is the one that reads this that is idle.
+        elif own.name.text not in named:  # Else it is the one that reads this that is idle.
             idle.append(own.name)
     for first in idle[:1]:
         ctx.report.add(rules.WITHOUT_COLOR, first.span, name=first.text, material=record.name)
 
 
-def named_in(module: Module) -> set[str]:
-    """The words of a file that stand anywhere but where a member of this name is defined."""
-    return set(_NAMED.findall(module.file.source.text))
+class NamedIn:
+    """The names that some expression of a file reads, found when somebody asks for the first."""
+
+    def __init__(self, module: Module) -> None:
+        self._module = module
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._names
+
+    @cached_property
+    def _names(self) -> frozenset[str]:
+        return frozenset(_names_in(self._module.file.declarations))
 
 
-def _hint(own: Own) -> Hint:
+def _names_in(root: object) -> Iterator[str]:
+    """The names in all expressions of a syntax tree: `name`, and `light.name`."""
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        match node:
+            case ast.Reference(name=name) | ast.Field(name=ast.Name(text=name)):
+                yield name
+        if isinstance(node, tuple):
+            waiting += node
+        elif hasattr(node, "span"):
+            waiting += [getattr(node, field) for field in type(node).__match_args__]
+
+
+def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
+    """What the slot may have meant: a word of other systems, or a name that is nearly the same."""
     name, span = own.name.text, own.name.span
+    advice = _advice(own) if elsewhere else ""
+    if advice and advice is not _GLTF:
+        return advice
     meant = nearest_in(span.source, name, own.others)
-    return "" if meant is None else respelt(name, span, meant)
+    return advice if meant is None else respelt(name, span, meant)
+
+
+def _advice(own: Own) -> str:
+    """What is said of a word of other systems, unless a base has one that is nearly the same."""
+    folded = _folded(own.name.text)
+    return "" if folded in map(_folded, own.others) else ELSEWHERE.get(folded, "")
 
 
 def _folded(name: str) -> str:

@@ -87,7 +87,10 @@ class Reading:
     """The definition that was read."""
     name: str
     level: int
-    """The level that is asked for, counted from the first record of the library."""
+    """The level that is asked for, counted from the first record of the library.
+
+    Of a surface that a light shines on, it is counted from the user's own record.
+    """
     of_surface: bool
     """True if it is a slot of the surface that a light shines on."""
 

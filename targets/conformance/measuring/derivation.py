@@ -1,7 +1,8 @@
 """Derives how precisely a device filters from what it drew for the probes.
 
 Each property is the largest error that was found, with a margin: the pictures of a material may
-have larger ones. Whatever is no better than what is guaranteed stays as that is.
+have larger ones. Whatever is no better than what is guaranteed stays as that is, and levels that
+are far from all that specifications allow are an error of the device, not its precision.
 """
 
 from __future__ import annotations
@@ -30,6 +31,9 @@ FLOAT_BITS = 20
 FIRST, NEXT = FIXED[2]
 ROUGHEST = 2.0**-6
 """The largest relative error of what is read of a texture of one colour."""
+FARTHEST = 0.25
+"""The largest error of levels of detail: specifications allow less, and a wrong level is off by
+1."""
 _ON_STEP = 0.05
 """The part of a binary place by which an error may be larger than the step that it stands for:
 that of a weight contains some of the result's."""
@@ -63,19 +67,30 @@ def derived(drawn: Drawn, assumed: Hardware, *, bottom_up: bool) -> Hardware:
     )
     of_single = _fixed_level_error(levels[1], levels[3][..., 0], mip)
     footprint, lod_error = footprints.found(drawn, bottom_up=bottom_up)
+    if lod_error > FARTHEST:
+        raise MeasuringError(f"it reads levels of detail that are wrong, by up to {lod_error:.2g}")
     return replace(
         assumed,
-        subtexel_bits=subtexel,
-        mip_bits=mip,
+        subtexel_bits=max(subtexel, assumed.subtexel_bits),
+        mip_bits=max(mip, assumed.mip_bits),
         lod_error=lod_error,
         footprint=footprint,
-        product_bits=places(_product_error(weights[2], shares, subtexel), FLOAT_BITS),
-        fixed_bits=places(of_fixed, FLOAT_BITS),
-        float_bits=places(of_floats / 2, FLOAT_BITS),
-        mixing_bits=places(of_single, FLOAT_BITS),
+        product_bits=_better(
+            places(_product_error(weights[2], shares, subtexel), FLOAT_BITS), assumed.product_bits
+        ),
+        fixed_bits=_better(places(of_fixed, FLOAT_BITS), assumed.fixed_bits),
+        float_bits=_better(places(of_floats / 2, FLOAT_BITS), assumed.float_bits),
+        mixing_bits=_better(places(of_single, FLOAT_BITS), assumed.mixing_bits),
         derivatives=footprints.derivatives(slopes[0], bottom_up=bottom_up),
         corner_bits=cubes.corner_bits(drawn["Corners"][0]),
     )
+
+
+def _better(found: int | None, assumed: int | None) -> int | None:
+    """The larger number of binary places; ``None`` stands for those of a float32."""
+    if found is None or assumed is None:
+        return found
+    return max(found, assumed)
 
 
 def places(error: float, most: int) -> int | None:

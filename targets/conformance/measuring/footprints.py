@@ -44,7 +44,7 @@ def found(
     euclidean = max(_euclidean_error(seen) for seen in flat)
     # On cubes a device's steps are not known, whichever they are on others.
     if euclidean <= ACCEPTED["euclidean"]:
-        return "euclidean", MARGIN * max(euclidean, *(_any_error(seen) for seen in cubes))
+        return "euclidean", MARGIN * max(euclidean, *(_step_error(seen) for seen in cubes))
     ellipse = max(_ellipse_error(seen) for seen in (*flat, *cubes))
     if ellipse <= ACCEPTED["ellipse"]:
         return "ellipse", MARGIN * ellipse
@@ -132,12 +132,19 @@ def _ellipse_error(seen: _Seen) -> float:
     return _outside(seen, longer, axis)
 
 
-def _any_error(seen: _Seen) -> float:
+def _step_error(seen: _Seen) -> float:
+    """The error of levels that follow from one of both steps, however its length is taken."""
     lanes = np.abs(seen.steps)
-    sums = lanes.sum(axis=-1)
-    return _outside(
-        seen, lanes.max(axis=(-2, -1)).min(axis=0), np.hypot(sums[..., 0], sums[..., 1]).max(axis=0)
-    )
+    least, most = lanes.max(axis=(-2, -1)), lanes.sum(axis=-1).max(axis=-1)
+    return _outside(seen, least.min(axis=0), most.max(axis=0))
+
+
+def _any_error(seen: _Seen) -> float:
+    """The error of levels beyond all that APIs allow (``levels.py``)."""
+    lanes = np.abs(seen.steps)
+    sums, of_lanes = lanes.sum(axis=-1).max(axis=-1), lanes.max(axis=-2).sum(axis=-1)
+    most = np.maximum(np.sqrt(2.0) * sums, of_lanes)
+    return _outside(seen, lanes.max(axis=(-2, -1)).min(axis=0), most.max(axis=0))
 
 
 def _outside(seen: _Seen, low: Floats, high: Floats) -> float:

@@ -108,7 +108,7 @@ class HelpedFrames(ReferenceFrames):
         while (part := offered.take()) is not None:
             own.add(part)
             self._draw_one(*work[part])
-        for part, data in enumerate(offered.gather()):
+        for part, data in zip(range(len(work)), offered.gather(), strict=True):
             if data is not None:
                 self._put(layers[part], pickle.loads(data))
             elif part not in own:

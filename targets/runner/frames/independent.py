@@ -30,7 +30,10 @@ class Traffic(NamedTuple):
     """Those that it makes anew."""
 
     def is_independent_of(self, earlier: Traffic) -> bool:
-        """True if this step finds and leaves the same, whichever of both is drawn first."""
+        """True if this step finds and leaves the same, whether the earlier one is drawn by then or not.
+
+        Whoever draws several such steps makes ready all textures that they clear before the first.
+        """
         own = {texture for texture, _layer, _level in self.written}
         theirs = {texture for texture, _layer, _level in earlier.written}
         return not (

@@ -34,7 +34,7 @@ from ..instances import instance_of
 from ..intents import with_intents
 from ..room import has_room
 from ..slot_checks import check_instance
-from ..unread_slots import named_in, warn_of_unread
+from ..unread_slots import NamedIn, warn_of_unread
 from .extents import ELEMENTS, declared_extent, exists_in_kernels, known_extent, written_buffer
 from .group_results import check_no_groups, is_per_group, of_each_group
 from .images import (
@@ -126,7 +126,7 @@ def kernel_shader(
         drawn = [result for each in written for result in each.results]
         check_no_groups(ctx, drawn, "a kernel over images", declaration.name.span)
     check_instance(ctx, instance)
-    warn_of_unread(ctx, record, named_in(record.symbol.module))
+    warn_of_unread(ctx, record, NamedIn(record.symbol.module))
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
