@@ -57,8 +57,9 @@ class Offers:
         """Parts are drawn in ``threads``, behind all work that these have been given before."""
         self._threads, self._draw = threads, draw
         self._parts: list[Future[Part]] = []
-        self._common = b""
-        """The data that helpers need for any part: queued calls must not hold it themselves."""
+        self._common: bytes | None = None
+        """The data that helpers need for any part: calls that were cancelled may stay queued for
+        long, and must not hold it."""
 
     def answer(self, asked: Mapping[str, Any], data: bytes) -> Packet:
         """The answer to a packet of ``LentHelpers``."""
@@ -72,22 +73,18 @@ class Offers:
                 return Packet({"part": self._taken()})
             case _:
                 made = [_made(part) for part in self._parts]
-                self._forget()
+                self._parts, self._common = [], None
                 return Packet({}, pickle.dumps(made))
 
     def withdraw(self) -> None:
         """Take back all parts with which nobody has begun: nobody wants them any more."""
         for part in self._parts:
             part.cancel()
-        self._forget()
-
-    def _forget(self) -> None:
-        """Let go of the data, though calls that were cancelled may stay queued for long."""
-        self._parts, self._common = [], b""
+        self._common = None
 
     def _drawn(self, number: int) -> Part:
         common = self._common
-        return self._draw(common, number) if common else None
+        return None if common is None else self._draw(common, number)
 
     def _taken(self) -> int | None:
         """The last part with which nobody has begun: helpers begin with the first one."""

@@ -262,6 +262,23 @@ def test_a_library_that_changes_is_checked_anew(
                 assert elaborated(source) == checked(source)
 
 
+def test_a_light_of_the_library_reads_the_slots_that_its_surface_has(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Also those that the user's material overrides."""
+    shutil.copytree(FOLDER, tmp_path / "stdlib")
+    monkeypatch.setattr(frontend, "FOLDER", tmp_path / "stdlib")
+    lights = tmp_path / "stdlib" / "lights.burnish"
+    lights.write_text(f"{lights.read_text()}\nlight Odd : Light {{ to_light = inherited.normal }}\n")
+    source = """
+    import std.lights.{Odd}
+    import std.terms.{lambert}
+    material M { normal = to_eye  color = lambert(vec3(1)) }
+    rig R { odd : Odd }
+    """
+    assert [elaborated(source) for _ in range(3)] == [checked(source)] * 3
+
+
 def test_few_transcripts_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     few = KeptTranscripts(most=2)
     monkeypatch.setattr(assembly, "KEPT_TRANSCRIPTS", few)

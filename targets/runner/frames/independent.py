@@ -30,7 +30,7 @@ class Traffic(NamedTuple):
     """Those that it makes anew."""
 
     def is_independent_of(self, earlier: Traffic) -> bool:
-        """True if this step finds and leaves the same, whether the earlier one is drawn by then or not.
+        """True if this step finds and leaves the same, whether or not the earlier one is drawn.
 
         Whoever draws several such steps makes ready all textures that they clear before the first.
         """
