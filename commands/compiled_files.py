@@ -112,8 +112,8 @@ def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterat
     from ..api import entry_points as api
 
     drawn = any(each.reflection.targets for each in result.materials)
-    if request.pass_ is not None or not drawn or result.frames:
-        return
+    if request.pass_ is not None or not drawn or result.frames or not request.files[0].is_file():
+        return  # A pipe cannot be read again.
     passes = api.declared(request.files[0], search_path=request.search_path).passes
     if passes:
         ways = " or ".join(f"`--pass {name}`" for name in passes)

@@ -64,6 +64,7 @@ SURROUNDINGS = "\n".join(
         "    map albedo : texture2d",
         "    c = v < w",
         "    d = v > w",
+        "    color = #fff",
     ]
 )
 WRITTEN = sorted({text for instead in FUNCTIONS.values() for text in instead.written})
@@ -102,4 +103,4 @@ def test_every_keyword_begins_no_member() -> None:
 
 def test_values_are_known_here() -> None:
     for name in VALUES.values():
-        assert burnish.check(f"material M {{ a = {name} }}") == ()
+        assert burnish.check(f"material M {{ a = {name}  color = #fff }}") == ()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import burnish
-from burnish.targets.conformance import frames
+from burnish.targets.conformance import judged_frames
 from burnish.targets.conformance.frames import FrameTrial
 from burnish.targets.runner.routes import ROUTES
 
@@ -18,7 +18,7 @@ SIZE = (8, 8)
 
 @pytest.mark.parametrize("name", ["lavapipe:glsl", "llvmpipe:gl450"])
 def test_random_frames_agree(studio: Studio, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(frames, "SEVERAL", 3)
+    monkeypatch.setattr(judged_frames, "SEVERAL", 3)
     route, drawn = ROUTES[name], 0
     for seed in range(COUNT):
         try:

@@ -269,7 +269,9 @@ def test_a_light_of_the_library_reads_the_slots_that_its_surface_has(
     shutil.copytree(FOLDER, tmp_path / "stdlib")
     monkeypatch.setattr(frontend, "FOLDER", tmp_path / "stdlib")
     lights = tmp_path / "stdlib" / "lights.burnish"
-    lights.write_text(f"{lights.read_text()}\nlight Odd : Light {{ to_light = inherited.normal }}\n")
+    lights.write_text(
+        f"{lights.read_text()}\nlight Odd : Light {{ to_light = inherited.normal }}\n"
+    )
     source = """
     import std.lights.{Odd}
     import std.terms.{lambert}

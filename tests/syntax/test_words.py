@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.syntax.lalr_tables import load_tables
@@ -150,6 +151,8 @@ def test_a_word_is_free_where_a_name_stands(word: str, tmp_path: Path) -> None:
     wrong: list[Diagnostic] = []
     for text in texts(word):
         wrong += burnish.check(f"{text}\n", search_path=[tmp_path])
+    # The texts are about words: some have materials that set no colour.
+    wrong = [each for each in wrong if each.rule is not rules.WITHOUT_COLOR]
     assert render_all(wrong) == ""
 
 

@@ -7,6 +7,7 @@ here while graphs are verified or shown (``is_watched``), as in tests.
 
 from __future__ import annotations
 
+from ....support.locks import lock
 from ...watching import is_watched
 from ..names.kept_of_library import KeptOfLibrary
 from ..state.transcripts import Kept, LibraryPart
@@ -44,7 +45,12 @@ KEPT_TRANSCRIPTS = KeptTranscripts()
 """The transcripts of this process."""
 
 
+_LOADING = lock()
+"""Held while the module is loaded: a process that forks meanwhile would wait for it for ever."""
+
+
 def _transcribed(part: LibraryPart) -> Kept:
-    from .transcribing import transcribed
+    with _LOADING:
+        from .transcribing import transcribed
 
     return transcribed(part)

@@ -30,7 +30,7 @@ ELSEWHERE: Mapping[str, str] = {
     **dict.fromkeys(("albedo", "basecolor", "diffusecolor", "fragcolor", "outcolor", "surfacecolor",
                      "glfragcolor", "svtarget", "finalcolor"), _TO_EYE),
     **dict.fromkeys(("opacity", "transparency", "coverage"), _COVERS),
-    **dict.fromkeys(("fragdepth", "glfragdepth", "svdepth", "depth", "pixeldepth"), _NO_DEPTH),
+    **dict.fromkeys(("fragdepth", "glfragdepth", "svdepth", "pixeldepth"), _NO_DEPTH),
     **dict.fromkeys(("clipdistance", "glclipdistance", "svclipdistance", "culldistance",
                      "svculldistance", "glculldistance"), _NO_CLIP),
     **dict.fromkeys(("pointsize", "glpointsize", "psize"), _NO_POINTS),
@@ -40,6 +40,10 @@ ELSEWHERE: Mapping[str, str] = {
 }  # fmt: skip
 """Words of other systems for what a shader writes, in small letters and without underscores, and
 what there is here instead."""
+
+
+_ALIKE = 0.75
+"""The least similarity of an unread slot and one of a base that it may have meant."""
 
 
 @frozen
@@ -153,7 +157,15 @@ def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
     if advice and advice is not _GLTF:
         return advice
     meant = nearest_in(span.source, name, own.others)
-    return advice if meant is None else respelt(name, span, meant)
+    return advice if meant is None or not _is_alike(name, meant) else respelt(name, span, meant)
+
+
+def _is_alike(name: str, meant: str) -> bool:
+    """True if a name is nearly another one: that of a slot is right by itself, though unread."""
+    from difflib import SequenceMatcher
+
+    one, other = _folded(name), _folded(meant)
+    return sorted(one) == sorted(other) or SequenceMatcher(None, one, other).ratio() >= _ALIKE
 
 
 def _advice(own: Own) -> str:
