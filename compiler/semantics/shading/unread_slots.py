@@ -128,7 +128,7 @@ class NamedIn:
     def __init__(self, module: Module) -> None:
         self._module = module
 
-    def __contains__(self, name: str) -> bool:
+    def __contains__(self, name: object) -> bool:
         return name in self._names
 
     @cached_property
@@ -147,7 +147,8 @@ def _names_in(root: object) -> Iterator[str]:
         if isinstance(node, tuple):
             waiting += node
         elif hasattr(node, "span"):
-            waiting += [getattr(node, field) for field in type(node).__match_args__]
+            fields: tuple[str, ...] = vars(type(node))["__match_args__"]
+            waiting += [getattr(node, field) for field in fields]
 
 
 def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
