@@ -82,7 +82,9 @@ class Driver:
 
 
 _LLVM = Driver(
-    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8),
+    Hardware(
+        varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=8, footprint="step"
+    ),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=16, mip_bits=16,
         derivatives="own", footprint="euclidean", corner_bits=20, lines="rectangle",
@@ -94,7 +96,10 @@ _LLVM = Driver(
 )  # fmt: skip
 _SWIFTSHADER = Driver(
     # SwiftShader blends levels in 16 bits, with several roundings.
-    Hardware(varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, mixing_bits=14),
+    Hardware(
+        varying_bits=20, frag_coord_bits=18, subtexel_bits=8, mip_bits=6, footprint="step",
+        mixing_bits=14,
+    ),
     Hardware(
         varying_bits=22, frag_coord_bits=18, subtexel_bits=14, mip_bits=12, mixing_bits=14,
         derivatives="first", footprint="euclidean", corner_bits=8, lines="rectangle",

@@ -29,10 +29,11 @@ Derivatives = Literal["own", "first", "any"]
 ``own``: those of each pixel's own row and column. ``first``: those of the first row and column for
 the whole quad. ``any``: nothing is known, so any of its quad.
 """
-Footprint = Literal["euclidean", "ellipse", "any"]
+Footprint = Literal["euclidean", "step", "ellipse", "any"]
 """The length in texels from whose logarithm the level follows.
 
-``euclidean``: that of the longer one of the steps in a quad's first row and column. ``ellipse``:
+``euclidean``: that of the longer one of the steps in a quad's first row and column. ``step``:
+anything from the largest lane of a step to the sum of its lanes, in any row or column. ``ellipse``:
 anything from the longer step to the longer axis of the ellipse that both steps span, for the steps
 in any row and column of the quad. ``any``: all that APIs allow (``levels.py``).
 """
