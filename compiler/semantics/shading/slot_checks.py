@@ -81,14 +81,15 @@ def _check_unread(ctx: Context, surface: Instance, passing: Instance, read: set[
     if is_declared_abstract(record):
         # Its slots are an offer to the materials that extend it.
         named = NamedIn(record.symbol.module)
-        warn_of_unread(ctx, record, read, named, all_read_here=False)
+        warn_of_unread(ctx, record, read, beside=named, all_read_here=False)
     elif is_alone and not _sets_color(record):
         warn_of_all(ctx, record, read)
     else:
         warn_of_unread(ctx, record, read, all_read_here=is_alone)
     # A pass may have its own form of any slot of the material, and the material reads it.
     shared = record.definitions.keys()
-    warn_of_unread(ctx, drawn, read, shared, NamedIn(drawn.symbol.module), also=shared)
+    named = NamedIn(drawn.symbol.module)
+    warn_of_unread(ctx, drawn, read, shared, beside=named, also=shared)
 
 
 def _draws(module: Module) -> bool:

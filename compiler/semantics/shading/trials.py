@@ -134,7 +134,7 @@ def check_light(symbol: Symbol, setting: Setting) -> bool:
     if is_declared_abstract(record):
         stand_in(ctx, instance)
     check_instance(ctx, instance)
-    warn_of_unread(ctx, record, NamedIn(symbol.module))
+    warn_of_unread(ctx, record, beside=NamedIn(symbol.module))
     return True
 
 

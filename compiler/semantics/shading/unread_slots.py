@@ -85,20 +85,23 @@ def _others(record: Record, owner: Symbol) -> Iterator[str]:
 def warn_of_unread(
     ctx: Context,
     record: Record,
-    *read: Container[str],
+    *read: Collection[str],
+    beside: Container[str] = (),
     also: Collection[str] = (),
     all_read_here: bool = True,
 ) -> None:
     """Warn of each own slot of a record that is in none of ``read`` and looks like a mistake.
 
-    ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
+    Nor may it be in ``beside``, which is asked last, as it may have to look through a file. ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
     no other pass can read its slots, so that words of other systems are told, too.
     """
     if record.baseless:
         return
     for own in own_slots(record, also):
+        if any(own.name.text in each for each in read):
+            continue  # Most are read, and names are compared slowly.
         hint = _hint(own, elsewhere=all_read_here)
-        if hint and not any(own.name.text in each for each in read):
+        if hint and own.name.text not in beside:
             _warn(ctx, own.name, hint)
 
 

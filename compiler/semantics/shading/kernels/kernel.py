@@ -126,7 +126,7 @@ def kernel_shader(
         drawn = [result for each in written for result in each.results]
         check_no_groups(ctx, drawn, "a kernel over images", declaration.name.span)
     check_instance(ctx, instance)
-    warn_of_unread(ctx, record, NamedIn(record.symbol.module))
+    warn_of_unread(ctx, record, beside=NamedIn(record.symbol.module))
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
