@@ -86,10 +86,11 @@ def _check_unread(ctx: Context, surface: Instance, passing: Instance, read: set[
         warn_of_all(ctx, record, read)
     else:
         warn_of_unread(ctx, record, read, all_read_here=is_alone)
-    # A pass may have its own form of any slot of the material, and the material reads it.
-    shared = record.definitions.keys()
-    named = NamedIn(drawn.symbol.module)
-    warn_of_unread(ctx, drawn, read, shared, beside=named, also=shared)
+    if not drawn.symbol.module.is_standard:
+        # A pass may have its own form of any slot of the material, and the material reads it.
+        shared = record.definitions.keys()
+        named = NamedIn(drawn.symbol.module)
+        warn_of_unread(ctx, drawn, read, shared, beside=named, also=shared)
 
 
 def _draws(module: Module) -> bool:

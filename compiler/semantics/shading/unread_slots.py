@@ -92,7 +92,8 @@ def warn_of_unread(
 ) -> None:
     """Warn of each own slot of a record that is in none of ``read`` and looks like a mistake.
 
-    Nor may it be in ``beside``, which is asked last, as it may have to look through a file. ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
+    Nor may it be in ``beside``, which is asked last, as it may have to look through a file.
+    ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
     no other pass can read its slots, so that words of other systems are told, too.
     """
     if record.baseless:
