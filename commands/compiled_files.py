@@ -112,12 +112,15 @@ def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterat
     from ..api import entry_points as api
 
     drawn = any(each.reflection.targets for each in result.materials)
-    if request.pass_ is not None or not drawn or result.frames or not request.files[0].is_file():
+    file = request.files[0]
+    if request.pass_ is not None or not drawn or result.frames or not file.is_file():
         return  # A pipe cannot be read again.
-    passes = api.declared(request.files[0], search_path=request.search_path).passes
+    if b"pass" not in file.read_bytes():
+        return  # To parse a file again takes longer than to look for the word.
+    passes = api.declared(file, search_path=request.search_path).passes
     if passes:
         ways = " or ".join(f"`--pass {name}`" for name in passes)
-        yield f"the library's pass Forward draws; {ways} takes one of {request.files[0].name}\n"
+        yield f"the library's pass Forward draws; {ways} takes one of {file.name}\n"
 
 
 def _remarks_on_languages(result: CompileResult) -> Iterator[str]:
