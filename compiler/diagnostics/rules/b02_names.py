@@ -59,8 +59,8 @@ NOT_A_VALUE = error(
 UNREAD_SLOT = warning(
     "B0210",
     "nothing reads `{name}`",
-    "A name that no base declares is a new slot of the material. Nothing outside of the material "
-    "reads it, so it has an effect only if another equation of the material uses it.",
+    "A name that no base declares is a new one. Nothing outside of what declares it reads it, so "
+    "it has an effect only if another equation there uses it.",
 )
 WITHOUT_COLOR = warning(
     "B0211",

@@ -215,3 +215,9 @@ BYTES_OF_COLOR = warning(
     "The lanes of a colour are amounts of light, of which white has 1. A colour that is known by "
     "its bytes is written as `#ff8000`.",
 )
+COSINE_OF_VECTOR = warning(
+    "B0391",
+    "`{function}` gets the cosine of an angle times a length that is not known",
+    "The dot product of two directions is the cosine of the angle between them. A vector that is "
+    "longer makes it that many times larger, and a power of it, or an angle, means nothing then.",
+)

@@ -12,6 +12,7 @@ from ...ir.operations import OF_GROUPS
 from ...ir.types import FLOAT
 from ...syntax import ast
 from ...syntax.quoting import shortened
+from ..hints.cosines import OF_COSINES, warn_of_length
 from ..state.context import Context
 from ..state.scope import Failure, Scope
 from ..types import overloads
@@ -45,6 +46,8 @@ def builtin_call(
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
     ctx.progress.joins_groups |= name in OF_GROUPS
+    if name in OF_COSINES:
+        warn_of_length(ctx, node, span)
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:
         error = ctx.report.finding(

@@ -55,10 +55,7 @@ def _called_names(function: ast.Function) -> tuple[tuple[str, int], ...]:
     waiting: list[object] = [function.body, *(part.value for part in function.parts)]
     while waiting:
         part = waiting.pop()
-        if isinstance(part, tuple):
-            waiting.extend(part)
-        elif isinstance(part, ast.Expression | ast.Turns):
-            waiting.extend(getattr(part, field) for field in type(part).__match_args__)
-            if isinstance(part, ast.Call) and isinstance(part.callee, ast.Reference):
-                found[part.callee.name] += 1
+        waiting.extend(ast.parts(part))
+        if isinstance(part, ast.Call) and isinstance(part.callee, ast.Reference):
+            found[part.callee.name] += 1
     return tuple(found.items())

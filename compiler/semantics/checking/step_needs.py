@@ -35,9 +35,6 @@ STEPS = ("pass", "kernel")
 Key = tuple[str, int]
 """A slot as it is defined at a level of the chain, or further up."""
 
-_WALKED = (ast.Expression, ast.Turns)
-"""The nodes in which expressions can stand."""
-
 
 def applied(e: ast.Expression, module: Module) -> Symbol | None:
     """The pass or kernel that a call applies, if it is one."""
@@ -157,15 +154,12 @@ class Dependencies:
         waiting: list[tuple[object, bool, frozenset[str]]] = [(written, True, frozenset())]
         while waiting:
             part, before, bound = waiting.pop()
-            if isinstance(part, tuple):
-                waiting += [(each, before, bound) for each in part]
-                continue
             key = _named(part, level, bound)
             if key is not None:
                 assert isinstance(part, ast.Reference | ast.Field)
                 if self.is_step(key):
                     yield Need(key, part.span, before)
-            elif isinstance(part, _WALKED):
+            else:
                 bound |= _binds(part)
                 if isinstance(part, ast.Call) and is_previous(part):
                     last, *initial = part.arguments or ((),)
@@ -175,7 +169,7 @@ class Dependencies:
                     # `rig`, `cube` and `mips(n)` are words there, whatever else is called so.
                     waiting.append((part.body, before, bound))
                     continue
-                waiting += [(getattr(part, f), before, bound) for f in type(part).__match_args__]
+                waiting += [(each, before, bound) for each in ast.parts(part)]
 
     def ordered(self, roots: Sequence[Need]) -> list[Key]:
         """The steps that some needs lead to, each behind those it needs itself; reports cycles."""

@@ -27,8 +27,9 @@ from ..shading.host_names import Entry, names_taken
 from ..shading.instances import instance_of
 from ..shading.rigs import entries_of
 from ..shading.room import has_room
+from ..shading.unread_slots import NamedIn, warn_of_unread
 from ..state.context import Context
-from ..state.scope import OUTERMOST, Instance
+from ..state.scope import FAILURE, OUTERMOST, Instance
 from .invariance import with_invariant_positions
 from .pass_draws import ModelsOf
 from .samples import check_readable
@@ -191,12 +192,18 @@ class _Checking:
             if not isinstance(member, ast.Slot):
                 continue
             key, span = (name, OUTERMOST), member.name.span
-            if not self._own.dependencies.is_step(key):
+            if not self._is_step(name):
                 slot(self._ctx, self._instance, name, span)
             elif key not in self._own.values:
                 self._steps.check(self._own, [Need(key, span, before=True)])
                 if definitions[0].owner.module is self._around.module and are_whole:
                     self._warn(name, member)
+        told = {name for name in self._record.definitions if self._is_step(name)}
+        told |= {name for (name, _), value in self._instance.values.items() if value is FAILURE}
+        warn_of_unread(self._ctx, self._record, told, beside=NamedIn(self._record.symbol.module))
+
+    def _is_step(self, name: str) -> bool:
+        return self._own.dependencies.is_step((name, OUTERMOST))
 
     def _warn(self, name: str, member: ast.ReadMember) -> None:
         self._ctx.report.add(rules.NOT_NEEDED, member.name.span, name=name)

@@ -14,9 +14,6 @@ from .records import Definition, Record
 LEAVES = tuple(kind.node for kind in ast.KINDS if kind.contribution == "leaf")
 """Members whose values come from outside: from the host, or from the mesh."""
 
-_WALKED = (ast.Expression, ast.Turns, ast.Strips, *(kind.node for kind in ast.KINDS))
-"""The nodes in which expressions can stand."""
-
 _InForce = set[tuple[str, int]]
 """Names with the levels of their definitions that count."""
 
@@ -26,12 +23,10 @@ def inherited_names(written: ast.Expression | ast.Member | ast.ReadMember) -> It
     waiting: list[object] = [written]
     while waiting:
         part = waiting.pop()
-        if isinstance(part, tuple):
-            waiting.extend(part)
-        elif isinstance(part, ast.Field) and _is_inherited(part.operand):
+        if isinstance(part, ast.Field) and _is_inherited(part.operand):
             yield part.name.text
-        elif isinstance(part, _WALKED):
-            waiting.extend(getattr(part, field) for field in type(part).__match_args__)
+        else:
+            waiting.extend(ast.parts(part))
 
 
 def _is_inherited(expression: ast.Expression) -> bool:

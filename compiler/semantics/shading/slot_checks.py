@@ -28,6 +28,8 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
             made = base
         check_instance(ctx, instance)
     _check_companions(ctx, surface)
+    # A parameter is read by slots that nothing reads, too.
+    read |= surface.leaves.keys() & {name for name, _ in surface.values}
     _check_unread(ctx, surface, passing, read)
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from itertools import chain
 
 from ....support.frozen import changed, frozen
 from ...diagnostics.diagnostic import Diagnostic
@@ -18,6 +19,7 @@ from ..checking.lights import light_instance, per_light
 from ..declarations.externs import read_externs
 from ..declarations.parameters import leaves_of
 from ..declarations.written_types import struct_of
+from ..inheritance.flattening import root_of
 from ..names.modules import Symbol
 from ..state.scope import Scope
 from ..types.typenames import Variables
@@ -158,6 +160,11 @@ def check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
         check_instance(ctx, at_mesh(instance))
     check_instance(ctx, instance)
     written_results(ctx, instance)
+    # A pass may have its own form of any slot of the surface.
+    kinds = ("pass", "material") if mixin.kind == "pass" else (mixin.kind,)
+    roots = [root_of(symbol.module, kind) for kind in kinds]
+    also = chain.from_iterable(ctx.records.of(root).definitions for root in roots if root)
+    warn_of_unread(ctx, record, beside=NamedIn(symbol.module), also=frozenset(also))
     return True
 
 

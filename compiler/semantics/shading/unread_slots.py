@@ -1,13 +1,15 @@
 """Warns of slots that a file declares and nothing reads: misspelt ones, and words of other systems.
 
-A name that no base declares is a new slot. That is often wanted, as other equations read it. But a
-name that nearly is one of a base, or that means something elsewhere, would be ignored silently.
-``slot_checks`` asks for it, with what was read of a material, a pass, a light or a kernel.
+A name that no base declares is a new slot, or a new parameter. That is often wanted, as other
+equations read it. But a name that nearly is one of a base, or that means something elsewhere, would
+be ignored silently. ``slot_checks``, ``trials`` and those who check kernels and frames ask for it,
+with what was read of a record.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping
+from string import digits
 
 from ....support.frozen import cached_property, frozen
 from ...diagnostics import rules
@@ -25,11 +27,15 @@ _NO_DEPTH = "a pass draws with the depth of the surface: no text writes another 
 _NO_CLIP = "a surface is cut at the sides of clip space, or by `discard when` in a pass"
 _NO_POINTS = "points have no size of their own: `expand point` makes a square of each"
 _IN_CLIP = "where a vertex is drawn is the slot `clip_position`"
+_DISCARD = "a pass leaves out pixels by `discard when condition`"
+_SENT = "what a light sends is its slots `diffuse` and `specular`"
+_FADES = "how a light fades is its slot `falloff`"
 
-ELSEWHERE: Mapping[str, str] = {
+OF_SURFACES: Mapping[str, str] = {
     **dict.fromkeys(("albedo", "basecolor", "diffusecolor", "fragcolor", "outcolor", "surfacecolor",
                      "glfragcolor", "svtarget", "finalcolor"), _TO_EYE),
-    **dict.fromkeys(("opacity", "transparency", "coverage"), _COVERS),
+    **dict.fromkeys(("opacity", "transparency", "coverage", "alfa"), _COVERS),
+    **dict.fromkeys(("discard", "clip", "kill", "alphatest", "alphacutoff"), _DISCARD),
     **dict.fromkeys(("fragdepth", "glfragdepth", "svdepth", "pixeldepth"), _NO_DEPTH),
     **dict.fromkeys(("clipdistance", "glclipdistance", "svclipdistance", "culldistance",
                      "svculldistance", "glculldistance"), _NO_CLIP),
@@ -41,33 +47,67 @@ ELSEWHERE: Mapping[str, str] = {
 """Words of other systems for what a shader writes, in small letters and without underscores, and
 what there is here instead."""
 
+OF_LIGHTS: Mapping[str, str] = {
+    **dict.fromkeys(("color", "colour", "intensity", "brightness", "strength", "power", "energy",
+                     "radiance", "emission", "multiplier"), _SENT),
+    **dict.fromkeys(("attenuation", "range", "radius", "distance", "decay", "linear", "quadratic",
+                     "constant"), _FADES),
+}  # fmt: skip
+"""The same for what a light sends."""
 
 _ALIKE = 0.75
 """The least similarity of an unread slot and one of a base that it may have meant."""
 
 
+_WORDS: Mapping[str, Mapping[str, str]] = {
+    "material": OF_SURFACES, "pass": OF_SURFACES, "light": OF_LIGHTS,
+}  # fmt: skip
+"""The words of other systems for each kind of record; a pass may have any slot of the surface."""
+
+CLOSED = ("kernel", "frame")
+"""The kinds of records whose slots nothing outside of them reads, whatever they are called."""
+
+
 @frozen
 class Own:
-    """A slot that a record's own file declares, and that no base of it has."""
+    """A slot, parameter, texture or buffer that a record's own file declares, and no base of it."""
 
     name: ast.Name
     others: frozenset[str]
     """The names that its bases and mixins declare."""
+    words: Mapping[str, str]
+    """What words of other systems mean in such a record."""
 
 
-def own_slots(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
-    """The slots of a record that its file adds to the chain; ``also`` are further ``others``.
+def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
+    """What a record's file adds to the chain; ``also`` are further ``others``.
 
     What an imported file declares is an offer, and its names are for that file to check.
     """
+    words = _WORDS.get(_kind(record), {})
     others: dict[Symbol, frozenset[str]] = {}
     for definitions in record.definitions.values():
         member, owner = definitions[0].member, definitions[0].owner
         is_new = all(definition.owner is owner for definition in definitions)
-        if is_new and isinstance(member, ast.Slot) and owner.module is record.symbol.module:
+        if is_new and isinstance(member, _READ) and owner.module is record.symbol.module:
             if owner not in others:
                 others[owner] = frozenset((*_others(record, owner), *also))
-            yield Own(member.name, others[owner])
+            yield Own(member.name, others[owner], words)
+
+
+_READ = ast.Slot | ast.Param | ast.Texture | ast.Buffer
+
+
+def _is_offer(record: Record) -> bool:
+    """True if a record is there for others, which may read what it adds."""
+    declaration = record.symbol.declaration
+    return not isinstance(declaration, ast.Record) or declaration.abstract
+
+
+def _kind(record: Record) -> str:
+    """The kind of a record, and of what a mixin is for."""
+    declaration = record.symbol.declaration
+    return declaration.kind if isinstance(declaration, ast.Record | ast.Mixin) else ""
 
 
 def _others(record: Record, owner: Symbol) -> Iterator[str]:
@@ -90,7 +130,7 @@ def warn_of_unread(
     also: Collection[str] = (),
     all_read_here: bool = True,
 ) -> None:
-    """Warn of each own slot of a record that is in none of ``read`` and looks like a mistake.
+    """Warn of what a record adds if it is in none of ``read`` and looks like a mistake.
 
     Nor may it be in ``beside``, which is asked last, as it may have to look through a file.
     ``also`` are names beside those of its bases that it may have meant. If it is ``all_read_here``,
@@ -98,16 +138,17 @@ def warn_of_unread(
     """
     if record.baseless:
         return
-    for own in own_slots(record, also):
+    is_closed = _kind(record) in CLOSED and not _is_offer(record)
+    for own in own_members(record, also):
         if any(own.name.text in each for each in read):
             continue  # Most are read, and names are compared slowly.
         hint = _hint(own, elsewhere=all_read_here)
-        if hint and own.name.text not in beside:
+        if (hint or is_closed) and own.name.text not in beside:
             _warn(ctx, own.name, hint)
 
 
 def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
-    """Warn of own slots that nothing reads, in a material that sets no colour.
+    """Warn of what a material adds and nothing reads, if it sets no colour.
 
     Of those that do not look like mistakes by themselves, the first one is told.
     """
@@ -115,7 +156,7 @@ def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
         return
     idle: list[ast.Name] = []
     named = NamedIn(record.symbol.module)
-    for own in own_slots(record):
+    for own in own_members(record):
         if own.name.text in read:
             continue
         if hint := _hint(own):
@@ -148,11 +189,7 @@ def _names_in(root: object) -> Iterator[str]:
         match node:
             case ast.Reference(name=name) | ast.Field(name=ast.Name(text=name)):
                 yield name
-        if isinstance(node, tuple):
-            waiting += node
-        elif hasattr(node, "span"):
-            fields: tuple[str, ...] = vars(type(node))["__match_args__"]
-            waiting += [getattr(node, field) for field in fields]
+        waiting += ast.parts(node)
 
 
 def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
@@ -166,17 +203,22 @@ def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
 
 
 def _is_alike(name: str, meant: str) -> bool:
-    """True if a name is nearly another one: that of a slot is right by itself, though unread."""
+    """True if a name is nearly another one: that of a slot is right by itself, though unread.
+
+    A number behind a name is no mistake: ``uv1`` stands beside ``uv``.
+    """
     from difflib import SequenceMatcher
 
     one, other = _folded(name), _folded(meant)
+    if one.rstrip(digits) == other.rstrip(digits):
+        return one == other
     return sorted(one) == sorted(other) or SequenceMatcher(None, one, other).ratio() >= _ALIKE
 
 
 def _advice(own: Own) -> str:
     """What is said of a word of other systems, unless a base has one that is nearly the same."""
     folded = _folded(own.name.text)
-    return "" if folded in map(_folded, own.others) else ELSEWHERE.get(folded, "")
+    return "" if folded in map(_folded, own.others) else own.words.get(folded, "")
 
 
 def _folded(name: str) -> str:

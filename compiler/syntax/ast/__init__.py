@@ -91,6 +91,7 @@ from .members import (
     Texture,
     WorkGroup,
 )
+from .walking import parts
 
 __all__ = [
     "KINDS",
@@ -173,4 +174,5 @@ __all__ = [
     "is_read",
     "kind_of",
     "only_one",
+    "parts",
 ]
