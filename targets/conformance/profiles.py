@@ -15,7 +15,7 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 from ..runner.drivers.device import Device
 from ..runner.drivers.wire import to_json
 from ..runner.store import Store, digest
-from .drivers import Hardware
+from .drivers import DRIVERS, Hardware
 
 STORE = "devices"
 """The name of the store that keeps profiles."""
@@ -68,9 +68,10 @@ def _fits(hint: Any, value: object) -> bool:
 
 
 def _heading(driver: str, device: Device) -> dict[str, Any]:
-    """What a profile is of."""
+    """What a profile is of; what is not measured is assumed, and may be assumed otherwise later."""
     return {
-        "format": FORMAT, "driver": driver, "device": device.name, "version": device.version
+        "format": FORMAT, "driver": driver, "device": device.name, "version": device.version,
+        "assumed": to_json(DRIVERS[driver].assumed),
     }  # fmt: skip
 
 

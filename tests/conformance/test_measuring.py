@@ -112,6 +112,14 @@ def test_a_profile_is_kept_for_one_driver_one_device_and_one_version() -> None:
     assert profile_of("vulkan", replace(DEVICE, name="Another GPU")) is None
 
 
+def test_a_profile_goes_with_what_is_assumed_beside_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    keep("vulkan", DEVICE, FOUND)
+    driver = DRIVERS["vulkan"]
+    assumed = replace(driver.assumed, varying_bits=driver.assumed.varying_bits - 1)
+    monkeypatch.setitem(DRIVERS, "vulkan", replace(driver, assumed=assumed))
+    assert profile_of("vulkan", DEVICE) is None
+
+
 def test_bounds_are_those_that_were_measured_first() -> None:
     route, size = EVERY_ROUTE["vulkan:glsl"], SimpleNamespace(width=8, height=8)
     (alone,) = bounds_of(size, route, DEVICE)

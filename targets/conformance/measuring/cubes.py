@@ -13,8 +13,8 @@ LEAST_BITS = 4
 """With fewer places the texel beyond a corner is not taken for the mean of the three around it."""
 MARGIN = 2.0
 
-_AXES = ((2, 1, 0), (2, 1, 0), (0, 2, 1), (0, 2, 1), (0, 1, 2), (0, 1, 2))
-"""For each face the axes along its columns and its rows, and the one that it lies across."""
+_AXES = ((2, 1), (2, 1), (0, 2), (0, 2), (0, 1), (0, 1))
+"""For each face the axes along its columns and its rows."""
 _SIGNS = ((-1, -1), (1, -1), (1, 1), (1, -1), (1, -1), (-1, -1))
 """The directions of the columns and the rows along these axes, as Vulkan's table of faces says."""
 
@@ -40,11 +40,10 @@ def _faces(corner: Floats) -> list[int]:
 
 def _texel(texels: Floats, face: int, corner: Floats) -> Floats:
     """The texel of a face at a corner."""
-    (column, row, _), signs = _AXES[face], _SIGNS[face]
     last = texels.shape[1] - 1
     x, y = (
         last if corner[axis] * sign > 0 else 0
-        for axis, sign in zip((column, row), signs, strict=True)
+        for axis, sign in zip(_AXES[face], _SIGNS[face], strict=True)
     )
     found: Floats = texels[face, y, x]
     return found
