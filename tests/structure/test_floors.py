@@ -127,6 +127,7 @@ FLOORS: dict[str, str] = {
         "web_host web_view conformance toolchain serving compiled entry_points"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
+    "testing": "conformance",
     "__main__": "commands",
 }
 """The modules that each folder or module may import, by their last names; lowest first.

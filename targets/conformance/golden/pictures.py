@@ -45,7 +45,9 @@ def read_picture(path: Path, output: Output) -> Array:
     except (GoldenError, ModuleNotFoundError, MemoryError):
         raise
     except OSError as error:
-        raise GoldenError(f"cannot read {path}: {error.strerror or error}") from None
+        if error.strerror is None:  # Pillow raises such errors for damaged files.
+            raise GoldenError(f"{path} is damaged: {error}") from None
+        raise GoldenError(f"cannot read {path}: {error.strerror}") from None
     except Exception as error:  # Of a damaged file, decoders raise whatever they come upon.
         raise GoldenError(f"{path} is damaged: {error}") from None
 

@@ -153,13 +153,18 @@ def _document(path: Path) -> dict[str, Any]:
     if not path.is_file():
         raise GoldenError(f"{path.parent} is no golden folder: it has no file {NAME}")
     try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise GoldenError(f"{path} is too large")
-        document = json.loads(path.read_bytes())
+        with path.open("rb") as file:
+            data = file.read(_MOST_BYTES + 1)
+        if len(data) <= _MOST_BYTES:
+            document = json.loads(data.decode("utf-8"))
     except OSError as error:
         raise GoldenError(f"cannot read {path}: {error.strerror or error}") from None
-    except (ValueError, RecursionError) as error:
+    except ValueError as error:
         raise GoldenError(f"{path} is no JSON: {error}") from None
+    except RecursionError:
+        raise GoldenError(f"{path} is no document: it is nested too deeply") from None
+    if len(data) > _MOST_BYTES:
+        raise GoldenError(f"{path} is too large: it has over {_MOST_BYTES} bytes")
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise GoldenError(f"{path} is not the document of a golden folder")
     version = document.get("version")
@@ -233,7 +238,7 @@ def _golden(path: Path, shape: tuple[int, ...], kind: np.dtype[Any]) -> NDArray[
         raise GoldenError(f"{path} has numbers of the type {found.dtype}, and not {kind}")
     if found.shape != shape:
         raise GoldenError(f"{path} has the shape {found.shape}, and not {shape}")
-    return np.asarray(found)
+    return np.array(found)
 
 
 def read_npy(path: Path) -> NDArray[Any]:
@@ -275,7 +280,8 @@ def judged(picture: NDArray[Any], output: Output, encoding: Encoding = "linear")
     else:
         scale = 1.0
     values = lanes.astype(np.float64)
-    away = np.where(values > high, values - high, low - values)
+    with np.errstate(invalid="ignore"):
+        away = np.where(values > high, values - high, low - values)
     is_out = ~((values >= low) & (values <= high)) & ~undecided[..., None]
     if undecided.all():
         raise GoldenError(f"nothing is compared: all pixels of {output.title} are undecided")

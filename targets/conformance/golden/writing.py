@@ -167,9 +167,8 @@ def _inputs(
 
 def _output(output: Enclosed) -> GoldenOutput:
     shown = output.shown
-    return GoldenOutput(
-        name=file_name(shown.name), lanes=shown.lanes, stored=shown.stored and _stored(shown.stored)
-    )
+    stored = None if shown.stored is None else _stored(shown.stored)
+    return GoldenOutput(name=file_name(shown.name), lanes=shown.lanes, stored=stored)
 
 
 def _stored(place: Stored) -> StoredRow:
