@@ -29,6 +29,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_endings.py": _COMMANDS,
     "cli/test_gallery.py": _DRAW,
     "cli/test_gallery_hostile.py": _DRAW,
+    "cli/test_golden.py": _DRAW,
     "cli/test_graph.py": _LARGE,
     "cli/test_hostile_outputs.py": _COMMANDS,
     "cli/test_hostile_sources.py": _COMMANDS,
