@@ -14,7 +14,7 @@ import pytest
 from burnish.testing import GoldenError, assert_in_bounds
 
 from ..suite.processes import run
-from .kit import CASE, flat, small_golden
+from .kit import CASE, bounds, flat, small_golden, write_case, write_golden
 
 
 def test_a_good_picture_says_nothing(tmp_path: Path) -> None:
@@ -74,7 +74,15 @@ def suite(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     small_golden(folder / "g")
     (folder / "test_mine.py").write_text(SUITE)
     (folder / "pytest.ini").write_text("[pytest]\n")
-    environment = {**os.environ, "PYTEST_ADDOPTS": "", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    return outcome_of(folder, *words)
+
+
+def outcome_of(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """Run the tests of a folder, without what these tests themselves are run with."""
+    environment = {
+        **os.environ, "PYTEST_ADDOPTS": "", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }  # fmt: skip
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *words]
     return run(command, cwd=folder, env=environment)
 
@@ -93,6 +101,23 @@ def test_the_plugin_keeps_pictures_of_failures(tmp_path: Path) -> None:
     kept = tmp_path / "diffs" / "Plain-defaults-color.png"
     assert kept.is_file()
     assert f"{kept} shows where" in re.sub(r"\n *E? *", " ", result.stdout)
+
+
+def test_the_example_of_the_page(tmp_path: Path) -> None:
+    """The page's test is run with an engine that draws what is right, and another one."""
+    page = Path(__file__).parents[2] / "docs" / "golden.md"
+    (example,) = re.findall(r"^```py\n(.*?)^```$", page.read_text("utf-8"), re.M | re.S)
+    engine = "import numpy\ndef draw_plastic(case):\n    return numpy.full((2, 3, 4), {})\n"
+    write_golden(
+        tmp_path / "golden",
+        write_case(tmp_path / "golden", *bounds(), folder="Plastic/inside"),
+        write_case(tmp_path / "golden", *bounds(), folder="Plastic/behind"),
+    )
+    (tmp_path / "test_page.py").write_text(example)
+    (tmp_path / "pytest.ini").write_text("[pytest]\npythonpath = .\n")
+    for value, code in ((0.3, 0), (0.6, 1)):
+        (tmp_path / "my_engine.py").write_text(engine.format(value))
+        assert outcome_of(tmp_path).returncode == code
 
 
 def test_importing_loads_neither_the_compiler_nor_pillow(tmp_path: Path) -> None:
