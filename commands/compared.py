@@ -32,6 +32,7 @@ class ConformRequest(NamedTuple):
     hoist: bool
     native_stages: bool
     measure: bool = False
+    golden: Path | None = None
 
 
 Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]

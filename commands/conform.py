@@ -62,6 +62,12 @@ if TYPE_CHECKING:
     "textures (by default of `vulkan,opengl,wgpu`), and keep it for later runs on these devices.",
 )  # fmt: skip
 @click.option(
+    "--golden", metavar="FOLDER", type=click.Path(path_type=Path),
+    help="Instead of drawing, write between which numbers each pixel lies on every device that "
+    "keeps the promises of --routes (by default of `vulkan,opengl,wgpu`), and what to draw: "
+    "`burnish judge` compares any picture with it.",
+)  # fmt: skip
+@click.option(
     "--seed", type=int, default=0, show_default=True,
     help="The seed of random parameters, textures and vertex inputs.",
 )  # fmt: skip
@@ -93,6 +99,12 @@ def conform(**chosen: Any) -> None:
     that first, and only where they leave it against what is guaranteed. What was found is kept by
     driver, device and version, so measure again after an update of the driver.
 
+    --golden draws nothing, and needs neither compilers nor devices. It writes the bounds of what
+    any device of the routes may draw, for each case, with the reference, the texts, the bytes of
+    all blocks, meshes and textures, and golden.json, which names them. By default they hold for
+    every device that keeps what Vulkan, OpenGL and WebGPU promise; with --routes for fewer, which
+    may be narrower. Existing files of the same names are replaced, all or none.
+
     With --native-stages, routes draw with the stages that their target has for primitives, and what
     the reference draws is the same: a route whose target has no such stage is not run.
 
@@ -102,16 +114,21 @@ def conform(**chosen: Any) -> None:
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
         burnish conform --measure --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
+        burnish conform plastic.burnish --golden golden/
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = ConformRequest(**chosen)
     _check_options(request)
     with Stopping() as stopping, errors_as_messages():
-        _check_report(request.report)
+        _check_folder(request.report)
+        _check_folder(request.golden)
         routes = _routes(request)
         if request.measure:
             with stopping.at_once():
                 _measure(request, routes)
+        elif request.golden is not None:
+            with stopping.at_once():
+                _write_golden(request, routes, request.golden)
         elif request.explain is None:
             _judge(request, routes, stopping)
         else:
@@ -126,6 +143,9 @@ def _check_options(request: ConformRequest) -> None:
         return
     if not request.files:
         raise click.UsageError("Missing argument 'FILE…'.")
+    if request.golden is not None:
+        _check_golden(request)
+        return
     if request.explain is None:
         if request.case is not None:
             raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
@@ -137,6 +157,22 @@ def _check_options(request: ConformRequest) -> None:
             )
 
 
+def _check_golden(request: ConformRequest) -> None:
+    """Raise ``UsageError`` for what has no effect where nothing is drawn."""
+    for given, option in (
+        (request.report, "--report"),
+        (request.strict, "--strict"),
+        (request.explain, "--explain"),
+        (request.case, "--case"),
+        (request.device, "--device"),
+        (request.native_stages, "--native-stages"),
+    ):
+        if given:
+            raise click.UsageError(
+                f"--golden draws nothing, so {option} has no effect: leave out one of them"
+            )
+
+
 def _check_measuring(request: ConformRequest) -> None:
     """Raise ``UsageError`` for what has no effect where devices are measured."""
     for given, what in (
@@ -145,6 +181,7 @@ def _check_measuring(request: ConformRequest) -> None:
         (request.strict, "--strict"),
         (request.explain, "--explain"),
         (request.case, "--case"),
+        (request.golden, "--golden"),
         (request.rig, "--rig"),
         (request.pass_, "--pass"),
         (request.native_stages, "--native-stages"),
@@ -155,8 +192,8 @@ def _check_measuring(request: ConformRequest) -> None:
             )
 
 
-def _check_report(folder: Path | None) -> None:
-    """Raise ``CompileError`` if no report can be written, before drawing, which may take long."""
+def _check_folder(folder: Path | None) -> None:
+    """Raise ``CompileError`` if a folder cannot be written, before drawing, which may take long."""
     from .output import obstacle, unwritable
 
     if folder is not None and (reason := obstacle(folder)):
@@ -174,10 +211,11 @@ def _routes(request: ConformRequest) -> Sequence[Route]:
 
 
 def _wanted(request: ConformRequest) -> str:
-    """The names of the routes; those that draw the same on every machine need no measuring."""
+    """The names of the routes; those that draw the same on every machine need no measuring, and
+    what is promised of them is known by drawing with them."""
     from ..targets.runner.routes import ALL, DEVICE_DRIVERS
 
-    is_usual = request.measure and request.routes == ALL
+    is_usual = (request.measure or request.golden is not None) and request.routes == ALL
     return ",".join(DEVICE_DRIVERS) if is_usual else request.routes
 
 
@@ -186,6 +224,13 @@ def _measure(request: ConformRequest, routes: Sequence[Route]) -> None:
     from .measure import measure
 
     measure(routes, request.device, named=request.routes != "all")
+
+
+def _write_golden(request: ConformRequest, routes: Sequence[Route], folder: Path) -> None:
+    """Write a golden folder."""
+    from .golden import write_golden
+
+    write_golden(request, routes, folder)
 
 
 def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:

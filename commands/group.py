@@ -21,16 +21,19 @@ COMMANDS = (
     "render",
     "view",
     "conform",
+    "judge",
     "gallery",
     "targets",
     "doctor",
     "explain",
     "schema",
 )
-"""The modules of the commands; each command has the name of its module. Only the requested one is
-loaded; for an unknown name, all are, because click suggests a command from those it knows."""
+"""The commands; each has the name of its module. Only the requested one is loaded; for an unknown
+name, all are, because click suggests a command from those it knows."""
 FUNCTIONS = {"compile": "compile_"}
 """The functions of commands whose names mean something else in Python."""
+MODULES = {"judge": "judge_picture"}
+"""The modules of commands whose names other modules have."""
 
 
 class _QuietGroup(click.Group):
@@ -66,7 +69,7 @@ class _QuietGroup(click.Group):
     def get_command(self, _context: click.Context, name: str) -> click.Command | None:
         """The command of that name, if there is one. Else click suggests one of ``commands``."""
         for wanted in (name,) if name in COMMANDS else COMMANDS:
-            module = import_module(f".{wanted}", __package__)
+            module = import_module(f".{MODULES.get(wanted, wanted)}", __package__)
             self.commands[wanted] = getattr(module, FUNCTIONS.get(wanted, wanted))
         return self.commands.get(name)
 

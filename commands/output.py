@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
-from .replacing import replace_all
+from .replacing import replace_all, replace_tree
 from .results import encoded
 
 
@@ -42,6 +42,16 @@ def write_all(folder: Path, texts: Mapping[str, str]) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
     try:
         replace_all(str(folder), encoded(texts))
+    except OSError as error:
+        raise unwritable(Path(error.filename), error.strerror or str(error)) from error
+
+
+def write_tree(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """Write each content under its path, with slashes, or raise ``CompileError`` and change
+    nothing."""
+    named = {tuple(path.split("/")): content for path, content in contents.items()}
+    try:
+        replace_tree(str(folder), named)
     except OSError as error:
         raise unwritable(Path(error.filename), error.strerror or str(error)) from error
 

@@ -26,8 +26,12 @@ import os
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
-from os.path import join
+from os.path import basename, join
 from stat import S_ISDIR
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Self
 
 PATIENCE = 10.0
 """The seconds to wait for another process, which needs far less to rename its files."""
@@ -44,24 +48,36 @@ def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
     The folder is made if need be. A link that has one of the names is replaced, not followed. The
     error's ``filename`` is the path that could not be written: the folder, or a file in it.
     """
-    for name in contents:
-        with _told(join(folder, name)):
-            _insist_on_name(name)
+    replace_tree(folder, {(name,): content for name, content in contents.items()})
+
+
+def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None:
+    """Do the same for a folder with folders in it: each content has the names on the way to it.
+
+    Folders are made if need be, and taken away again if anything goes wrong. Links to folders are
+    not followed.
+    """
+    for names in contents:
+        with _told(join(folder, *names)):
+            for name in names:
+                _insist_on_name(name)
+    with _told(folder):
+        os.makedirs(folder, exist_ok=True)
+        tree = _Tree(_Folder(folder))
     with ExitStack() as used:
-        with _told(folder):
-            os.makedirs(folder, exist_ok=True)
-            place = _Folder(folder)
-        used.callback(place.close)
+        used.enter_context(tree)
         files = []
-        for name, content in contents.items():
-            with _told(join(folder, name)):
+        for (*way, name), content in contents.items():
+            place = tree.folder(tuple(way))
+            with _told(join(place.path, name)):
                 file = _File(place, name)
                 used.callback(file.clear)
                 file.write(content)
             files.append(file)
         with _told(folder):
-            place.lock()
-        _put_in_place(folder, files)
+            tree.root.lock()
+        _put_in_place(files)
+        tree.keep()
 
 
 def _insist_on_name(name: str) -> None:
@@ -82,9 +98,30 @@ def _insist_on_name(name: str) -> None:
 class _Folder:
     """An open folder. Names are those of files directly in it, and no link is followed."""
 
-    def __init__(self, path: str) -> None:
-        self._path = path
-        self._descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY) if _ANCHORED else None
+    def __init__(self, path: str, outer: _Folder | None = None) -> None:
+        """``outer`` is an open folder that contains this one, whose name must be no link."""
+        self.path = path
+        self._descriptor = None
+        if not _ANCHORED:
+            if outer is not None and (os.path.islink(path) or not os.path.isdir(path)):
+                raise NotADirectoryError(errno.ENOTDIR, "it is no folder")
+        elif outer is None:
+            self._descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
+        else:
+            flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
+            self._descriptor = os.open(basename(path), flags, dir_fd=outer._descriptor)
+
+    def make(self, name: str) -> bool:
+        """Make a folder in this one; false if there is something of this name."""
+        try:
+            os.mkdir(self._at(name), dir_fd=self._descriptor)
+        except FileExistsError:
+            return False
+        return True
+
+    def unmake(self, name: str) -> None:
+        """Take an empty folder away."""
+        os.rmdir(self._at(name), dir_fd=self._descriptor)
 
     def close(self) -> None:
         """Close the folder, which unlocks it as well."""
@@ -128,7 +165,46 @@ class _Folder:
 
     def _at(self, name: str) -> str:
         """The name for a system call, besides the folder's descriptor if there is one."""
-        return join(self._path, name) if self._descriptor is None else name
+        return join(self.path, name) if self._descriptor is None else name
+
+
+class _Tree:
+    """A context manager for an open folder and those in it, which closes all of them.
+
+    It takes the folders away that were made in vain.
+    """
+
+    def __init__(self, root: _Folder) -> None:
+        self.root = root
+        self._inner: dict[tuple[str, ...], _Folder] = {(): root}
+        self._made: list[tuple[_Folder, str]] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for outer, name in reversed(self._made):
+            with suppress(OSError):
+                outer.unmake(name)
+        for place in self._inner.values():
+            place.close()
+
+    def folder(self, way: tuple[str, ...]) -> _Folder:
+        """The folder to which these names lead. Each is made if need be."""
+        for end, name in enumerate(way, 1):
+            if way[:end] in self._inner:
+                continue
+            outer = self._inner[way[: end - 1]]
+            path = join(outer.path, name)
+            with _told(path):
+                if outer.make(name):
+                    self._made.append((outer, name))
+                self._inner[way[:end]] = _Folder(path, outer)
+        return self._inner[way]
+
+    def keep(self) -> None:
+        """Let the folders stay that were made."""
+        self._made.clear()
 
 
 class _File:
@@ -141,6 +217,7 @@ class _File:
     def __init__(self, folder: _Folder, name: str) -> None:
         """Begin the new file, unless a folder has its name."""
         self.name = name
+        self.path = join(folder.path, name)
         self._folder = folder
         self._new, self._old = (f"{TEMPORARY}{os.urandom(16).hex()}" for _ in range(2))
         status = folder.status(name)
@@ -190,13 +267,13 @@ class _File:
             self._folder.rename(self.name, self._old)
 
 
-def _put_in_place(folder: str, files: Sequence[_File]) -> None:
+def _put_in_place(files: Sequence[_File]) -> None:
     """Let all names refer to the new contents; if that fails, undo it."""
     begun: list[_File] = []
     placed: dict[tuple[int, int], str] = {}
     try:
         for file in files:
-            with _told(join(folder, file.name)):
+            with _told(file.path):
                 if (old := file.standing()) in placed:
                     raise FileExistsError(errno.EEXIST, f"here `{placed[old]}` is the same name")
                 begun.append(file)

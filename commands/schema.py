@@ -11,7 +11,7 @@ from .console import say
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package")
+DOCUMENTS = ("reflection", "plan", "package", "golden")
 
 
 @click.command()
@@ -20,8 +20,9 @@ def schema(document: str) -> None:
     """Print the JSON Schema of a DOCUMENT that Burnish writes for hosts.
 
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
-    which steps a frame is drawn, and a package has all that a page draws of a frame. Each has the
-    version of its format as `format`, `plan` or `package`.
+    which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
+    what a golden folder has. Each has the version of its format as `format`, `plan`, `package` or
+    `version`.
 
     \b
     Example:
@@ -40,6 +41,7 @@ def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
+    from ..targets.conformance.golden.document import Golden
     from ..targets.web_host.serving.packages import Package
 
-    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package), strict=True))
+    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package, Golden), strict=True))

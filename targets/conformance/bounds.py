@@ -5,8 +5,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 from typing import Protocol
 
 from ...compiler.reference.bounds.errors import Errors
@@ -66,6 +68,25 @@ def bounds_of(state: Sized2d, route: Route, device: Device) -> tuple[Bounds, ...
         return (guaranteed,)
     # Nothing was measured of the device's functions.
     return Bounds("measured", ruled(profile), guaranteed.errors), guaranteed
+
+
+def promised(state: Sized2d, route: Route) -> Iterator[Bounds]:
+    """The bounds of a picture by all devices that keep the promises of a route's API.
+
+    No device has to be at hand: what devices report is assumed. A device has one of the usual
+    grids, and may interpolate between the corners of a triangle before or after they are snapped.
+    Golden folders have the hull of what these bounds allow.
+    """
+    driver = DRIVERS[route.driver]
+    errors = Errors(route.platforms)
+    is_software = driver.measured is not None
+    ways = (driver.interpolates_snapped,) if is_software else (True, False)
+    for grid, snapped in product(driver.grids, ways):
+        device = Device("", "", subpixel_bits=grid, subtexel_bits=0, mip_bits=0)
+        own = replace(driver, interpolates_snapped=snapped)
+        hardware = _guaranteed(driver.assumed, device)
+        rules = rules_of(state, device, own, hardware, bottom_up=route.bottom_up)
+        yield Bounds("guaranteed", rules, errors)
 
 
 def _guaranteed(assumed: Hardware, device: Device) -> Hardware:

@@ -8,7 +8,7 @@ computes it, and how both become pictures.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ from ..runner.binding import FORMATS
 from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.drivers.pipeline import Pipeline
 from ..runner.frames.states import Outcome, draw_states
+from ..runner.instances.shapes import stored_as
 from ..runner.kernels import drawable, is_drawn, is_over_buffers
 from ..runner.reference import Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
@@ -35,7 +36,17 @@ from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
 from ..runner.store import Store as Pictures
 from ..runner.subject import Subject
-from .judging import FLOATS, Bools, Compared, Floats, all_covered, row_of
+from .judging import (
+    FLOATS,
+    Bools,
+    CasePictures,
+    Compared,
+    Floats,
+    Shown,
+    Stored,
+    all_covered,
+    row_of,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +80,10 @@ class Content:
     """Computes a case by the reference; without errors, as it is meant."""
     compared: Callable[[Any, Said], Compared]
     """Makes pictures of an answer and of what the reference says."""
+    pictures: Callable[[Any, Reflection, int], CasePictures]
+    """Makes pictures of what the reference has found for a reflection, of this width."""
+    has_bounds: bool = False
+    """True if the reference computes nothing of it without bounds."""
 
 
 def content_of(reflection: Reflection, store: Pictures) -> Content:
@@ -81,7 +96,7 @@ def content_of(reflection: Reflection, store: Pictures) -> Content:
     ) -> Expected:
         return remembered(program, state, rules, store, errors)
 
-    return Content(draw_states, as_drawn, found, _compared_pixels)
+    return Content(draw_states, as_drawn, found, _compared_pixels, _targets)
 
 
 def _as_it_is(shader: Shader) -> Shader:
@@ -94,6 +109,11 @@ def _as_it_is(shader: Shader) -> Shader:
 def _compared_pixels(got: Outcome, said: Said) -> Compared:
     formats = [result.state.format for result in said.source.shader.results if result.state]
     return Compared.of(got.pictures, said.allowed(), said.meant(), formats, said.possible)
+
+
+def _targets(found: Expected, reflection: Reflection, _width: int) -> CasePictures:
+    rows = reflection.targets
+    return CasePictures.of_formats([row.name for row in rows], [row.format for row in rows], found)
 
 
 def as_drawn(shader: Shader) -> Shader:
@@ -169,7 +189,19 @@ def _written(lanes: Sequence[Lane], data: Mapping[str, bytes], width: int) -> li
     return found
 
 
-ELEMENTS = Content(draw_states, _as_it_is, _lanes, _compared_elements)
+def _elements(lanes: Sequence[Lane], reflection: Reflection, width: int) -> CasePictures:
+    strides = {row.name: row.stride for row in reflection.results}
+    shown = []
+    for part in _parts(lanes):
+        store, (offset, kind) = part[0].store, place_of(part[0])
+        columns = (store.offset,) if store.stride > 1 else ()
+        name = ".".join(map(str, (store.buffer.name, *store.path, *columns)))
+        stored = Stored(store.buffer.name, offset, strides[store.buffer.name], kind)
+        shown.append(Shown(name, len(part), stored))
+    return CasePictures(shown, _pictures(lanes, width))
+
+
+ELEMENTS = Content(draw_states, _as_it_is, _lanes, _compared_elements, _elements)
 
 
 # --- captured vertices: pixels of one row, whose targets are the values ---------------------------
@@ -245,4 +277,26 @@ def _row(lanes: Sequence[NDArray[Any]], count: int) -> Floats:
     return row_of(lanes, max(count, 1))
 
 
-VERTICES = Content(captured_by, _as_it_is, _listed, _compared_vertices)
+def _certain_vertices(listed: Listed, reflection: Reflection, _width: int) -> CasePictures:
+    """The vertices before the first one of which rounding decides if it is captured."""
+    capture = reflection.capture
+    assert capture is not None, "vertices are captured"
+    tipping = np.flatnonzero(listed.possible & ~listed.certain)
+    end = tipping[0] if len(tipping) else len(listed.certain)
+    part = _Part(listed.certain & (np.arange(len(listed.certain)) < end), [])
+    places = (
+        Stored(capture.buffer or "", row.offset, capture.stride, stored_as(row.representation))
+        for row in capture.members
+    )
+    shown = [
+        Shown(row.name, len(lanes), place)
+        for row, lanes, place in zip(capture.members, listed.values, places, strict=True)
+    ]
+    expected = part.expected(listed)
+    nothing = np.full_like(expected.undecided, not part.kept.any())
+    return CasePictures(shown, replace(expected, undecided=nothing))
+
+
+VERTICES = Content(
+    captured_by, _as_it_is, _listed, _compared_vertices, _certain_vertices, has_bounds=True
+)

@@ -79,6 +79,9 @@ class Driver:
     mirrors_sample_depths: bool = False
     """True if the driver takes the depth of each of several samples from the wrong side of the
     pixel."""
+    grids: tuple[int, ...] = (8,)
+    """The binary places of a pixel to which its devices snap vertices. They report them, so this is
+    for promises about devices that are not at hand."""
 
 
 _LLVM = Driver(
@@ -109,6 +112,7 @@ _SWIFTSHADER = Driver(
     level_power=4,
     projects_cubes=False,
     mirrors_sample_depths=True,
+    grids=(4,),
 )  # fmt: skip
 
 
@@ -141,6 +145,8 @@ _ANY_DEVICE = Driver(
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,
+    # Direct3D asks for 8 places, and the others for at least 4, which SwiftShader has.
+    grids=(4, 8),
 )
 
 DRIVERS: Mapping[str, Driver] = {

@@ -9,7 +9,7 @@ other, are cases.
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -31,14 +31,14 @@ from ..runner.runner import Runner
 from ..runner.store import Store
 from ..toolchain import Toolchain
 from ..web_host.drawing import draw_frames
-from .bounds import Bounds, bounds_of, precise
+from .bounds import Bounds, bounds_of, precise, promised
 from .cases import Size
 from .compare import Level
 from .contents import as_drawn
 from .costs import help_pays
 from .frame_pictures import FramePictures, OutputPicture, ingredients_of, remembered
 from .judged_frames import Meant, frames_of, host_of
-from .judging import Answer, Compared, Floats, all_covered
+from .judging import Answer, CasePictures, Compared, Floats, all_covered
 from .known_values import Known
 from .trials import Trial
 
@@ -124,6 +124,34 @@ class FrameTrial(Trial):
             drawing.draw()
         return drawing.found
 
+    def promised(self, case: str, route: Route) -> Iterator[Bounds]:  # noqa: ARG002 - alike for all
+        """The bounds of a frame for all devices that keep the promises of a route's API."""
+        for bounds in promised(_Sized(*self._size), route):
+            yield _turned_over(bounds) if route.bottom_up else bounds
+
+    def text_of(self, case: str, profile: str | None) -> Hashable:  # noqa: ARG002 - alike for all
+        """The programs of a profile as texts, or those of the source."""
+        return tuple(program.text for program in self._programs_for(profile))
+
+    def bounded(self, case: str, profile: str | None, bounds: Bounds) -> CasePictures:
+        """An output within some bounds, with its layers one below the other."""
+        return self._picture(case, profile, bounds.rules, bounds.errors)
+
+    def meant(self, case: str, bounds: Bounds) -> CasePictures:
+        """An output as the source means it."""
+        return self._picture(case, None, precise(bounds.rules), None)
+
+    def host(self) -> FrameHost:
+        """The frame as hosts draw it, with its scene."""
+        return self._host(self._subject)
+
+    def _picture(
+        self, case: str, profile: str | None, rules: RasterRules, errors: Errors | None
+    ) -> CasePictures:
+        number, name = self.cases()[case]
+        found = self._drawn(profile, rules, errors)[number][name]
+        return CasePictures.of_formats([name], [_colour_format(found)], _expected(found))
+
     def _questions(self, route: Route, device: Device) -> tuple[Bounds, ...]:
         questions = tuple(bounds_of(_Sized(*self._size), route, device))
         return tuple(map(_turned_over, questions)) if route.bottom_up else questions
@@ -144,7 +172,7 @@ class FrameTrial(Trial):
             [_rows(got)],
             _expected(wanted(profile, bounds.rules, bounds.errors)),
             _expected(meant),
-            ["r32f" if meant.format.startswith(DEPTHS) else meant.format],
+            [_colour_format(meant)],
             lambda: _expected(wanted(None, bounds.rules, bounds.errors)),
         )
 
@@ -218,6 +246,11 @@ class FrameTrial(Trial):
 
     def _host(self, subject: PlannedFrame) -> FrameHost:
         return host_of(subject, self._size)
+
+
+def _colour_format(drawn: OutputPicture) -> str:
+    """The format of an output, or a colour's that holds depths."""
+    return "r32f" if drawn.format.startswith(DEPTHS) else drawn.format
 
 
 def _sides(shape: Sequence[int]) -> str:

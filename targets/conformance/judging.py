@@ -29,6 +29,51 @@ target that is compared."""
 
 
 @dataclass(frozen=True, slots=True)
+class Stored:
+    """The place of a part of each element, or vertex, in the buffer that holds all of them."""
+
+    buffer: str
+    """The name of the buffer; empty for captured vertices, which lie in one of their own."""
+    offset: int
+    """The offset in an element, in bytes. The lanes follow each other, four bytes each."""
+    stride: int
+    """Bytes from one element to the next."""
+    type: str
+    """The type of a lane, as NumPy spells it: ``<f4``, ``<i4`` or ``<u4``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What one of several pictures of a case shows."""
+
+    name: str
+    lanes: int
+    """The lanes that it has; a picture has room for four."""
+    stored: Stored | None = None
+    """The place of its numbers, if it is no picture of a render target."""
+
+
+@dataclass(frozen=True, slots=True)
+class CasePictures:
+    """All pictures of a case, as far as the reference knows them."""
+
+    shown: Sequence[Shown]
+    expected: Expected
+    """A target for each of them."""
+
+    @classmethod
+    def of_formats(
+        cls, names: Sequence[str], stored: Sequence[str], expected: Expected
+    ) -> CasePictures:
+        """Pictures with these names and formats: values are clamped as a device's are."""
+        targets = map(formats.clamped, stored, expected.targets)
+        return cls(
+            [Shown(name, formats.lanes_of(each)) for name, each in zip(names, stored, strict=True)],
+            replace(expected, targets=tuple(targets)),
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class Compared:
     """The answer of a route for a case, beside what the reference says of it."""
 

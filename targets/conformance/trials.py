@@ -7,7 +7,7 @@ answer alike; ``frames.py`` has that of a frame, and this module that of a singl
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -28,11 +28,11 @@ from ..runner.runner import Runner
 from ..runner.scene_state import SceneState
 from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
-from .bounds import Bounds, bounds_of, precise
+from .bounds import Bounds, bounds_of, precise, promised
 from .cases import Series, Size, series_of
 from .compare import Level
 from .contents import Content, Said
-from .judging import Answer, Compared
+from .judging import Answer, CasePictures, Compared
 from .known_values import Known
 from .rows import CaseResult
 
@@ -72,6 +72,23 @@ class Trial(ABC):
     ) -> Explanation | Origin | None:
         """The origin of a pixel of a case, by the bounds of this level; ``None`` if nothing is
         drawn there."""
+
+    @abstractmethod
+    def promised(self, case: str, route: Route) -> Iterator[Bounds]:
+        """The bounds of a case for all devices that keep the promises of a route's API."""
+
+    @abstractmethod
+    def text_of(self, case: str, profile: str | None) -> Hashable:
+        """What is computed for a case: equal for profiles whose texts are the same graph. ``None``
+        stands for the source."""
+
+    @abstractmethod
+    def bounded(self, case: str, profile: str | None, bounds: Bounds) -> CasePictures:
+        """The pictures of a case within some bounds, by the text of a profile or by the source."""
+
+    @abstractmethod
+    def meant(self, case: str, bounds: Bounds) -> CasePictures:
+        """The pictures of a case as the source means them, if a device covers the same pixels."""
 
     def results(
         self, route: Route, device: Device, runner: Runner, toolchain: Toolchain
@@ -150,6 +167,43 @@ class ShaderTrial(Trial):
             return explained(shader, state, bounds.rules, bounds.errors, *pixel)
         except UncoveredError:
             return None
+
+    def promised(self, case: str, route: Route) -> Iterator[Bounds]:
+        """The bounds of a case for all devices that keep the promises of a route's API."""
+        return promised(self.cases()[case], route)
+
+    def text_of(self, case: str, profile: str | None) -> Hashable:
+        """The program of a profile as a text, or that of the source."""
+        return self._program(self.series_with(case), profile).text
+
+    def bounded(self, case: str, profile: str | None, bounds: Bounds) -> CasePictures:
+        """The pictures of a case within some bounds."""
+        return self._pictures(case, profile, bounds.rules, bounds.errors)
+
+    def meant(self, case: str, bounds: Bounds) -> CasePictures:
+        """The pictures of a case as the source means them."""
+        if self._content.has_bounds:
+            return self.bounded(case, None, bounds)
+        return self._pictures(case, None, precise(bounds.rules), None)
+
+    def series_with(self, case: str) -> Series:
+        """The series with a case of this name."""
+        return next(
+            series
+            for series, _states in self._work
+            if any(each.name == case for each in series.cases)
+        )
+
+    def form(self, case: str) -> Subject:
+        """The shader as it is drawn for a case: with targets that keep everything, or its own."""
+        return _form(self._meant, self.series_with(case))
+
+    def _pictures(
+        self, case: str, profile: str | None, rules: RasterRules, errors: Errors | None
+    ) -> CasePictures:
+        state, program = self.cases()[case], self._program(self.series_with(case), profile)
+        found = self._found(program, state, rules, errors)
+        return self._content.pictures(found, self.form(case).reflection, state.width)
 
     def _compared(
         self, got: Any, state: SceneState, program: Program, source: Program, bounds: Bounds

@@ -119,7 +119,7 @@ class _Package:
         reflection, texts = instance.reflection, self._texts(shader)
         stages = texts.get(WGSL)
         return PackagedShader(
-            reflection=_without_source_maps(reflection),
+            reflection=without_source_maps(reflection),
             texts=texts,
             values=_values(instance),
             roles=_roles(reflection),
@@ -319,7 +319,7 @@ def _values(instance: HostValues) -> dict[str, Any]:
     return {name: value for name, value in found.items() if value is not None}
 
 
-def _without_source_maps(reflection: Reflection) -> Reflection:
+def without_source_maps(reflection: Reflection) -> Reflection:
     """A reflection without its source maps: they are long, and no host draws with them."""
     backends = {
         profile: changed(row, source_maps={}) for profile, row in reflection.backends.items()

@@ -102,7 +102,8 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_host": "frozen ir documents budget runner toolchain serving",
     "targets.conformance": (
-        "frozen stdlib diagnostics ir documents reference budget runner web_host toolchain"
+        "frozen stdlib diagnostics constraints ir documents reference budget runner web_host "
+        "toolchain"
     ),
     "targets.web_view": "documents runner",
     # The door.
@@ -126,6 +127,7 @@ FLOORS: dict[str, str] = {
         "web_host web_view conformance toolchain serving compiled entry_points"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
+    "testing": "conformance",
     "__main__": "commands",
 }
 """The modules that each folder or module may import, by their last names; lowest first.
