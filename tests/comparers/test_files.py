@@ -14,7 +14,7 @@ from burnish.targets.conformance.comparers import COMPARERS, comparer
 
 from ..suite.processes import run
 from .cases import CASES
-from .kit import LANGUAGES, compiled
+from .kit import LANGUAGES, compiled, tool
 
 pytestmark = pytest.mark.xdist_group("comparers")  # One process compiles the programs.
 
@@ -69,8 +69,7 @@ def test_python_needs_only_its_standard_library() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Import | ast.ImportFrom)
     }
-    of_types_only = {"_typeshed"}
-    assert imported - of_types_only <= sys.stdlib_module_names | {"collections.abc"}
+    assert imported <= sys.stdlib_module_names | {"collections.abc"}
 
 
 @pytest.mark.parametrize(
@@ -84,6 +83,15 @@ def test_python_needs_only_its_standard_library() -> None:
 def test_others_need_only_their_standard_library(language: str, imports: str, allowed: str) -> None:
     found = re.findall(imports, comparer(language), re.M)
     assert [line for line in found if not re.fullmatch(allowed, line)] == []
+
+
+@pytest.mark.parametrize("option", ["-ffast-math", "-ffinite-math-only"])
+def test_cpp_refuses_mathematics_without_nan(option: str) -> None:
+    header = str(COMPARERS["c++"])
+    check = ["--driver-mode=g++", "-std=c++17", "-fsyntax-only", "-x", "c++"]
+    done = run([tool("clang", "clang"), *check, option, header])
+    assert done.returncode != 0
+    assert "compile it without fast mathematics" in done.stderr
 
 
 @pytest.mark.parametrize("language", MAIN)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 
@@ -22,18 +23,30 @@ NAMES = {"c++": "cpp", "python": "python", "rust": "rust", "typescript": "typesc
 RENDERERS = {
     "c++": (
         "renderer.hpp",
+        "#include <cstdlib>\n"
         "inline std::vector<std::uint8_t> draw() {\n"
-        "  return std::vector<std::uint8_t>(72 * 56 * 4, LEVEL);\n"
+        '  const int level = std::atoi(std::getenv("LEVEL"));\n'
+        "  return std::vector<std::uint8_t>(72 * 56 * 4, static_cast<std::uint8_t>(level));\n"
         "}\n",
     ),
-    "python": ("renderer.py", "def draw():\n    return bytes([LEVEL]) * (72 * 56 * 4)\n"),
-    "rust": ("renderer.rs", "pub fn draw() -> Vec<u8> { vec![LEVEL; 72 * 56 * 4] }\n"),
+    "python": (
+        "renderer.py",
+        "import os\ndef draw():\n    return bytes([int(os.environ['LEVEL'])]) * (72 * 56 * 4)\n",
+    ),
+    "rust": (
+        "renderer.rs",
+        "pub fn draw() -> Vec<u8> {\n"
+        '    vec![std::env::var("LEVEL").unwrap().parse().unwrap(); 72 * 56 * 4]\n'
+        "}\n",
+    ),
     "typescript": (
         "renderer.ts",
-        "export const draw = () => new Uint8Array(72 * 56 * 4).fill(LEVEL);\n",
+        'import { env } from "node:process";\n'
+        'export const draw = () => new Uint8Array(72 * 56 * 4).fill(Number(env["LEVEL"]));\n',
     ),
 }
-"""The renderer that the examples test: its file and its text."""
+"""The renderer that the examples test: its file and its text. It draws a grey of the level that the
+environment tells."""
 
 RUN = {"python": "\n\ntest_plastic()\n"}
 """What has to be added where pytest would call a test."""
@@ -50,14 +63,12 @@ def test_examples(language: str, tmp_path: Path) -> None:
     write_golden(tmp_path / "golden" / "Plastic" / "defaults")
     (block,) = (each for each in all_blocks(NAMES[language]) if "comparer" in each.marks)
     assert block.page == PAGE
-    for level, is_good in ((150, True), (40, False)):
-        folder = tmp_path / str(level)
-        folder.mkdir()
-        name, text = RENDERERS[language]
-        (folder / name).write_text(text.replace("LEVEL", str(level)), encoding="utf-8")
-        program = block.text + RUN.get(language, "")
-        command = compiled(language, program, folder, *OPTIONS.get(language, ()))
-        done = run(command, cwd=tmp_path)
+    name, text = RENDERERS[language]
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    program = block.text + RUN.get(language, "")
+    command = compiled(language, program, tmp_path, *OPTIONS.get(language, ()))
+    for level, is_good in (("150", True), ("40", False)):
+        done = run(command, cwd=tmp_path, env={**os.environ, "LEVEL": level})
         assert (done.returncode == 0) == is_good, done
         assert (BAD in done.stdout + done.stderr) == (not is_good), done
 

@@ -19,7 +19,7 @@
 #ifndef BURNISH_JUDGE_HPP
 #define BURNISH_JUDGE_HPP
 
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#if defined(_M_FP_FAST) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "burnish_judge.hpp compares NaN and infinity: compile it without fast mathematics"
 #endif
 
@@ -101,7 +101,7 @@ struct Bounds {
   static Bounds parse(std::string_view lower, std::string_view upper, std::string_view undecided);
 };
 
-/// A lane of a pixel that is outside of its bounds.
+/// A lane of a pixel that is outside of its bounds, counted from 0 at the left and the top.
 struct Outlier {
   std::size_t x = 0;
   std::size_t y = 0;
@@ -166,10 +166,12 @@ inline std::optional<double> largest_code(const Samples& data) {
   return std::nullopt;
 }
 
+/// The number of numbers.
 inline std::size_t count(const Samples& data) {
   return std::visit([](const auto& numbers) { return numbers.size(); }, data);
 }
 
+/// One of the numbers.
 inline double at(const Samples& data, std::size_t index) {
   return std::visit([index](const auto& numbers) -> double { return numbers[index]; }, data);
 }
@@ -246,16 +248,19 @@ inline std::pair<std::string_view, std::string_view> split(const std::string& na
 
 /// A text without the spaces and ends of lines at its own beginning and end.
 inline std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \n"), text.size());
-  return text.substr(begin, text.find_last_not_of(" \n") + 1 - begin);
+  const auto is_space = [](char letter) { return letter == ' ' || letter == '\n'; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 /// The rest of a header, from the value of a key on.
 inline std::string_view value_of(const std::string& name, std::string_view header,
                                  const std::string& key) {
   const std::string quoted = "'" + key + "'";
-  const std::size_t at = std::min(header.find(quoted), header.size());
-  const std::string_view rest = trimmed(header.substr(std::min(at + quoted.size(), header.size())));
+  const std::size_t at = header.find(quoted);
+  std::string_view rest;
+  if (at != header.npos) rest = trimmed(header.substr(at + quoted.size()));
   if (rest.empty() || rest.front() != ':') {
     throw JudgeError(name + ": has a damaged header: no " + key);
   }
@@ -302,6 +307,7 @@ inline std::array<std::size_t, 3> shape_in(const std::string& name, std::string_
                    "), which is no picture: height, width and 1 to 4 lanes");
 }
 
+/// The numbers in little-endian data, which is also how they are in memory.
 template <class Number>
 std::vector<Number> copied(std::string_view data) {
   std::vector<Number> numbers(data.size() / sizeof(Number));

@@ -23,10 +23,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from _typeshed import ReadableBuffer
+from typing import Any
 
 
 class JudgeError(Exception):
@@ -49,7 +46,7 @@ class Picture:
     width: int
     height: int
     lanes: int
-    data: ReadableBuffer
+    data: Any
     """The numbers, 8-bit or 16-bit unsigned integers, or floats of 16, 32 or 64 bits: ``bytes``, an
     ``array.array``, a NumPy array, or what else tells the type of its numbers by a buffer."""
 
@@ -122,7 +119,7 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Outlier:
-    """A lane of a pixel that is outside of its bounds."""
+    """A lane of a pixel that is outside of its bounds, counted from 0 at the left and the top."""
 
     x: int
     y: int
@@ -246,7 +243,7 @@ def _samples(picture: Picture) -> tuple[tuple[Any, ...], int | None]:
     view = memoryview(picture.data)
     order, letter = view.format[:-1] or "=", view.format[-1:]
     if letter not in _LARGEST or order not in "@=<>":
-        raise JudgeError(f"the picture has numbers of type {view.format}, which are not known")
+        raise JudgeError(f"the picture has numbers of type {view.format}")
     numbers = struct.unpack(f"{order}{view.nbytes // view.itemsize}{letter}", view.tobytes())
     return numbers, _LARGEST[letter]
 

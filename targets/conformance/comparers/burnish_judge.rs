@@ -78,7 +78,7 @@ pub struct Bounds {
     pub undecided: Vec<u8>,
 }
 
-/// A lane of a pixel that is outside of its bounds.
+/// A lane of a pixel that is outside of its bounds, counted from 0 at the left and the top.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlier {
     pub x: usize,

@@ -125,7 +125,7 @@ export class Bounds {
   }
 }
 
-/** A lane of a pixel that is outside of its bounds. */
+/** A lane of a pixel that is outside of its bounds, counted from 0 at the left and the top. */
 export interface Outlier {
   readonly x: number;
   readonly y: number;
@@ -224,9 +224,18 @@ function checkShape(bounds: Bounds, picture: Picture): void {
 
 /** The largest code of integers; floats have none. */
 function largestCode(data: Samples): number | undefined {
-  if (data instanceof Float32Array || data instanceof Float64Array) return undefined;
-  return data instanceof Uint16Array ? 65535 : 255;
+  const type = data[Symbol.toStringTag]; // Test frameworks have arrays that are not `instanceof`.
+  if (!LARGEST.has(type)) throw new JudgeError(`the picture has numbers of type ${type}`);
+  return LARGEST.get(type);
 }
+
+const LARGEST = new Map<string, number | undefined>([
+  ["Uint8Array", 255],
+  ["Uint8ClampedArray", 255],
+  ["Uint16Array", 65535],
+  ["Float32Array", undefined],
+  ["Float64Array", undefined],
+]);
 
 /** The codes that bounds allow: a format may round a value to either neighbour. */
 function codes(lower: number, upper: number, largest: number, isSrgb: boolean): [number, number] {

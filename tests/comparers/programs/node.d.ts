@@ -5,6 +5,10 @@ declare module "node:fs/promises" {
 }
 declare module "node:process" {
   export const argv: readonly string[];
+  export const env: Readonly<Record<string, string | undefined>>;
+}
+declare module "node:vm" {
+  export function runInNewContext(text: string): unknown;
 }
 declare class TextDecoder {
   decode(bytes: Uint8Array): string;
