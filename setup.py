@@ -18,7 +18,10 @@ HERE = Path(__file__).parent.resolve()
 ROOTS = ("api", "commands", "compiler", "stdlib", "support", "targets")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
-DATA = ("h", "j2", "txt", "json", "lark", "mjs", "css", "js", "html", "svg", "burnish")
+DATA = (
+    "h", "hpp", "rs", "ts", "j2", "txt", "json", "lark", "mjs", "css", "js", "html", "svg",
+    "burnish",
+)  # fmt: skip
 """The endings of files that belong to the package besides its code."""
 
 sub_packages = find_packages(include=[pattern for root in ROOTS for pattern in (root, f"{root}.*")])

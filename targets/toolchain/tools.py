@@ -177,11 +177,19 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="clang",
-        purpose="type-checks MSL, never compiled by Apple's compiler",
+        purpose="type-checks MSL, never compiled by Apple's compiler; compiles C++ for tests",
         place=Programs(("clang",)),
         version=says("--version", r"clang version (\d+\.\d+\.\d+)"),
         source=Debian(("clang",)),
         minimum=(14,),  # the oldest that was tried
+    ),
+    Tool(
+        name="rustc",
+        purpose="compiles the comparer in Rust; only tests need it",
+        place=Programs(("rustc",)),
+        version=says("--version", r"rustc (\d+\.\d+\.\d+)"),
+        source=Debian(("rustc-web", "gcc", "libc6-dev")),
+        minimum=(1, 63),  # the one of Debian 12
     ),
     Tool(
         name="lavapipe",

@@ -12,6 +12,7 @@ What stands behind a block's language says how it is tried:
 ```json from=own_light            a row of the example's reflection; of `plastic`, if none is named
 ```text from=B0203               how the error of the block before is shown
 ```python                        run, together with the page's other ones, among the examples
+```python comparer               a test with a comparer, which tests/comparers runs
 ```console                       lines that begin with `$ burnish` are run there as well; what is
                                  quoted below one is in what it prints, with `…` for other lines
 ```

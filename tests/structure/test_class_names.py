@@ -11,6 +11,7 @@ from .kit import ROOT, files
 HOUSES_OF_FLOORS = {"compiler", "targets", "stdlib"}
 """Folders whose folders are floors: two of them may each have, say, a ``Context``."""
 FAMILIES = (
+    "targets/conformance/comparers",
     "targets/runner/scenes/gltf",
     "targets/runner/drivers/browser",
     "targets/runner/drivers/opengl",
@@ -18,7 +19,8 @@ FAMILIES = (
     "targets/runner/drivers/wgpu",
 )
 """Folders below a floor with names of their own: the records of glTF are called as its
-specification calls them, and drivers have the same parts under the same names."""
+specification calls them, drivers have the same parts under the same names, and comparers are copied
+to where they stand alone."""
 
 
 def _floor(path: str) -> str:

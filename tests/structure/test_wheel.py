@@ -23,8 +23,8 @@ from ..suite.processes import run
 from .kit import ROOT, files
 
 DATA = {
-    ".h", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css", ".html", ".svg",
-    ".burnish", ".typed",
+    ".h", ".hpp", ".rs", ".ts", ".lark", ".j2", ".txt", ".json", ".toml", ".mjs", ".js", ".css",
+    ".html", ".svg", ".burnish", ".typed",
 }  # fmt: skip
 GENERATED = (
     "__init__", "builtin_table", "grammar", "initialisers", "library", "scene", "skeletons",

@@ -46,6 +46,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_traps.py": _DRAW,
     "cli/test_unchanged.py": _COMMANDS,
     "cli/test_validate.py": _COMPILERS,
+    "comparers": _COMPILERS,
     "conformance": _DRAW,
     "diagnostics/test_growth.py": _LARGE,
     "examples/test_accepted.py": _COMPILERS,
