@@ -22,6 +22,7 @@ COMMANDS = (
     "view",
     "conform",
     "gallery",
+    "corpus",
     "targets",
     "doctor",
     "explain",

@@ -11,17 +11,18 @@ from .console import say
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package")
+DOCUMENTS = ("reflection", "plan", "package", "corpus", "corpus_index")
 
 
 @click.command()
 @click.argument("document", type=click.Choice(DOCUMENTS))
 def schema(document: str) -> None:
-    """Print the JSON Schema of a DOCUMENT that Burnish writes for hosts.
+    """Print the JSON Schema of a DOCUMENT that Burnish writes for other programs.
 
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
-    which steps a frame is drawn, and a package has all that a page draws of a frame. Each has the
-    version of its format as `format`, `plan` or `package`.
+    which steps a frame is drawn, and a package has all that a page draws of a frame. `burnish
+    corpus` writes a corpus for each operation, and its index. Each has the version of its format as
+    `format`, `plan`, `package` or `corpus`.
 
     \b
     Example:
@@ -40,6 +41,7 @@ def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
+    from ..targets.conformance.corpus.records import Corpus, CorpusIndex
     from ..targets.web_host.serving.packages import Package
 
-    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package), strict=True))
+    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package, Corpus, CorpusIndex), strict=True))
