@@ -1,7 +1,7 @@
 """The array library of exact numbers: what a builtin means, without the rounding of float64.
 
 A lane is a ``Rational``: a fraction, and how far the true number may be from it. Sums, products,
-quotients and whole numbers are exact; roots have 200 binary places; only functions such as ``exp``
+quotients and whole numbers are exact; roots have 512 binary places; only functions such as ``exp``
 are those of Python, and off by some units in the last place of a float64. The corpus asks it for
 results, so that these can be rounded to float32 once, and correctly. See ``namespace``.
 """
@@ -18,7 +18,7 @@ from typing import Any
 from . import scalars
 from .scalars import logical_and, logical_not, logical_or, where
 
-_PLACES = 200
+_PLACES = 512
 """The binary places of a root that is no fraction."""
 _OF_FLOAT64 = Fraction(1, 2**53)
 """The error of a constant that float64 has rounded, relative to it."""
