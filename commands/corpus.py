@@ -71,6 +71,8 @@ def _chosen(only: Sequence[str], known: Mapping[str, str]) -> list[str]:
     from ..compiler.diagnostics.nearest import suggestion
 
     wanted = {word.strip() for text in only for word in text.split(",")} - {""}
+    if only and not wanted:
+        raise click.BadParameter("it names no operation", param_hint="--only")
     for word in sorted(wanted - known.keys() - set(known.values())):
         hint = suggestion(word, known) or "docs/builtins.md lists them"
         raise click.BadParameter(f"there is no operation '{word}': {hint}", param_hint="--only")

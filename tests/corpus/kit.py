@@ -8,12 +8,19 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+import pytest
+
 from burnish.compiler.documents.writing import to_json
 from burnish.targets.conformance.corpus.making import corpus_of
 from burnish.targets.conformance.corpus.operands import OPERATIONS
 
 SEED = 1
 NAMES = tuple(OPERATIONS)
+
+each_name = pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.xdist_group(f"corpus {name}")) for name in NAMES]
+)
+"""A test of each operation; those of one operation run in one process, which makes its file once."""
 
 Json = dict[str, Any]
 

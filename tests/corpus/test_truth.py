@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from . import truth
-from .kit import NAMES, Json, cases, number, shown
+from .kit import NAMES, Json, cases, each_name, number, shown
 
 CLOSE = Fraction(1, 2**49)
 """The largest error of an exact result relative to it, beside that of a float64."""
@@ -17,7 +17,7 @@ FLOAT32_END = Fraction(2**129 - 2**104, 2)
 """The middle between the largest float32 and the one that would follow it."""
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each_name
 def test_exact_results_are_true(name: str) -> None:
     wrong = []
     for overload, case in cases(name):

@@ -58,28 +58,30 @@ def chosen_overloads(row: Builtin) -> list[Overload]:
 
 
 def cases_of(overload: Overload, seed: int) -> list[Case]:
-    """The cases of an overload, without repetition."""
+    """The cases of an overload, without repetition: those of its row, then those drawn.
+
+    Of these, at most a part is outside of the domain, unless there are too few inside of it.
+    """
     chance = Random(f"{seed} {overload}")
     most = _most(overload)
-    found: dict[tuple[str, ...], Case] = {}
+    known: set[str] = set()
 
-    def add(operands: tuple[Lanes, ...]) -> Case:
-        case = Case(operands, is_guarded(overload, operands))
-        found.setdefault(tuple(map(repr, operands)), case)
-        return case
+    def new(candidates: Iterator[tuple[Lanes, ...]]) -> Iterator[Case]:
+        for operands in candidates:
+            if (key := repr(operands)) not in known:
+                known.add(key)
+                yield Case(operands, is_guarded(overload, operands))
 
-    for operands in _of_row(overload, most // 2):
-        add(operands)
-    room = most if overload.row.domain is nowhere else round(most * _OUTSIDE)
-    for operands in _drawn(overload, chance, most * _TRIES):
-        if len(found) >= most:
+    found = list(new(_of_row(overload, most // 2)))
+    room = most - len(found)
+    inside, outside = list[Case](), list[Case]()
+    for case in new(_drawn(overload, chance, most * _TRIES)):
+        (outside if case.guarded else inside).append(case)
+        if len(inside) == room or (len(outside) >= room and overload.row.domain is nowhere):
             break
-        guarded = is_guarded(overload, operands)
-        if room or not guarded:
-            before = len(found)
-            add(operands)
-            room -= guarded and len(found) > before
-    return list(found.values())
+    are_outside = max(round(room * _OUTSIDE), room - len(inside))
+    outside = outside[:are_outside]
+    return found + inside[: room - len(outside)] + outside
 
 
 def is_guarded(overload: Overload, operands: tuple[Lanes, ...]) -> bool:
