@@ -18,7 +18,7 @@ from burnish.stdlib.builtins.overloads import Overload, Shape
 from burnish.targets.conformance.corpus.operands import (
     OPERATIONS,
     SCALAR_CASES,
-    Case,
+    CorpusCase,
     cases_of,
     chosen_overloads,
 )
@@ -45,7 +45,7 @@ class Called:
     """An overload with its cases, and its row of the textures."""
 
     overload: Overload
-    cases: list[Case]
+    cases: list[CorpusCase]
     row: int
 
     @property
@@ -89,12 +89,16 @@ def textures(called: Sequence[Called]) -> dict[str, Texture]:
                     array[place][: shape.width] = (
                         numbers if shape.kind == "float" else numbers.astype("<i8").astype("<i4")
                     )
-    made = {"f": ("rgba32float", floats), "i": ("rgba32sint", integers)}
     return {
-        f"{name}{k}": Texture(format_, SCALAR_CASES, len(called), (array.tobytes(),))
-        for name, (format_, arrays) in made.items()
-        for k, array in enumerate(arrays)
-    }  # type: ignore[arg-type]
+        **{
+            f"f{k}": Texture("rgba32float", SCALAR_CASES, len(called), (array.tobytes(),))
+            for k, array in enumerate(floats)
+        },
+        **{
+            f"i{k}": Texture("rgba32sint", SCALAR_CASES, len(called), (array.tobytes(),))
+            for k, array in enumerate(integers)
+        },
+    }
 
 
 def text_of(batch: Sequence[Called]) -> str:

@@ -86,7 +86,7 @@ def _atan(x: Decimal) -> Decimal:
     while abs(x) > Decimal("0.05"):
         x /= 1 + (1 + x * x).sqrt()
         halvings += 1
-    return _arctan_series(x) * 2**halvings
+    return _arctan_series(x) * Decimal(2) ** halvings
 
 
 def _atan2(y: Decimal, x: Decimal) -> Decimal:

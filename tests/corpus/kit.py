@@ -20,7 +20,7 @@ NAMES = tuple(OPERATIONS)
 each_name = pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.xdist_group(f"corpus {name}")) for name in NAMES]
 )
-"""A test of each operation; those of one operation run in one process, which makes its file once."""
+"""A test of each operation. Those of one run in one process, which makes its file once."""
 
 Json = dict[str, Any]
 

@@ -6,7 +6,6 @@ import math
 from fractions import Fraction
 
 import numpy as np
-import pytest
 
 from . import truth
 from .kit import NAMES, Json, cases, each_name, number, shown

@@ -90,7 +90,8 @@ def exponent(x: Fraction) -> int:
 
 
 def ldexp(x: Fraction, n: int) -> Fraction:
-    return x * Fraction(2) ** clamp(n, -252, 254)
+    power_of_two: int = clamp(n, -252, 254)
+    return x * Fraction(2) ** power_of_two
 
 
 def half_bits(x: Fraction) -> int:

@@ -102,7 +102,8 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_host": "frozen ir documents budget runner toolchain serving",
     "targets.conformance": (
-        "frozen stdlib diagnostics ir documents reference budget runner web_host toolchain"
+        "frozen stdlib diagnostics constraints ir documents reference budget runner web_host "
+        "toolchain"
     ),
     "targets.web_view": "documents runner",
     # The door.

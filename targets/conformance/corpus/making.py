@@ -10,7 +10,7 @@ from ....stdlib.builtins.accuracy import PLATFORMS
 from ....stdlib.builtins.overloads import Overload, Shape
 from ....stdlib.builtins.row import Builtin
 from .bits import bits_of
-from .operands import OPERATIONS, Case, cases_of, chosen_overloads
+from .operands import OPERATIONS, CorpusCase, cases_of, chosen_overloads
 from .records import (
     VERSION,
     CaseRow,
@@ -87,7 +87,7 @@ def _overload(overload: Overload, seed: int) -> OverloadRow:
     )
 
 
-def _case(overload: Overload, case: Case) -> CaseRow:
+def _case(overload: Overload, case: CorpusCase) -> CaseRow:
     pairs = zip(overload.operands, case.operands, strict=True)
     return CaseRow(
         operands=tuple(

@@ -38,7 +38,7 @@ Lanes = tuple[float, ...]
 
 
 @frozen
-class Case:
+class CorpusCase:
     """Operands, and whether a device's own operation is not relied on for them."""
 
     operands: tuple[Lanes, ...]
@@ -57,7 +57,7 @@ def chosen_overloads(row: Builtin) -> list[Overload]:
     return [each for each in found if _is_matrix(each) or each.result.width in (1, 3)]
 
 
-def cases_of(overload: Overload, seed: int) -> list[Case]:
+def cases_of(overload: Overload, seed: int) -> list[CorpusCase]:
     """The cases of an overload, without repetition: those of its row, then those drawn.
 
     Of these, at most a part is outside of the domain, unless there are too few inside of it.
@@ -66,15 +66,15 @@ def cases_of(overload: Overload, seed: int) -> list[Case]:
     most = _most(overload)
     known: set[str] = set()
 
-    def new(candidates: Iterator[tuple[Lanes, ...]]) -> Iterator[Case]:
+    def new(candidates: Iterator[tuple[Lanes, ...]]) -> Iterator[CorpusCase]:
         for operands in candidates:
             if (key := repr(operands)) not in known:
                 known.add(key)
-                yield Case(operands, is_guarded(overload, operands))
+                yield CorpusCase(operands, is_guarded(overload, operands))
 
     found = list(new(_of_row(overload, most // 2)))
     room = most - len(found)
-    inside, outside = list[Case](), list[Case]()
+    inside, outside = list[CorpusCase](), list[CorpusCase]()
     for case in new(_drawn(overload, chance, most * _TRIES)):
         (outside if case.guarded else inside).append(case)
         if len(inside) == room or (len(outside) >= room and overload.row.domain is nowhere):

@@ -22,7 +22,7 @@ from ....stdlib.builtins.accuracy import PLATFORMS, Platform
 from ....stdlib.builtins.overloads import Overload, Shape
 from ...runner.routes import EVERY_ROUTE
 from .bits import bits_of, least_float32, most_float32, rounded
-from .operands import Case
+from .operands import CorpusCase
 from .records import Ends, Kind, LaneRow
 
 PROMISES: Mapping[str, tuple[Platform, ...]] = {
@@ -46,7 +46,7 @@ def title_of(promise: str) -> str:
     return " and ".join(PLATFORMS[platform] for platform in PROMISES[promise])
 
 
-def result_of(overload: Overload, case: Case) -> tuple[LaneRow, ...]:
+def result_of(overload: Overload, case: CorpusCase) -> tuple[LaneRow, ...]:
     """The lanes of the result of a case."""
     kind = _kind(overload)
     meaning = evaluate(overload.row.name, _operands(overload, case, _as_rational), rationals, kind)
@@ -74,7 +74,7 @@ def _kind(overload: Overload) -> LaneKind:
 
 
 def _operands(
-    overload: Overload, case: Case, lane: Callable[[float, str], Any]
+    overload: Overload, case: CorpusCase, lane: Callable[[float, str], Any]
 ) -> list[tuple[Any, ...]]:
     """The operands of a case as an evaluation takes them."""
     return [
