@@ -12,7 +12,7 @@ from .console import remark, show
 from .terminal import FAILED
 
 PACKAGES = {
-    "numpy": ("drawing needs NumPy", "render"),
+    "numpy": ("drawing and the corpus need NumPy", "render"),
     "PIL": ("drawing needs Pillow", "render"),
     "msgspec": ("scenes need msgspec", "scenes"),
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),

@@ -23,6 +23,7 @@ COMMANDS = (
     "conform",
     "judge",
     "gallery",
+    "corpus",
     "targets",
     "doctor",
     "explain",

@@ -11,18 +11,18 @@ from .console import say
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package", "golden")
+DOCUMENTS = ("reflection", "plan", "package", "golden", "corpus", "corpus_index")
 
 
 @click.command()
 @click.argument("document", type=click.Choice(DOCUMENTS))
 def schema(document: str) -> None:
-    """Print the JSON Schema of a DOCUMENT that Burnish writes for hosts.
+    """Print the JSON Schema of a DOCUMENT that Burnish writes for other programs.
 
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
-    what a golden folder has. Each has the version of its format as `format`, `plan`, `package` or
-    `version`.
+    what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
+    Each has the version of its format as `format`, `plan`, `package`, `version` or `corpus`.
 
     \b
     Example:
@@ -41,7 +41,9 @@ def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
+    from ..targets.conformance.corpus.records import Corpus, CorpusIndex
     from ..targets.conformance.golden.document import Golden
     from ..targets.web_host.serving.packages import Package
 
-    return dict(zip(DOCUMENTS, (Reflection, FramePlan, Package, Golden), strict=True))
+    kinds = (Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex)
+    return dict(zip(DOCUMENTS, kinds, strict=True))

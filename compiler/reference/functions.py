@@ -201,6 +201,11 @@ def evaluate(
     return tuple([function(xp, *lanes) for lanes in zip(*operands, strict=True)])
 
 
+def is_lanewise(name: str) -> bool:
+    """True if a builtin works lane by lane on vectors."""
+    return name != "dot" and name not in WHOLE and name not in _OF_GROUPS
+
+
 def _dot(operands: Sequence[Lanes], xp: Namespace, kind: LaneKind) -> Lanes:
     """The inner product; of integers, wrapped to 32 bits."""
     (product,) = vectors.dot(xp, *operands)

@@ -77,8 +77,8 @@ def _program(batch: Sequence[Overload]) -> Program:
     lanes: list[Lane] = []
     for place, overload in enumerate(batch):
         operands = [_operand(first_map(overload, k), s) for k, s in enumerate(overload.operands)]
-        call = _call(overload, operands)
-        lines.append(f"    r{place} = {call}")
+        written = call(overload, operands)
+        lines.append(f"    r{place} = {written}")
         numbers += _numbers(f"r{place}", overload.result)
         lanes += [Lane(overload, lane) for lane in range(overload.result.lanes)]
     lines += ["}", "", "pass Returned {", "    clip_position = vec4(vertex_position, 1)"]
@@ -94,7 +94,7 @@ def first_map(overload: Overload, operand: int) -> int:
     return operand * (4 if any(shape.columns for shape in overload.operands) else 1)
 
 
-def _call(overload: Overload, operands: Sequence[str]) -> str:
+def call(overload: Overload, operands: Sequence[str]) -> str:
     """A builtin as it is written."""
     name = overload.row.name
     if name in _CONSTRUCTORS:
@@ -122,15 +122,17 @@ def _operand(first: int, shape: Shape) -> str:
 
 def _numbers(name: str, shape: Shape) -> Iterator[str]:
     """The lanes of a result, as floats."""
-    lanes = [name]
-    if shape.columns:
-        lanes = [
-            f"{name}[{c}].{lane}" for c in range(shape.columns) for lane in "xyzw"[: shape.width]
-        ]
-    elif shape.width > 1:
-        lanes = [f"{name}.{lane}" for lane in "xyzw"[: shape.width]]
-    for lane in lanes:
+    for lane in lane_names(name, shape):
         if shape.kind == "float":
             yield lane
         else:
             yield f"float({lane})" if shape.kind == "bool" else f"folded({lane})"
+
+
+def lane_names(name: str, shape: Shape) -> list[str]:
+    """The lanes of a value as they are written, those of a matrix column by column."""
+    if shape.columns:
+        return [
+            f"{name}[{c}].{lane}" for c in range(shape.columns) for lane in "xyzw"[: shape.width]
+        ]
+    return [f"{name}.{lane}" for lane in "xyzw"[: shape.width]] if shape.width > 1 else [name]

@@ -13,6 +13,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from burnish.stdlib.builtins.facts import LARGEST_FLOAT
+from burnish.targets.conformance.corpus.numbers import EDGES, WHOLE_EDGES
+
 from .overloads import FLOAT_MAPS, INT_MAPS
 
 SIDE = 128
@@ -24,19 +27,8 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Shape = tuple[int, ...]
 
-LARGEST = 2.0**128 - 2.0**104
-SPECIAL = np.array([
-    0.0, -0.0, 2.0**-149, -1e-40, 2.0**-126, -(2.0**-126), 2.0**-127, 2.0**-64, 2.0**-60, 2.0**-24,
-    0.5, -0.5, 1.0, -1.0, 1.0 - 2.0**-24, 1.0 + 2.0**-23, -1.0 - 2.0**-23, 1.5, 2.0, -2.0, 2.5,
-    3.0, math.pi, -math.pi, math.pi / 2, -math.pi / 2, 2 * math.pi, 100.0, 255.0, 65504.0, 2.0**23,
-    2.0**24 + 2.0, 2.0**31, -(2.0**31), 2.0**32, 2.0**63, 2.0**64, 2.0**126, 2.0**127, -(2.0**127),
-    LARGEST, -LARGEST, 16.0, -16.0, 88.0, -88.0, 127.0, -126.0, 128.0, -149.0,
-])  # fmt: skip
-SPECIAL_INTEGERS = np.array([
-    0, 1, -1, 2, -2, 3, 7, -7, 31, 32, 33, 24, 16, 8, 4, 255, 256, 65535, 65536, 2**31 - 1,
-    -(2**31), -(2**31) + 1, 2**30, 2**24 + 1, 0x55555555, -252, 254, -126, 127, 128, 0x3F800000,
-    0x7F800000, 0x7FC00001, -(2**23), 0x00800000, 0x007FFFFF,
-])  # fmt: skip
+SPECIAL = np.array(EDGES)
+SPECIAL_INTEGERS = np.array(WHOLE_EDGES)
 
 
 Numbers = Callable[[np.random.Generator, Shape], Floats]
@@ -66,7 +58,7 @@ def float_operands() -> list[Floats]:
     shape = (FLOAT_MAPS, _TILE, _TILE, 4)
     tiles = [kind(chance, shape) for kind in _KINDS]
     tiles += [_special(chance, shape), _related(chance, shape)]
-    pictures = _tiled(np.clip(tiles, -LARGEST, LARGEST))
+    pictures = _tiled(np.clip(tiles, -LARGEST_FLOAT, LARGEST_FLOAT))
     return list(pictures.astype(np.float32).astype(np.float64))
 
 

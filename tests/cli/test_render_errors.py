@@ -312,8 +312,9 @@ FLOATS = ".exr and .hdr files need OpenImageIO"
 @pytest.mark.parametrize(
     ("module", "lack", "command"),
     [
-        ("numpy", "drawing needs NumPy", "render m.burnish -o x.png"),
-        ("numpy", "drawing needs NumPy", "conform m.burnish"),
+        ("numpy", "drawing and the corpus need NumPy", "render m.burnish -o x.png"),
+        ("numpy", "drawing and the corpus need NumPy", "conform m.burnish"),
+        ("numpy", "drawing and the corpus need NumPy", "corpus -o x"),
         ("PIL", "drawing needs Pillow", "render m.burnish -o x.png"),
         ("OpenImageIO", FLOATS, "render m.burnish -o x.exr"),
         ("OpenImageIO", FLOATS, "render m.burnish -o x.png --set paint=light.hdr"),

@@ -17,6 +17,7 @@ TESTS = Path(__file__).parents[1]
 _DRAW = "draw with every driver"
 _COMPILERS = "run downstream compilers"
 _COMMANDS = "start the command line again and again"
+_PRECISE = "compute thousands of numbers to many places"
 _LARGE = "compile huge programs, or many random ones"
 
 LEFT_OUT: Mapping[str, str] = {
@@ -48,6 +49,7 @@ LEFT_OUT: Mapping[str, str] = {
     "cli/test_validate.py": _COMPILERS,
     "comparers": _COMPILERS,
     "conformance": _DRAW,
+    "corpus": _PRECISE,
     "diagnostics/test_growth.py": _LARGE,
     "examples/test_accepted.py": _COMPILERS,
     "examples/test_own_materials.py": _COMPILERS,

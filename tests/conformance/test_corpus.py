@@ -1,0 +1,53 @@
+"""The corpus on a real device: no result of any case is outside of what its route promises."""
+
+from __future__ import annotations
+
+import pytest
+
+from burnish.targets.conformance.corpus.results import result_of
+from burnish.targets.runner.routes import ROUTES
+
+from ..corpus.kit import SEED, number
+from .corpus_programs import Called, Floats, all_called, batches, returned, textures
+from .kit import Studio
+
+CALLED = all_called(SEED)
+
+
+@pytest.mark.parametrize("name", ["lavapipe:glsl"])
+def test_results_are_within_their_intervals(studio: Studio, name: str) -> None:
+    route = ROUTES[name]
+    promise = "+".join(route.platforms)
+    operands = textures(CALLED)
+    wrong: list[str] = []
+    compared = 0
+    for batch in batches(CALLED):
+        for called, lanes in returned(batch, operands, route, studio):
+            found, count = _outside(called, lanes, promise)
+            wrong += found
+            compared += count
+    assert not wrong, "\n".join([f"{len(wrong)} of {compared}", *wrong[:40]])
+    assert compared > 20_000
+
+
+def _outside(called: Called, lanes: list[Floats], promise: str) -> tuple[list[str], int]:
+    """The lanes that are outside of their intervals, in words; and how many were compared."""
+    kind = called.overload.result.kind
+    wrong = []
+    compared = 0
+    for column, case in enumerate(called.cases):
+        for lane, row in enumerate(result_of(called.overload, case)):
+            ends = row.within[promise]
+            if ends is None:
+                continue
+            compared += 1
+            got = float(lanes[lane][column])
+            if kind == "int" and got >= 2**31:
+                got -= 2**32
+            low, high = (number(end, kind) for end in ends)
+            if not low <= got <= high:
+                wrong.append(
+                    f"{called.overload} of {case.operands}, lane {lane}: {got!r}, not in "
+                    f"{low!r} .. {high!r}; exactly {row.exact}"
+                )
+    return wrong, compared
