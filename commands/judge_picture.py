@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from ..targets.conformance.golden.within import Encoding, Output, Verdict
 
 
+LANGUAGES = ("c++", "python", "rust", "typescript")
+"""The languages that have comparers."""
+
+
 class _Request(NamedTuple):
     """The command line after parsing; the names are those of the options."""
 
@@ -29,6 +33,15 @@ class _Request(NamedTuple):
     flip: bool
     diff: Path | None
     form: str
+
+
+def _print_comparer(language: str | None) -> None:
+    """Print the comparer of a language and exit, if one is wanted."""
+    if language is not None:
+        from ..targets.conformance.comparers import comparer
+
+        print_output(comparer(language))
+        click.get_current_context().exit()
 
 
 @click.command()
@@ -56,6 +69,12 @@ class _Request(NamedTuple):
     help="Write a picture of what is outside (red), and of what is not compared (blue).",
 )  # fmt: skip
 @format_option
+@click.option(
+    "--comparer", type=click.Choice(LANGUAGES), callback=lambda *given: _print_comparer(given[2]),
+    is_eager=True, expose_value=False,
+    help="Print a file that does the same in another language, to copy into a test suite, and "
+    "compare nothing.",
+)  # fmt: skip
 def judge(**chosen: Any) -> None:
     """Compare a PICTURE with the bounds of a golden FOLDER.
 
@@ -76,6 +95,7 @@ def judge(**chosen: Any) -> None:
         burnish judge golden/ mine.npy --case Plastic/defaults
         burnish judge golden/ screen.png --case defaults --encoding srgb --diff outside.png
         burnish judge golden/ pictures/
+        burnish judge --comparer rust > tests/burnish_judge.rs
     """
     request = _Request(**chosen)
     try:

@@ -11,6 +11,9 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
+from burnish.commands.judge_picture import LANGUAGES
+from burnish.targets.conformance.comparers import COMPARERS, comparer
+
 from ..cli.kit import invoke
 from .kit import CASE, bounds, flat, small_golden, write_case, write_golden
 
@@ -160,3 +163,17 @@ def test_verdicts_as_json() -> None:
         "undecided": 0, "outside": 1,
         "worst": {"x": 1, "y": 0, "lane": 2, "value": "nan", "lower": 0.25, "upper": 0.5},
     }  # fmt: skip
+
+
+# --- in other languages ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", sorted(COMPARERS))
+def test_a_comparer_is_printed_as_it_stands(language: str) -> None:
+    printed = invoke("judge", "--comparer", language)
+    assert (printed.exit_code, printed.stderr) == (0, "")
+    assert printed.stdout == comparer(language)
+
+
+def test_there_is_a_comparer_for_each_language_that_can_be_named() -> None:
+    assert set(LANGUAGES) == set(COMPARERS)
