@@ -1,0 +1,275 @@
+"""Draws correct pictures and pictures with planted errors, and asks every rule about each.
+
+A *test* is a material or frame on a route, with all pictures of its cases, as a test of an image
+suite would have them. What ``conform`` draws without a change is correct: it comes from a text that
+nobody changed, by a driver whose authors test that it conforms. So a rule that refuses it gives a
+false alarm, bounds included. A test with a planted error is found by a rule that refuses one of its
+pictures.
+"""
+
+from __future__ import annotations
+
+import copy
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from operator import or_
+
+import numpy as np
+from numpy.typing import NDArray
+
+from burnish.api.entry_points import CompiledFrame, CompiledMaterial
+from burnish.targets.conformance.cases import UNCOVERED
+from burnish.targets.conformance.conform import rows_of, trials_of
+from burnish.targets.conformance.rows import CaseResult, Row
+from burnish.targets.conformance.trials import Trial
+from burnish.targets.runner.drivers.frame_job import Found, FrameJob
+from burnish.targets.runner.routes import ROUTES, Route
+from burnish.targets.runner.runner import Runner
+from burnish.targets.toolchain import Toolchain
+
+from ..mutants.texts import Changed, changes_of, chosen
+from ..suite.processes import at_once
+from .errors import HOST_ERRORS, TEXT_ERRORS, Change, HostError
+from .rules import MEASURES, RULES, Shown
+
+Floats = NDArray[np.float64]
+
+GUARANTEED, MEASURED = "bounds that are guaranteed", "bounds that were measured of the driver"
+"""The names of what ``conform`` itself says, in the place of a rule."""
+BOUNDS = (GUARANTEED, MEASURED)
+NAMES = (*BOUNDS, *(rule.name for rule in RULES))
+KEPT_ROUTE = "lavapipe:glsl"
+"""The route whose pictures stand for those that a test suite has kept from one machine."""
+
+AT_ONCE = 4
+"""The number of tests that are drawn at once."""
+
+Pictures = Mapping[str, Sequence[Shown]]
+"""The targets of each case."""
+
+
+class MisledRunner(Runner):
+    """A runner that tells drivers something else than it is told."""
+
+    change: Change | None = None
+
+    def draw_frame(self, route: Route, job: FrameJob, *, keep: bool = True) -> Found:
+        """Do the changed job."""
+        told = job if self.change is None else self.change(job)
+        return super().draw_frame(route, told, keep=keep)
+
+    def misled(self, change: Change) -> MisledRunner:
+        """The same runner, with the same workers, and an error."""
+        found = copy.copy(self)
+        found.change = change
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What all measures say of the pictures of a test, beside those that are kept as right."""
+
+    refused: Mapping[str, int]
+    """The number of pictures that each rule refuses."""
+    worst: Mapping[str, float]
+    """The largest value of each of ``MEASURES``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Correct:
+    """A test without an error."""
+
+    subject: str
+    route: str
+    status: str
+    pictures: int
+    beyond: Mapping[str, int]
+    """The number of cases that leave bounds: those that are guaranteed, or measured."""
+    beside_reference: Measured
+    beside_kept: Measured | None
+    """Likewise, beside pictures of ``KEPT_ROUTE``; nothing for this route itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Planted:
+    """A test with an error that changes a picture."""
+
+    subject: str
+    route: str
+    kind: str
+    what: str
+    found: tuple[str, ...]
+    """The rules and bounds that refuse one of its pictures."""
+    worst: Mapping[str, float]
+    """The largest value of each of ``MEASURES``, beside the reference."""
+    apart: float
+    """The largest change of a lane by the error, in codes of 8 bits, where pixels are decided."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """All that was found of some subjects."""
+
+    correct: tuple[Correct, ...]
+    planted: tuple[Planted, ...]
+    refused: int
+    """The number of planted errors that a compiler or a driver refused."""
+    unseen: int
+    """The number of planted errors that change no picture."""
+    failed: tuple[str, ...] = ()
+    """Tests without an error that were not drawn, with the reason."""
+
+
+def experiment(
+    subjects: Sequence[tuple[str, CompiledMaterial | CompiledFrame]],
+    routes: Sequence[Route],
+    runner: MisledRunner,
+    toolchain: Toolchain,
+    *,
+    count: int,
+    hosts: Sequence[HostError] = HOST_ERRORS,
+) -> Iterator[Outcome]:
+    """An outcome for each subject. In each material ``count`` errors are planted in texts, and one
+    of each of ``hosts`` in what drivers are told; the routes take turns."""
+    for number, (label, subject) in enumerate(subjects):
+        (trial,) = trials_of([(label, subject)])
+        assert isinstance(trial, Trial), trial
+        rows = rows_of([trial], routes, runner, toolchain)
+        drawn = {row.route.name: row for row in rows if row.results}
+        failed = tuple(f"{label}, {row.route.name}: {row.problem}" for row in rows if row.problem)
+        correct = [_correct(row, drawn.get(KEPT_ROUTE)) for row in drawn.values()]
+        errors = _errors(trial, subject, [*drawn], count, hosts, number)
+        calls = [partial(_with_error, each, runner, toolchain) for each in errors]
+        pairs = [*zip(errors, _few_at_once(calls), strict=True)]
+        found = [_planted(error, row, drawn[error.route]) for error, row in pairs if row.results]
+        seen = tuple(each for each in found if each is not None)
+        yield Outcome(
+            tuple(correct), seen, len(pairs) - len(found), len(found) - len(seen), failed
+        )  # fmt: skip
+
+
+# --- errors --------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Error:
+    """A planted error, and how it is drawn."""
+
+    route: str
+    kind: str
+    what: str
+    trial: Trial
+    change: Change | None = None
+
+
+def _errors(
+    trial: Trial,
+    subject: CompiledMaterial | CompiledFrame,
+    routes: Sequence[str],
+    count: int,
+    hosts: Sequence[HostError],
+    turn: int,
+) -> list[_Error]:
+    """The errors to plant in a subject; none in a frame, and none if nothing draws it."""
+    if not isinstance(subject, CompiledMaterial) or not routes:
+        return []
+    found = [each for name in routes for each in changes_of(subject, name, TEXT_ERRORS)]
+    picked = chosen(found, count, random.Random(trial.label))
+    told = [
+        _Error(routes[(turn + number) % len(routes)], each.name, each.name, trial, each.change)
+        for number, each in enumerate(hosts)
+    ]
+    return [*map(partial(_in_text, trial), picked), *told]
+
+
+def _in_text(trial: Trial, each: Changed) -> _Error:
+    """The trial with other texts: what the reference has drawn stays."""
+    other = copy.copy(trial)
+    other.shaders = [each.subject()]
+    file = each.material.files[each.file]
+    what = f"{file.name}:{each.change.told(file.text)}"
+    return _Error(each.route, each.change.kind, what, other)
+
+
+def _few_at_once(calls: Sequence[Callable[[], Row]]) -> Iterator[Row]:
+    """The results of all calls, which mostly wait for compilers and drivers."""
+    for start in range(0, len(calls), AT_ONCE):
+        yield from at_once(calls[start : start + AT_ONCE])
+
+
+def _with_error(error: _Error, runner: MisledRunner, toolchain: Toolchain) -> Row:
+    told = runner if error.change is None else runner.misled(error.change)
+    (row,) = rows_of([error.trial], [ROUTES[error.route]], told, toolchain, threads=1)
+    return row
+
+
+# --- verdicts ------------------------------------------------------------------------------------
+
+
+def _correct(row: Row, kept: Row | None) -> Correct:
+    drawn = _pictures(row, _got)
+    beside = None if kept is None or kept is row else _measured(drawn, _pictures(kept, _got))
+    return Correct(
+        row.material, row.route.name, row.status, sum(map(len, drawn.values())),
+        _beyond_bounds(row), _measured(drawn, _pictures(row, _expected)), beside,
+    )  # fmt: skip
+
+
+def _planted(error: _Error, row: Row, unchanged: Row) -> Planted | None:
+    """The verdicts about a test with an error; ``None`` if it changes nothing."""
+    pairs = [*zip(row.results, unchanged.results, strict=True)]
+    if all(np.array_equal(one.got, other.got, equal_nan=True) for one, other in pairs):
+        return None
+    measured = _measured(_pictures(row, _got), _pictures(unchanged, _expected))
+    refused = {**_beyond_bounds(row), **measured.refused}
+    return Planted(
+        row.material, error.route, error.kind, error.what,
+        tuple(name for name in NAMES if refused[name]), measured.worst,
+        max(_apart(one, other) for one, other in pairs),
+    )  # fmt: skip
+
+
+def _measured(drawn: Pictures, kept: Pictures) -> Measured:
+    """What rules and measures say; a measure that several rules share is taken once."""
+    pairs = [pair for case, shown in drawn.items() for pair in zip(shown, kept[case], strict=True)]
+    wanted = {*MEASURES.values(), *(rule.measure for rule in RULES)}
+    values = {measure: [measure(*pair) for pair in pairs] for measure in wanted}
+    return Measured(
+        {rule.name: sum(not value <= rule.most for value in values[rule.measure])
+         for rule in RULES},
+        {name: max(values[measure]) for name, measure in MEASURES.items()},
+    )  # fmt: skip
+
+
+def _beyond_bounds(row: Row) -> dict[str, int]:
+    """The number of cases that leave the bounds."""
+    said = [result.comparison for result in row.results]
+    wrong = [bool(each.wrong or each.changed) for each in said]
+    beyond = [each.beyond is not None for each in said]
+    return {GUARANTEED: sum(wrong), MEASURED: sum(map(or_, wrong, beyond))}
+
+
+def _apart(one: CaseResult, other: CaseResult) -> float:
+    """The largest change of a code where pixels are decided."""
+    decided = ~other.expected.undecided
+    shown = [(Shown(a, CLEAR), Shown(b, CLEAR)) for a, b in zip(one.got, other.got, strict=True)]
+    return max(float(np.abs(a.codes - b.codes)[decided].max(initial=0.0)) for a, b in shown)
+
+
+CLEAR = UNCOVERED[0]
+
+
+def _pictures(row: Row, targets: Callable[[CaseResult], Sequence[Floats]]) -> Pictures:
+    return {
+        result.case: [Shown(target, CLEAR) for target in targets(result)] for result in row.results
+    }
+
+
+def _got(result: CaseResult) -> Sequence[Floats]:
+    return result.got
+
+
+def _expected(result: CaseResult) -> Sequence[Floats]:
+    return result.expected.targets
