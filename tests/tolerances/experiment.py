@@ -1,6 +1,6 @@
 """Draws correct pictures and pictures with planted errors, and asks every rule about each.
 
-A *test* is a material or frame on a route, with all pictures of its cases, as a test of an image
+A *test* is a material on a route, with all pictures of its cases, as a test of an image
 suite would have them. What ``conform`` draws without a change is correct: it comes from a text that
 nobody changed, by a driver whose authors test that it conforms. So a rule that refuses it gives a
 false alarm, bounds included. A test with a planted error is found by a rule that refuses one of its
@@ -19,7 +19,7 @@ from operator import or_
 import numpy as np
 from numpy.typing import NDArray
 
-from burnish.api.entry_points import CompiledFrame, CompiledMaterial
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.conformance.cases import UNCOVERED
 from burnish.targets.conformance.conform import rows_of, trials_of
 from burnish.targets.conformance.rows import CaseResult, Row
@@ -32,13 +32,16 @@ from burnish.targets.toolchain import Toolchain
 from ..mutants.texts import Changed, changes_of, chosen
 from ..suite.processes import at_once
 from .errors import HOST_ERRORS, TEXT_ERRORS, Change, HostError
+from .hulls import Hull, hulls_of
 from .rules import MEASURES, RULES, Shown
 
 Floats = NDArray[np.float64]
 
-GUARANTEED, MEASURED = "bounds that are guaranteed", "bounds that were measured of the driver"
-"""The names of what ``conform`` itself says, in the place of a rule."""
-BOUNDS = (GUARANTEED, MEASURED)
+GUARANTEED = "bounds: what any device may draw by this route"
+MEASURED = "bounds: what this driver was found to draw"
+TOGETHER = "bounds: what any device may draw by any of the routes"
+BOUNDS = (GUARANTEED, MEASURED, TOGETHER)
+"""The names of bounds, which stand in tables as rules do."""
 NAMES = (*BOUNDS, *(rule.name for rule in RULES))
 KEPT_ROUTE = "lavapipe:glsl"
 """The route whose pictures stand for those that a test suite has kept from one machine."""
@@ -86,7 +89,7 @@ class Correct:
     status: str
     pictures: int
     beyond: Mapping[str, int]
-    """The number of cases that leave bounds: those that are guaranteed, or measured."""
+    """The number of cases that leave each of ``BOUNDS``."""
     beside_reference: Measured
     beside_kept: Measured | None
     """Likewise, beside pictures of ``KEPT_ROUTE``; nothing for this route itself."""
@@ -122,32 +125,32 @@ class Outcome:
     """Tests without an error that were not drawn, with the reason."""
 
 
-def experiment(
-    subjects: Sequence[tuple[str, CompiledMaterial | CompiledFrame]],
+def outcome_of(
+    label: str,
+    material: CompiledMaterial,
     routes: Sequence[Route],
     runner: MisledRunner,
     toolchain: Toolchain,
     *,
     count: int,
     hosts: Sequence[HostError] = HOST_ERRORS,
-) -> Iterator[Outcome]:
-    """An outcome for each subject. In each material ``count`` errors are planted in texts, and one
-    of each of ``hosts`` in what drivers are told; the routes take turns."""
-    for number, (label, subject) in enumerate(subjects):
-        (trial,) = trials_of([(label, subject)])
-        assert isinstance(trial, Trial), trial
-        rows = rows_of([trial], routes, runner, toolchain)
-        drawn = {row.route.name: row for row in rows if row.results}
-        failed = tuple(f"{label}, {row.route.name}: {row.problem}" for row in rows if row.problem)
-        correct = [_correct(row, drawn.get(KEPT_ROUTE)) for row in drawn.values()]
-        errors = _errors(trial, subject, [*drawn], count, hosts, number)
-        calls = [partial(_with_error, each, runner, toolchain) for each in errors]
-        pairs = [*zip(errors, _few_at_once(calls), strict=True)]
-        found = [_planted(error, row, drawn[error.route]) for error, row in pairs if row.results]
-        seen = tuple(each for each in found if each is not None)
-        yield Outcome(
-            tuple(correct), seen, len(pairs) - len(found), len(found) - len(seen), failed
-        )  # fmt: skip
+) -> Outcome:
+    """Draw a material by some routes, without errors and with them: ``count`` in texts, and one of
+    each of ``hosts`` in what drivers are told. Each error is planted in one route.
+    """
+    (trial,) = trials_of([(label, material)])
+    assert isinstance(trial, Trial), trial
+    rows = rows_of([trial], routes, runner, toolchain)
+    drawn = {row.route.name: row for row in rows if row.results}
+    failed = tuple(f"{label}, {row.route.name}: {row.problem}" for row in rows if row.problem)
+    hulls = hulls_of(trial, [row.route for row in drawn.values()], runner, toolchain)
+    correct = tuple(_correct(row, drawn.get(KEPT_ROUTE), hulls) for row in drawn.values())
+    errors = _errors(trial, material, [*drawn], count, hosts)
+    calls = [partial(_with_error, each, runner, toolchain) for each in errors]
+    pairs = [*zip(errors, _few_at_once(calls), strict=True)]
+    found = [_planted(error, row, drawn[error.route], hulls) for error, row in pairs if row.results]
+    seen = tuple(each for each in found if each is not None)
+    return Outcome(correct, seen, len(pairs) - len(found), len(found) - len(seen), failed)
 
 
 # --- errors --------------------------------------------------------------------------------------
@@ -166,20 +169,17 @@ class _Error:
 
 def _errors(
     trial: Trial,
-    subject: CompiledMaterial | CompiledFrame,
+    material: CompiledMaterial,
     routes: Sequence[str],
     count: int,
     hosts: Sequence[HostError],
-    turn: int,
 ) -> list[_Error]:
-    """The errors to plant in a subject; none in a frame, and none if nothing draws it."""
-    if not isinstance(subject, CompiledMaterial) or not routes:
-        return []
-    found = [each for name in routes for each in changes_of(subject, name, TEXT_ERRORS)]
-    picked = chosen(found, count, random.Random(trial.label))
+    """The errors to plant in a material: the same in each run."""
+    chance = random.Random(trial.label)
+    found = [each for name in routes for each in changes_of(material, name, TEXT_ERRORS)]
+    picked = chosen(found, count, chance)
     told = [
-        _Error(routes[(turn + number) % len(routes)], each.name, each.name, trial, each.change)
-        for number, each in enumerate(hosts)
+        _Error(chance.choice(routes), each.name, each.name, trial, each.change) for each in hosts
     ]
     return [*map(partial(_in_text, trial), picked), *told]
 
@@ -208,22 +208,22 @@ def _with_error(error: _Error, runner: MisledRunner, toolchain: Toolchain) -> Ro
 # --- verdicts ------------------------------------------------------------------------------------
 
 
-def _correct(row: Row, kept: Row | None) -> Correct:
+def _correct(row: Row, kept: Row | None, hulls: Mapping[str, Hull]) -> Correct:
     drawn = _pictures(row, _got)
     beside = None if kept is None or kept is row else _measured(drawn, _pictures(kept, _got))
     return Correct(
         row.material, row.route.name, row.status, sum(map(len, drawn.values())),
-        _beyond_bounds(row), _measured(drawn, _pictures(row, _expected)), beside,
+        _beyond_bounds(row, hulls), _measured(drawn, _pictures(row, _expected)), beside,
     )  # fmt: skip
 
 
-def _planted(error: _Error, row: Row, unchanged: Row) -> Planted | None:
+def _planted(error: _Error, row: Row, unchanged: Row, hulls: Mapping[str, Hull]) -> Planted | None:
     """The verdicts about a test with an error; ``None`` if it changes nothing."""
     pairs = [*zip(row.results, unchanged.results, strict=True)]
     if all(np.array_equal(one.got, other.got, equal_nan=True) for one, other in pairs):
         return None
     measured = _measured(_pictures(row, _got), _pictures(unchanged, _expected))
-    refused = {**_beyond_bounds(row), **measured.refused}
+    refused = {**_beyond_bounds(row, hulls), **measured.refused}
     return Planted(
         row.material, error.route, error.kind, error.what,
         tuple(name for name in NAMES if refused[name]), measured.worst,
@@ -243,12 +243,15 @@ def _measured(drawn: Pictures, kept: Pictures) -> Measured:
     )  # fmt: skip
 
 
-def _beyond_bounds(row: Row) -> dict[str, int]:
-    """The number of cases that leave the bounds."""
+def _beyond_bounds(row: Row, hulls: Mapping[str, Hull]) -> dict[str, int]:
+    """The number of cases that leave each of the bounds."""
     said = [result.comparison for result in row.results]
     wrong = [bool(each.wrong or each.changed) for each in said]
     beyond = [each.beyond is not None for each in said]
-    return {GUARANTEED: sum(wrong), MEASURED: sum(map(or_, wrong, beyond))}
+    outside = [hulls[result.case].leaves(result.got) for result in row.results]
+    return {
+        GUARANTEED: sum(wrong), MEASURED: sum(map(or_, wrong, beyond)), TOGETHER: sum(outside)
+    }  # fmt: skip
 
 
 def _apart(one: CaseResult, other: CaseResult) -> float:

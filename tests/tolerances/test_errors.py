@@ -10,7 +10,7 @@ import pytest
 from burnish.targets.runner.drivers.draws import Draw
 from burnish.targets.runner.drivers.frame_job import FrameDraw, FrameJob, FrameStep
 from burnish.targets.runner.drivers.pipeline import Pipeline, VertexInput
-from burnish.targets.runner.drivers.slots import TextureSlot
+from burnish.targets.runner.drivers.slots import Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image
 
 from ..mutants.texts import text_changes
@@ -71,16 +71,23 @@ def test_slips_in_a_read(read: str, slips: list[str]) -> None:
     assert [change.applied(read) for change in text_changes(read, SLIPS)] == slips
 
 
+PLACE = Place("x", 0, 0)
+
+
+def _floats(*values: float) -> bytes:
+    return np.array(values, "<f4").tobytes()
+
+
 def _job() -> FrameJob:
     """A triangle with two textures, each with another picture and two levels."""
     texels = np.random.default_rng(7).integers(0, 256, (2, 20, 4), np.uint8)
     first, second = (
         Image("rgba8unorm", 4, 4, (each[:16].tobytes(), each[16:].tobytes())) for each in texels
     )
-    slots = (TextureSlot(0, 1, wrap="mirror"), TextureSlot(2, 3, wrap="repeat"))
+    slots = (TextureSlot(PLACE, PLACE, wrap="mirror"), TextureSlot(PLACE, PLACE))
     drawn = Draw(
-        8, 8, 3, (np.float32([0.1, 0.2, 0.3]).tobytes(),), np.uint32([0, 1, 2]).tobytes(),
-        (np.float32([0.7, 3.3]).tobytes(),), (first, second),
+        8, 8, 3, (_floats(0.1, 0.2, 0.3),), np.arange(3, dtype="<u4").tobytes(),
+        (_floats(0.7, 3.3),), (first, second),
     )  # fmt: skip
     made = Pipeline({}, (VertexInput("x", 0, "float32"),), (), slots, ())
     return FrameJob((), (), (made,), (FrameStep(draws=(FrameDraw(0, (), (), drawn),)),))
