@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from burnish.api.entry_points import CompiledMaterial
-from burnish.targets.conformance.cases import UNCOVERED
 from burnish.targets.conformance.conform import rows_of, trials_of
 from burnish.targets.conformance.rows import CaseResult, Row
 from burnish.targets.conformance.trials import Trial
@@ -33,7 +32,9 @@ from ..mutants.texts import Changed, changes_of, chosen
 from ..suite.processes import at_once
 from .errors import HOST_ERRORS, TEXT_ERRORS, Change, HostError
 from .hulls import Hull, hulls_of
-from .rules import MEASURES, RULES, Shown
+from .larger import larger_tests
+from .rules import RULES, Shown
+from .verdicts import CLEAR, KEPT_ROUTE, Measured, Pictures, measured
 
 Floats = NDArray[np.float64]
 
@@ -43,14 +44,9 @@ TOGETHER = "bounds: what any device may draw by any of the routes"
 BOUNDS = (GUARANTEED, MEASURED, TOGETHER)
 """The names of bounds, which stand in tables as rules do."""
 NAMES = (*BOUNDS, *(rule.name for rule in RULES))
-KEPT_ROUTE = "lavapipe:glsl"
-"""The route whose pictures stand for those that a test suite has kept from one machine."""
 
 AT_ONCE = 4
 """The number of tests that are drawn at once."""
-
-Pictures = Mapping[str, Sequence[Shown]]
-"""The targets of each case."""
 
 
 class MisledRunner(Runner):
@@ -68,16 +64,6 @@ class MisledRunner(Runner):
         found = copy.copy(self)
         found.change = change
         return found
-
-
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """What all measures say of the pictures of a test, beside those that are kept as right."""
-
-    refused: Mapping[str, int]
-    """The number of pictures that each rule refuses."""
-    worst: Mapping[str, float]
-    """The largest value of each of ``MEASURES``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +107,8 @@ class Outcome:
     """The number of planted errors that a compiler or a driver refused."""
     unseen: int
     """The number of planted errors that change no picture."""
+    larger: tuple[Measured, ...]
+    """Tests without an error in larger pictures, beside those of ``KEPT_ROUTE``."""
     failed: tuple[str, ...] = ()
     """Tests without an error that were not drawn, with the reason."""
 
@@ -150,7 +138,8 @@ def outcome_of(
     pairs = [*zip(errors, _few_at_once(calls), strict=True)]
     found = [_planted(error, row, drawn[error.route], hulls) for error, row in pairs if row.results]
     seen = tuple(each for each in found if each is not None)
-    return Outcome(correct, seen, len(pairs) - len(found), len(found) - len(seen), failed)
+    larger = tuple(larger_tests(material, routes, runner, toolchain))
+    return Outcome(correct, seen, len(pairs) - len(found), len(found) - len(seen), larger, failed)
 
 
 # --- errors --------------------------------------------------------------------------------------
@@ -210,10 +199,10 @@ def _with_error(error: _Error, runner: MisledRunner, toolchain: Toolchain) -> Ro
 
 def _correct(row: Row, kept: Row | None, hulls: Mapping[str, Hull]) -> Correct:
     drawn = _pictures(row, _got)
-    beside = None if kept is None or kept is row else _measured(drawn, _pictures(kept, _got))
+    beside = None if kept is None or kept is row else measured(drawn, _pictures(kept, _got))
     return Correct(
         row.material, row.route.name, row.status, sum(map(len, drawn.values())),
-        _beyond_bounds(row, hulls), _measured(drawn, _pictures(row, _expected)), beside,
+        _beyond_bounds(row, hulls), measured(drawn, _pictures(row, _expected)), beside,
     )  # fmt: skip
 
 
@@ -222,24 +211,12 @@ def _planted(error: _Error, row: Row, unchanged: Row, hulls: Mapping[str, Hull])
     pairs = [*zip(row.results, unchanged.results, strict=True)]
     if all(np.array_equal(one.got, other.got, equal_nan=True) for one, other in pairs):
         return None
-    measured = _measured(_pictures(row, _got), _pictures(unchanged, _expected))
-    refused = {**_beyond_bounds(row, hulls), **measured.refused}
+    found = measured(_pictures(row, _got), _pictures(unchanged, _expected))
+    refused = {**_beyond_bounds(row, hulls), **found.refused}
     return Planted(
         row.material, error.route, error.kind, error.what,
-        tuple(name for name in NAMES if refused[name]), measured.worst,
+        tuple(name for name in NAMES if refused[name]), found.worst,
         max(_apart(one, other) for one, other in pairs),
-    )  # fmt: skip
-
-
-def _measured(drawn: Pictures, kept: Pictures) -> Measured:
-    """What rules and measures say; a measure that several rules share is taken once."""
-    pairs = [pair for case, shown in drawn.items() for pair in zip(shown, kept[case], strict=True)]
-    wanted = {*MEASURES.values(), *(rule.measure for rule in RULES)}
-    values = {measure: [measure(*pair) for pair in pairs] for measure in wanted}
-    return Measured(
-        {rule.name: sum(not value <= rule.most for value in values[rule.measure])
-         for rule in RULES},
-        {name: max(values[measure]) for name, measure in MEASURES.items()},
     )  # fmt: skip
 
 
@@ -259,9 +236,6 @@ def _apart(one: CaseResult, other: CaseResult) -> float:
     decided = ~other.expected.undecided
     shown = [(Shown(a, CLEAR), Shown(b, CLEAR)) for a, b in zip(one.got, other.got, strict=True)]
     return max(float(np.abs(a.codes - b.codes)[decided].max(initial=0.0)) for a, b in shown)
-
-
-CLEAR = UNCOVERED[0]
 
 
 def _pictures(row: Row, targets: Callable[[CaseResult], Sequence[Floats]]) -> Pictures:

@@ -90,7 +90,8 @@ RULES: Sequence[Rule] = (
     Rule("8 bits: no lane off by more than 2 %", _LARGEST, 2 * PERCENT),
     Rule("8 bits: at most 0.1 % of the pixels off by more than 2 %", _BEYOND, 0.001),
     Rule("8 bits: the same", _LARGEST, 0.0, "Skia Gold, unless a test asks for less",
-         "https://skia.org/docs/dev/testing/skiagold/"),
+         "https://chromium.googlesource.com/chromium/src/+/main/ui/base/test/"
+         "skia_gold_matching_algorithm.h"),
     Rule("PSNR of at least 30 dB", _noise, -30.0),
     Rule("PSNR of at least 40 dB", _noise, -40.0),
     Rule("PSNR of at least 50 dB", _noise, -50.0),
@@ -121,12 +122,12 @@ RULES: Sequence[Rule] = (
 people write by hand."""
 
 MEASURES: Mapping[str, Measure] = {
-    "largest difference of a lane, floats": _largest_of_floats,
-    "largest difference of a lane, 8 bits": _LARGEST,
+    "largest difference of a lane, as floats": _largest_of_floats,
+    "largest difference of a lane, in steps of 8 bits": _LARGEST,
     "share of pixels off by more than 2 %": _BEYOND,
     "PSNR": _noise,
-    "mean difference": _MEAN,
-    "root mean square": _SQUARES,
+    "mean difference, in steps of 8 bits": _MEAN,
+    "root mean square, in steps of 8 bits": _SQUARES,
     "SSIM": _unlike,
     "share of pixels by pixelmatch 0.1": _MATCH,
     "share of pixels, of the whole or a part, off by more than 16": _in_parts,

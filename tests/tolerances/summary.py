@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from ..bench.table import Row, Section
-from .experiment import BOUNDS, NAMES, Correct, Measured, Outcome, Planted
+from .experiment import BOUNDS, NAMES, Correct, Outcome, Planted
 from .rules import MEASURES
+from .verdicts import Measured
 
 KEPT = Path(__file__).parent / "found.json"
 """The numbers of which ``docs/tolerances.md`` is made."""
@@ -25,6 +26,7 @@ class Numbers:
     planted: list[Planted] = field(default_factory=list)
     refused: int = 0
     unseen: int = 0
+    larger: list[Measured] = field(default_factory=list)
     failed: list[str] = field(default_factory=list)
 
     def add(self, outcome: Outcome) -> None:
@@ -33,6 +35,7 @@ class Numbers:
         self.planted += outcome.planted
         self.refused += outcome.refused
         self.unseen += outcome.unseen
+        self.larger += outcome.larger
         self.failed += outcome.failed
 
     @staticmethod
@@ -57,6 +60,8 @@ class Sum:
     """The number of tests without an error that it refuses, compared with the reference."""
     alarms_beside_kept: int | None
     """Likewise, compared with the pictures of one driver; ``None`` of bounds."""
+    alarms_larger: int | None = None
+    """Likewise, of the tests with larger pictures."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +82,14 @@ def sums(numbers: Numbers) -> Iterator[Sum]:
         if name in BOUNDS:
             yield Sum(name, found, worst, sum(bool(c.beyond[name]) for c in numbers.correct), None)
             continue
-        beside = [bool(each.refused[name]) for each in _beside_kept(numbers)]
+        beside = _alarms(_beside_kept(numbers), name)
         alarms = sum(bool(each.beside_reference.refused[name]) for each in numbers.correct)
-        yield Sum(name, found, worst, alarms, sum(beside) if beside else None)
+        yield Sum(name, found, worst, alarms, beside, _alarms(numbers.larger, name))
+
+
+def _alarms(tests: Sequence[Measured], rule: str) -> int | None:
+    """The number of correct tests that a rule refuses; ``None`` if there are no tests."""
+    return sum(bool(each.refused[rule]) for each in tests) if tests else None
 
 
 def best(numbers: Numbers) -> Iterator[Best]:
@@ -111,6 +121,7 @@ def document(numbers: Numbers, routes: int) -> dict[str, Any]:
         "tests": len(numbers.correct),
         "pictures": sum(each.pictures for each in numbers.correct),
         "tests_beside_kept": len(_beside_kept(numbers)),
+        "tests_larger": len(numbers.larger),
         "planted": len(numbers.planted),
         "refused_by_tools": numbers.refused,
         "unseen": numbers.unseen,
@@ -146,6 +157,7 @@ def printed(numbers: Numbers) -> str:
         {
             "rule": each.rule, "found": each.found, "largest missed, of 255": each.worst_missed,
             "false alarms": each.alarms, "beside one driver": each.alarms_beside_kept,
+            "in larger pictures": each.alarms_larger,
         }
         for each in sums(numbers)
     ]  # fmt: skip

@@ -12,9 +12,10 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Toolchain
 
 from .errors import HOST_ERRORS, HostError
-from .experiment import BOUNDS, KEPT_ROUTE, MisledRunner, Outcome, outcome_of
+from .experiment import BOUNDS, MisledRunner, Outcome, outcome_of
 from .rules import RULES
 from .summary import Numbers, best, document, printed, sums
+from .verdicts import KEPT_ROUTE
 
 PLASTIC = Path(burnish.__file__).parent / "examples" / "plastic.burnish"
 OTHER = "swiftshader:glsl"
@@ -44,6 +45,14 @@ def test_another_driver_makes_tolerances_cry_wolf(outcome: Outcome) -> None:
     assert kept is None
     assert other is not None
     assert other.refused["8 bits: no lane off by more than 2 %"]
+
+
+def test_larger_pictures_have_a_smaller_share_of_edges(outcome: Outcome) -> None:
+    (larger,) = outcome.larger
+    small = outcome.correct[1].beside_kept
+    assert small is not None
+    share = "share of pixels off by more than 2 %"
+    assert 0 < larger.worst[share] < small.worst[share]
 
 
 def test_errors_are_found_by_bounds(outcome: Outcome) -> None:
