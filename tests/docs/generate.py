@@ -1,7 +1,8 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
 Run it after changing the grammar, a builtin, a diagnostic, a simplification rule, a profile, a
-capability, a limit, a route or a driver's row. A test fails if a page is not up to date.
+capability, a limit, a route or a driver's row, and after keeping new numbers of tolerances. A test
+fails if a page is not up to date.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 from .builtins_page import builtins_page
 from .tables import DOCS, NOTE, cell, codes, spliced, table
 from .targets_page import targets_page
+from .tolerances_page import tolerances_page
 
 ROOT = Path(__file__).parents[2]
 GRAMMAR = ROOT / "compiler" / "syntax" / "burnish.lark"
@@ -215,6 +217,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "passes.md": passes_page,
     "security.md": security_page,
     "targets.md": targets_page,
+    "tolerances.md": tolerances_page,
 }
 
 

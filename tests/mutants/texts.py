@@ -97,7 +97,9 @@ _OPERAND = r"[\w.]+(?:\[\w+\])?(?:\.\w+)?"
 _ORDERED = r"(?<!max\()(?<!min\()(?<!dot\()(?<!layout\()(?<=\()"
 """The beginning of arguments of which the order matters."""
 
-KINDS: Sequence[tuple[str, str, Callable[[re.Match[str]], str]]] = (
+Kind = tuple[str, str, Callable[[re.Match[str]], str]]
+
+KINDS: Sequence[Kind] = (
     ("operand order", rf"({_OPERAND})( [-/] )({_OPERAND})", _exchanged),
     ("operator", r" (?:[-+*/<>]|<=|>=|==|!=|&&|\|\|) ", lambda found: _OTHER[found[0]]),
     ("constant", r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\w.])", _off_in_last_places),
@@ -120,10 +122,10 @@ KINDS: Sequence[tuple[str, str, Callable[[re.Match[str]], str]]] = (
 """The kinds of changes, where each can be made, and what replaces what is found."""
 
 
-def text_changes(text: str) -> list[TextChange]:
+def text_changes(text: str, kinds: Sequence[Kind] = KINDS) -> list[TextChange]:
     """All changes of a text, in the order of kinds; none of comments."""
     found: dict[TextChange, None] = {}
-    for kind, pattern, replacement in KINDS:
+    for kind, pattern, replacement in kinds:
         for match in re.finditer(pattern, text, re.MULTILINE):
             line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
             change = TextChange(kind, *match.span(), replacement(match))
@@ -133,7 +135,7 @@ def text_changes(text: str) -> list[TextChange]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Changed:
+class Changed:
     """A material, one text of which has a change."""
 
     material: CompiledMaterial
@@ -153,22 +155,25 @@ class _Changed:
         return changed(self.material, files=tuple(files))
 
 
-def _changes_of(material: CompiledMaterial, route: str) -> Iterator[_Changed]:
+def changes_of(
+    material: CompiledMaterial, route: str, kinds: Sequence[Kind] = KINDS
+) -> Iterator[Changed]:
+    """All changes of the texts of a material that a route draws."""
     for number, file in enumerate(material.files):
         if f"{file.target}:{file.profile}" == ROUTES[route].profile:
-            for change in text_changes(file.text):
-                yield _Changed(material, route, number, change)
+            for change in text_changes(file.text, kinds):
+                yield Changed(material, route, number, change)
 
 
-def _chosen(found: Sequence[_Changed], count: int, chance: random.Random) -> list[_Changed]:
+def chosen(found: Sequence[Changed], count: int, chance: random.Random) -> list[Changed]:
     """A choice of ``count`` changes, with as many as possible of each kind."""
-    kinds: dict[str, list[_Changed]] = defaultdict(list)
+    kinds: dict[str, list[Changed]] = defaultdict(list)
     for each in chance.sample(found, len(found)):
         kinds[each.change.kind].append(each)
-    chosen: list[_Changed] = []
-    while len(chosen) < count and any(kinds.values()):
-        chosen += [rows.pop() for rows in kinds.values() if rows]
-    return chosen[:count]
+    picked: list[Changed] = []
+    while len(picked) < count and any(kinds.values()):
+        picked += [rows.pop() for rows in kinds.values() if rows]
+    return picked[:count]
 
 
 def _verdict(row: Row, unchanged: Row) -> str:
@@ -204,8 +209,8 @@ def main() -> None:
                 materials = burnish.compile(path, profiles, pass_=pass_, partial=True).materials
                 for material in materials if pass_ is not None else ():
                     for route in ROUTES_DRAWN:
-                        found = list(_changes_of(material, route))
-                        planted = _chosen(found, asked.count, chance)
+                        found = list(changes_of(material, route))
+                        planted = chosen(found, asked.count, chance)
                         subjects = [(str(each), each.subject()) for each in planted]
                         label = f"{path.stem}: {pass_}"
                         (unchanged, *rows) = conform(

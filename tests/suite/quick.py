@@ -79,6 +79,7 @@ LEFT_OUT: Mapping[str, str] = {
     "targets/test_metal.py": _COMPILERS,
     "targets/test_operands_of_reads.py": _COMPILERS,
     "targets/test_own_words.py": _LARGE,
+    "tolerances/test_experiment.py": _DRAW,
     "toolchain": _COMPILERS,
     "view/test_folder.py": _DRAW,
     "view/test_hostile_requests.py": _COMMANDS,
