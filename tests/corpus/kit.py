@@ -10,8 +10,7 @@ from typing import Any
 
 import pytest
 
-from burnish.compiler.documents.writing import to_json
-from burnish.targets.conformance.corpus.making import corpus_of
+from burnish.targets.conformance.corpus.making import make
 from burnish.targets.conformance.corpus.operands import OPERATIONS
 
 SEED = 1
@@ -26,9 +25,13 @@ Json = dict[str, Any]
 
 
 @cache
+def _text(name: str) -> str:
+    return make([name], SEED, "test", lambda _share: None)[f"{name}.json"]
+
+
 def corpus(name: str) -> Json:
     """The file of an operation, with the seed that the command takes by itself."""
-    found: Json = json.loads(json.dumps(to_json(corpus_of(OPERATIONS[name], SEED))))
+    found: Json = json.loads(_text(name))
     return found
 
 

@@ -18,6 +18,8 @@ from ..suite.processes import run
 from . import backend
 from .kit import SEED
 
+pytestmark = pytest.mark.xdist_group("corpus backend")  # One process makes the folder.
+
 PAGE = Path(__file__).parents[2] / "docs" / "corpus.md"
 PROMISES = ("wgsl", "vulkan", "direct3d+vulkan")
 SHOWN = ("mul", "mod", "round", "sqrt")

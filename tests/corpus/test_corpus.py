@@ -6,6 +6,7 @@ import json
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
 
@@ -13,7 +14,7 @@ from burnish.compiler.documents.reading import ShapeError, read
 from burnish.compiler.documents.schema import json_schema
 from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin
-from burnish.stdlib.builtins.accuracy import PLATFORMS
+from burnish.stdlib.builtins.accuracy import PLATFORMS, Exact, Rounded
 from burnish.targets.conformance.corpus.bits import least_float32, most_float32
 from burnish.targets.conformance.corpus.making import INDEX, corpus_of, make
 from burnish.targets.conformance.corpus.operands import OPERATIONS
@@ -21,7 +22,7 @@ from burnish.targets.conformance.corpus.records import Corpus, CorpusIndex
 from burnish.targets.conformance.corpus.results import PROMISES
 from burnish.targets.runner.routes import EVERY_ROUTE
 
-from .kit import NAMES, SEED, cases, corpus, each_name, number, shown
+from .kit import NAMES, SEED, Json, cases, corpus, each_name, number, shown
 
 
 def texts(*names: str, seed: int = SEED) -> dict[str, str]:
@@ -56,6 +57,50 @@ def test_the_nearest_result_keeps_every_promise(name: str) -> None:
                 if not all(low <= each <= high for each in nearest):
                     wrong.append(f"{shown(overload, case)}: {nearest}, {promise}: {low} .. {high}")
     assert not wrong, "\n".join(wrong[:20])
+
+
+@each_name
+def test_intervals_say_something(name: str) -> None:
+    """Where operations are exact or correctly rounded, they say all that there is to say."""
+    for promise, platforms in PROMISES.items():
+        bounds = {type(BUILTINS[name].accuracy.on(platform).bound) for platform in platforms}
+        widths = []
+        for overload, case in cases(name):
+            is_one_step = overload["result"]["width"] == 1 and bounds <= {Exact, Rounded}
+            for lane in case["result"]:
+                width, step = _width(lane, promise, overload["result"]["kind"])
+                widths.append(width)
+                if is_one_step and _are_normal(overload, case):
+                    # Two steps where float64 has rounded a sum to a number that float32 has.
+                    assert width <= 2 * step or width == math.inf, (shown(overload, case), lane)
+        known = [width for width in widths if width < math.inf]
+        assert len(known) > 0.7 * len(widths), promise
+        assert np.median(known) < 2**-8, promise
+
+
+def _width(lane: Json, promise: str, kind: str) -> tuple[float, float]:
+    """The width of an interval, and the step of float32 there.
+
+    Both are relative to the result, or to 1 if that is less.
+    """
+    if (ends := lane["within"][promise]) is None:
+        return math.inf, 0.0
+    low, high = (number(bits, kind) for bits in ends)
+    size = max(abs(low), abs(high))
+    whole = max(size, 1.0)
+    step = math.ulp(size) * 2.0**29 if kind == "float" else 0.0
+    return (high - low) / whole, max(step, 2.0**-149) / whole
+
+
+def _are_normal(overload: Json, case: Json) -> bool:
+    """True if no operand or result is a float that a device may flush to zero."""
+    lanes = [
+        number(bits, type_["kind"])
+        for type_, operand in zip(overload["operands"], case["operands"], strict=True)
+        for bits in operand
+    ]
+    lanes += [float.fromhex(lane["exact"]) for lane in case["result"]]
+    return all(lane == 0 or abs(lane) > 2.0**-126 for lane in lanes)
 
 
 def test_files_follow_their_schemas() -> None:
