@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from burnish.compiler.documents.plan import DrawStep, ResultSource
-from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from ..frames.kit import inputs_of, of_text
@@ -26,6 +26,7 @@ from .kit import (
     lanes,
     matrix,
     moved,
+    of,
     shown,
     unit,
     written,
@@ -66,15 +67,24 @@ def around(x: float, y: float, spread: float) -> Floats:
 )
 def test_nine_comparisons_around_a_place(kind: str, layer: str, others: tuple[float, ...]) -> None:
     shadow = Compared(line=0.4 + 0.7 / SIZE[0])
-    found = shown(
+    text = (
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
-        f"color = vec3(share_lit(shadow, {layer}vec3(0.4, 0.7, 0.75), 0.25, 1.5)) }}",
-        shadow=shadow,
+        f"color = vec3(share_lit(shadow, {layer}vec3(0.4, 0.7, 0.75), 0.25, 1.5)) }}"
     )
+    found = shown(text, shadow=shadow)
     assert found == close([6 / 9] * 3)
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.4, 0.7, 1.5))
     assert (asked[:, 2:] == others).all()
+    assert shown(text, shadow=Compared(line=9.0)) == close([1] * 3)
+
+
+@truth("std.shadows.neighbour")
+def test_neighbours_are_counted_row_by_row() -> None:
+    ways = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+    for number, way in enumerate(ways):
+        found = of(f"neighbour({number}), 0", "M", "import std.shadows.{neighbour}")
+        assert found == close((*way, 0))
 
 
 @truth("std.shadows.ShadowedSpot")
@@ -102,6 +112,34 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     assert lit == close([6 / 9 * max(float(NORMAL_IN_WORLD @ to_lamp), 0.0)] * 3)
     dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
     assert dark == close((0, 0, 0))
+
+
+@truth("std.shadows.ShadowedSpot")
+def test_a_cone_fades_whatever_its_map_lets_through() -> None:
+    """Exactly between both angles, in the cosine, half of the light arrives."""
+    inner, outer = math.radians(10), math.radians(50)
+    cosine = (math.cos(inner) + math.cos(outer)) / 2
+    to_lamp = unit((0.3, 1.4, 0.8))
+    across = unit(np.cross(to_lamp, (1.0, 0.0, 0.0)))
+    axis = -to_lamp * cosine + across * math.sqrt(1 - cosine**2)
+    given: dict[str, Any] = {
+        "lamp.place": lanes(POSITION_IN_WORLD + to_lamp), "lamp.axis": lanes(axis),
+        "lamp.inner": inner, "lamp.outer": outer, "lamp.shadow": Compared(line=9.0),
+    }  # fmt: skip
+    found = shown(
+        "import std.shadows.{ShadowedSpot}\nimport std.terms.{lambert}\n"
+        "material M { color = lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }", **given,
+    )  # fmt: skip
+    assert found == close([0.5 * float(NORMAL_IN_WORLD @ to_lamp)] * 3)
+
+
+@truth("std.shadows.DepthOnly")
+@pytest.mark.parametrize("is_hidden", [True, False])
+def test_a_map_has_nothing_of_what_is_hidden(is_hidden: bool) -> None:
+    text = "import std.shadows.{DepthOnly}\nmaterial M { param gone : bool  is_hidden = gone }"
+    whole = shader(text, pass_="DepthOnly")
+    (discard,) = whole.results_of(DISCARD)
+    assert at(whole, discard.value, {**MESH, "gone": (is_hidden,)}) == (is_hidden,)
 
 
 @truth("std.shadows.DepthOnly")
@@ -132,6 +170,8 @@ def deep(middle: tuple[float, float, float]) -> Floats:
     [
         ((0.0, 0.0, 0.5), 0),  # all three show it
         ((0.9, 0.9, 0.9), 0),
+        ((0.977, 0.0, 0.5), 0),
+        ((0.982, 0.0, 0.5), 1),  # so near to the edge that a comparison beside it is outside
         ((2.0, 0.0, 0.5), 1),  # beside the first one
         ((0.0, -2.0, 0.5), 2),  # below all but the last one
         ((0.0, 9.0, 0.5), 2),  # nowhere
@@ -157,7 +197,7 @@ def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int)
         (60.0, 60.0, 40.0, 0.2, 9.0, 9.0),
         (88.0, 80.0, 79.0, 0.2, 9.0, 9.0),  # A map shows no wider cone than that.
         (0.5, 1.0, 0.4, 0.2, 9.0, 9.0),  # Nor a narrower one.
-        (45.0, 45.0, 10.0, 1.0, 0.5, 1.001),  # Its depths end behind where they begin.
+        (45.0, 45.0, 10.0, 2.0, 0.5, 2.002),  # Its depths end behind where they begin.
     ],
 )
 def test_a_point_lies_in_the_map_where_the_cone_says(
@@ -211,6 +251,7 @@ def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
         ((0.0, -1.0, 0.0), (0, 0, 1)),  # Straight down: there is another way up.
         ((0.1, 0.95, 0.2), (0, 0, 1)),
         ((0.5, -0.88, 0.1), (0, 1, 0)),
+        ((math.sqrt(0.19), 0.9, 0.0), (0, 1, 0)),
     ],
 )
 def test_the_sun_sees_a_ball(direction: tuple[float, ...], up: tuple[float, ...]) -> None:
@@ -272,8 +313,75 @@ def test_a_place_is_compared_where_the_camera_shows_it(kind: str) -> None:
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
         "param camera : transform<world, clip>  param at : point<world>\n"
         f"color = vec3(share_lit(shadow, {layer}camera, at, 0.25, 2)) }}",
-        camera=columns(np.eye(4)), at=(0.2, -0.4, 0.75), shadow=shadow,
+        camera=columns(seeing((5, 0, 0))), at=(5.2, -0.4, 0.75), shadow=shadow,
     )  # fmt: skip
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.6, 0.7, 2.0))
     assert asked[:, -1] == close(np.full(9, 0.5))
+
+
+def lens(left: float, right: float, low: float, high: float) -> Floats:
+    """A camera at the origin that looks along -z, from depth 1 to 4, through a part of the plane at
+    depth 1 that need not be in the middle: Vulkan's depths, and y upwards."""
+    x, y = 2 / (right - left), 2 / (high - low)
+    return np.array([
+        [x, 0, x * (left + right) / 2, 0], [0, y, y * (low + high) / 2, 0],
+        [0, 0, -4 / 3, -4 / 3], [0, 0, -1, 0],
+    ])  # fmt: skip
+
+
+def slice_corners(camera: Floats, number: int, count: int) -> Floats:
+    """The corners of a slice of what this camera sees: left and right, top and bottom, near and far
+    take turns in this order."""
+    back = np.linalg.inv(camera)
+    found = []
+    for end in (number, number + 1):
+        share = 0.5 * end / count + 0.5 * (4 ** (end / count) - 1) / (4 - 1)
+        for y, x in ((1, -1), (1, 1), (-1, -1), (-1, 1)):
+            near, far = (place[:3] / place[3] for place in (back @ (x, y, z, 1) for z in (0, 1)))
+            found.append(near + share * (far - near))
+    return np.array(found)
+
+
+LENSES = [lens(x - 1, x + 1, y - 0.5, y + 0.5) for x in (-2, 2) for y in (-1, 1)]
+"""Cameras that see more to one side: in each another corner is the farthest one."""
+
+
+@truth("std.shadows.corner", "std.shadows.slice_end", "std.shadows.how_far")
+@pytest.mark.parametrize("corner", range(8))
+def test_corners_of_a_slice(corner: int) -> None:
+    found = shown(
+        "import std.shadows.{corner}\nmaterial M { param camera : transform<world, clip>\n"
+        f"color = vec3(corner(camera, {corner}, 1, 3)) }}", camera=columns(LENSES[1]),
+    )  # fmt: skip
+    assert found == close(slice_corners(LENSES[1], 1, 3)[corner])
+
+
+@truth("std.shadows.cascade", "std.shadows.seen_by_sun")
+@pytest.mark.parametrize("camera", LENSES)
+def test_a_cascade_is_as_large_as_its_farthest_corner_says(camera: Floats) -> None:
+    sun, reach = unit((0.6, -0.3, 0.5)), 5.0
+    corners = slice_corners(camera, 1, 3)
+    middle = corners.mean(axis=0)
+    radius = np.linalg.norm(corners - middle, axis=1).max()
+    for place, depth in ((middle - (radius + reach) * sun, 0), (middle + radius * sun, 1)):
+        found = shown(
+            "import std.shadows.{cascade}\nmaterial M { param camera : transform<world, clip>\n"
+            "param sun : direction<world>  param at : point<world>\n"
+            f"color = vec3((cascade(camera, sun, 1, 3, {reach}) * vec4(at, 1)).xyz) }}",
+            camera=columns(camera), sun=lanes(sun), at=lanes(place),
+        )  # fmt: skip
+        assert found == close((0, 0, depth))
+
+
+@truth("std.shadows.slice_end")
+@pytest.mark.parametrize(
+    ("ratio", "is_even"),
+    [(0.25, False), (0.9988, False), (0.9992, True), (1.0008, True), (1.0012, False), (9, False)],
+)
+def test_slices_end_half_way_between_two_ways_to_divide(ratio: float, is_even: bool) -> None:
+    """Where there is almost no perspective, both are the same."""
+    even = 2 / 5
+    wanted = 0.5 * even + 0.5 * (even if is_even else (ratio**even - 1) / (ratio - 1))
+    found = of(f"slice_end({ratio}, 2, 5)", "M", "import std.shadows.{slice_end}")
+    assert found == close([wanted] * 3)

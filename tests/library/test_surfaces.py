@@ -84,13 +84,16 @@ TANGENT = (0.7, -0.2, 0.4)
 
 @truth("std.tangents.Tangents")
 @pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_tangents(sign: float) -> None:
+@pytest.mark.parametrize("mirror", [1.0, -1.0])
+def test_tangents(sign: float, mirror: float) -> None:
+    """In a mirrored object the third axis has the other sign."""
     header, imports = "M : Surface + Tangents", "import std.tangents.{Tangents}"
-    tangent = unit(WORLD[:3, :3] @ TANGENT)
-    bitangent = np.cross(NORMAL_IN_WORLD, tangent) * sign
+    world = WORLD @ np.diag((mirror, 1.0, 1.0, 1.0))
+    normal, tangent = unit(upright(world, NORMAL)), unit(world[:3, :3] @ TANGENT)
+    bitangent = np.cross(normal, tangent) * sign * mirror
     arrow = (0.3, -0.6, 0.9)
-    basis = tangent * arrow[0] + bitangent * arrow[1] + NORMAL_IN_WORLD * arrow[2]
-    given = {"vertex_tangent": (*TANGENT, sign)}
+    basis = tangent * arrow[0] + bitangent * arrow[1] + normal * arrow[2]
+    given = {"vertex_tangent": (*TANGENT, sign), "object_to_world": columns(world)}
     assert of("tangent", header, imports, **given) == close(tangent)
     assert of("bitangent", header, imports, **given) == close(bitangent)
     found = of("(vec3(0.3, -0.6, 0.9) as vector<tangent>) in world", header, imports, **given)
@@ -161,6 +164,15 @@ def test_a_mesh_on_its_way_to_another_shape() -> None:
     assert of("normal", header, imports, **given) == close(normal)
 
 
+@truth("std.morphing.Morphed")
+def test_tangents_change_with_a_shape() -> None:
+    imports = "import std.morphing.{Morphed}\nimport std.tangents.{Tangents}"
+    given = {"vertex_tangent": (*TANGENT, 1.0), "morph": 0.3, "morph_tangent": (-0.9, 0.5, 0.2)}
+    found = of("tangent", "M : Surface + Tangents + Morphed", imports, **given)
+    changed = np.array(TANGENT) + 0.3 * np.array((-0.9, 0.5, 0.2))
+    assert found == close(unit(WORLD[:3, :3] @ changed))
+
+
 @truth("std.instancing.Instanced")
 def test_an_instance_stands_where_its_transform_says() -> None:
     header, imports = "M : Surface + Instanced", "import std.instancing.{Instanced}"
@@ -173,15 +185,43 @@ def test_an_instance_stands_where_its_transform_says() -> None:
     assert of("normal", header, imports, **given) == close(normal)
 
 
-@truth("std.billboards.Billboard")
-def test_a_billboard_faces_the_viewer() -> None:
-    header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
-    center = WORLD[:3, 3]
+def facing(world: Floats) -> Floats:
+    """A billboard's transform instead of this one: upright, as large, and turned to the eye.
+
+    One that mirrors is mirrored along x.
+    """
+    center, scale = world[:3, 3], np.linalg.norm(world[:3, :3], axis=0)
+    scale[0] *= np.sign(np.linalg.det(world[:3, :3]))
     right = unit(np.cross((0.0, 1.0, 0.0), EYE - center))
-    turned = np.stack([right, (0.0, 1.0, 0.0), unit(np.cross(right, (0.0, 1.0, 0.0)))], axis=1)
-    scale = np.linalg.norm(WORLD[:3, :3], axis=0)
-    assert of("position", header, imports) == close(center + turned @ (scale * PLACE))
-    assert of("normal", header, imports) == close(unit(turned @ (np.array(NORMAL) / scale)))
+    found = np.eye(4)
+    found[:3, 0], found[:3, 1] = scale[0] * right, (0.0, scale[1], 0.0)
+    found[:3, 2], found[:3, 3] = scale[2] * unit(np.cross(right, (0.0, 1.0, 0.0))), center
+    return found
+
+
+@truth("std.billboards.Billboard")
+@pytest.mark.parametrize("mirror", [1.0, -1.0])
+def test_a_billboard_faces_the_viewer(mirror: float) -> None:
+    header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
+    world = WORLD @ np.diag((mirror, 1.0, 1.0, 1.0))
+    turned, given = facing(world), {"object_to_world": columns(world)}
+    assert of("position", header, imports, **given) == close(moved(turned, PLACE))
+    assert of("normal", header, imports, **given) == close(unit(upright(turned, NORMAL)))
+    last_row = of("object_to_world[0].w, object_to_world[1].w, object_to_world[2].w",
+                  header, imports, **given)  # fmt: skip
+    assert last_row == close((0, 0, 0))
+    assert of("object_to_world[3].w", header, imports, **given) == close([1] * 3)
+
+
+@truth("std.billboards.Billboard")
+def test_each_instance_of_a_billboard_turns_where_it_stands() -> None:
+    imports = "import std.billboards.{Billboard}\nimport std.instancing.{Instanced}"
+    own = np.diag((-1.5, 0.5, 2.0, 1.0)) + 0.1 * CHANCE.uniform(-1.0, 1.0, (4, 4))
+    own[3] = (0.0, 0.0, 0.0, 1.0)
+    given = {f"instance_transform.{i}": column for i, column in enumerate(columns(own))}
+    place = moved(facing(WORLD @ own), PLACE)
+    for header in ("M : Surface + Instanced + Billboard", "M : Surface + Billboard + Instanced"):
+        assert of("position", header, imports, **given) == close(place)
 
 
 @truth("std.vertices.VertexColors", "std.vertices.SecondUv")
@@ -194,8 +234,9 @@ def test_more_attributes() -> None:
         "material M : A + VertexColors {}", **given,
     )  # fmt: skip
     assert painted == close(found * (0.5, 0.25, 0.125))
-    seen = of("vec3(alpha, uv2)", "M : Surface + VertexColors + SecondUv", imports, **given)
-    assert seen == close(np.array((0.3, 0.6, 0.9)))
+    seen = of("vec3(alpha, uv2)", "M : A + VertexColors + SecondUv",
+              f"{imports}\nabstract material A {{ alpha = 0.5 }}", **given)  # fmt: skip
+    assert seen == close(np.array((0.15, 0.6, 0.9)))
 
 
 MOVING = np.array(
@@ -228,6 +269,15 @@ def test_all_that_a_mesh_has_moves_along(sign: float) -> None:
         moved(matrix, (1, 2, 3))
     )
     assert of(f"{rested}.position", header, imports, **given) == close(moved(twice, PLACE))
+
+
+@truth("std.motion.mirrors")
+@pytest.mark.parametrize(("depth", "is_mirrored"), [(1, 0), (0.5, 0), (0, 0), (-0.5, 1)])
+def test_a_transform_mirrors_if_it_turns_space_inside_out(depth: float, is_mirrored: int) -> None:
+    """One that makes everything flat does not."""
+    diagonal = f"mat3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, {depth}))"
+    found = of(f"float(mirrors({diagonal}))", "M", "import std.motion.{mirrors}")
+    assert found == close([is_mirrored] * 3)
 
 
 # --- spaces and transforms -----------------------------------------------------------------------
