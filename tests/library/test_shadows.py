@@ -24,12 +24,9 @@ from .kit import (
     close,
     columns,
     lanes,
-    matrix,
-    moved,
     of,
     shown,
     unit,
-    written,
 )
 from .truth import truth
 
@@ -242,32 +239,6 @@ def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
     assert seen.depth is not None and seen.depth.result == "lamp.seen.depth"
 
 
-@truth("std.shadows.seen_by_sun")
-@pytest.mark.parametrize(
-    ("direction", "up"),
-    [
-        ((0.36, -0.8, 0.48), (0, 1, 0)),
-        ((-0.6, 0.0, 0.8), (0, 1, 0)),
-        ((0.0, -1.0, 0.0), (0, 0, 1)),  # Straight down: there is another way up.
-        ((0.1, 0.95, 0.2), (0, 0, 1)),
-        ((0.5, -0.88, 0.1), (0, 1, 0)),
-        ((math.sqrt(0.19), 0.9, 0.0), (0, 1, 0)),
-    ],
-)
-def test_the_sun_sees_a_ball(direction: tuple[float, ...], up: tuple[float, ...]) -> None:
-    sun, middle, radius, reach = unit(direction), np.array((0.5, -2.0, 1.0)), 3.0, 4.0
-    camera = matrix(
-        f"seen_by_sun({written(sun, 'direction<world>')}, {written(middle)}, {radius}, {reach})",
-        "import std.shadows.{seen_by_sun}",
-    )
-    assert moved(camera, middle - radius * sun - reach * sun) == close((0, 0, 0))
-    assert moved(camera, middle + radius * sun) == close((0, 0, 1))
-    above = unit(np.array(up) - (np.array(up) @ sun) * sun)
-    right = np.cross(sun, above)
-    assert moved(camera, middle + radius * above)[:2] == close((0, 1))
-    assert moved(camera, middle + radius * right)[:2] == close((1, 0))
-
-
 @truth("std.frames.shows", "std.frames.is_in_picture")
 @pytest.mark.parametrize(
     ("place", "margin", "is_shown"),
@@ -318,70 +289,3 @@ def test_a_place_is_compared_where_the_camera_shows_it(kind: str) -> None:
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.6, 0.7, 2.0))
     assert asked[:, -1] == close(np.full(9, 0.5))
-
-
-def lens(left: float, right: float, low: float, high: float) -> Floats:
-    """A camera at the origin that looks along -z, from depth 1 to 4, through a part of the plane at
-    depth 1 that need not be in the middle: Vulkan's depths, and y upwards."""
-    x, y = 2 / (right - left), 2 / (high - low)
-    return np.array([
-        [x, 0, x * (left + right) / 2, 0], [0, y, y * (low + high) / 2, 0],
-        [0, 0, -4 / 3, -4 / 3], [0, 0, -1, 0],
-    ])  # fmt: skip
-
-
-def slice_corners(camera: Floats, number: int, count: int) -> Floats:
-    """The corners of a slice of what this camera sees: left and right, top and bottom, near and far
-    take turns in this order."""
-    back = np.linalg.inv(camera)
-    found = []
-    for end in (number, number + 1):
-        share = 0.5 * end / count + 0.5 * (4 ** (end / count) - 1) / (4 - 1)
-        for y, x in ((1, -1), (1, 1), (-1, -1), (-1, 1)):
-            near, far = (place[:3] / place[3] for place in (back @ (x, y, z, 1) for z in (0, 1)))
-            found.append(near + share * (far - near))
-    return np.array(found)
-
-
-LENSES = [lens(x - 1, x + 1, y - 0.5, y + 0.5) for x in (-2, 2) for y in (-1, 1)]
-"""Cameras that see more to one side: in each another corner is the farthest one."""
-
-
-@truth("std.shadows.corner", "std.shadows.slice_end", "std.shadows.how_far")
-@pytest.mark.parametrize("corner", range(8))
-def test_corners_of_a_slice(corner: int) -> None:
-    found = shown(
-        "import std.shadows.{corner}\nmaterial M { param camera : transform<world, clip>\n"
-        f"color = vec3(corner(camera, {corner}, 1, 3)) }}", camera=columns(LENSES[1]),
-    )  # fmt: skip
-    assert found == close(slice_corners(LENSES[1], 1, 3)[corner])
-
-
-@truth("std.shadows.cascade", "std.shadows.seen_by_sun")
-@pytest.mark.parametrize("camera", LENSES)
-def test_a_cascade_is_as_large_as_its_farthest_corner_says(camera: Floats) -> None:
-    sun, reach = unit((0.6, -0.3, 0.5)), 5.0
-    corners = slice_corners(camera, 1, 3)
-    middle = corners.mean(axis=0)
-    radius = np.linalg.norm(corners - middle, axis=1).max()
-    for place, depth in ((middle - (radius + reach) * sun, 0), (middle + radius * sun, 1)):
-        found = shown(
-            "import std.shadows.{cascade}\nmaterial M { param camera : transform<world, clip>\n"
-            "param sun : direction<world>  param at : point<world>\n"
-            f"color = vec3((cascade(camera, sun, 1, 3, {reach}) * vec4(at, 1)).xyz) }}",
-            camera=columns(camera), sun=lanes(sun), at=lanes(place),
-        )  # fmt: skip
-        assert found == close((0, 0, depth))
-
-
-@truth("std.shadows.slice_end")
-@pytest.mark.parametrize(
-    ("ratio", "is_even"),
-    [(0.25, False), (0.9988, False), (0.9992, True), (1.0008, True), (1.0012, False), (9, False)],
-)
-def test_slices_end_half_way_between_two_ways_to_divide(ratio: float, is_even: bool) -> None:
-    """Where there is almost no perspective, both are the same."""
-    even = 2 / 5
-    wanted = 0.5 * even + 0.5 * (even if is_even else (ratio**even - 1) / (ratio - 1))
-    found = of(f"slice_end({ratio}, 2, 5)", "M", "import std.shadows.{slice_end}")
-    assert found == close([wanted] * 3)
