@@ -101,8 +101,14 @@ def _told(edit: Edit, text: str) -> str:
     start, end, replacement = edit
     nearby = slice(max(0, start - 20 * AROUND), start), slice(end, end + 20 * AROUND)
     before, after = (" ".join(text[part].split()) for part in nearby)
-    inner = " -> ".join(" ".join(words.split()) for words in (text[start:end], replacement))
+    inner = " -> ".join(_short(words) for words in (text[start:end], replacement))
     return f"{before[-AROUND:].strip()} [{inner}] {after[:AROUND].strip()}"
+
+
+def _short(words: str) -> str:
+    """Words on one line, the middle of which is left out if there are many."""
+    line = " ".join(words.split())
+    return line if len(line) < 3 * AROUND else f"{line[:AROUND]}…{line[-AROUND:]}"
 
 
 def _nodes(root: object) -> Iterator[object]:

@@ -117,6 +117,8 @@ def test_one_triangle_covers_the_screen(
     assert at(whole, whole.results_of(CLIP_POSITION)[0].value, given) == close((*place, 0, 1))
     (target,) = whole.results_of(TARGET)
     assert at(whole, target.value, given)[:2] == close(uv)
+    depth = whole.render_state.depth
+    assert (depth.compare, depth.write) == ("always", False)  # Nothing hides it, and it nothing.
 
 
 @truth("std.frames.Unwrapped")
