@@ -1,14 +1,14 @@
 """The small changes of an expression of the library that make a mutant of it.
 
 Each is an edit of a file's text, as somebody could make it by mistake: an operator, a comparison, a
-number, a function, an argument or a lane is another one; a term, a factor, a function, a side of a
-choice or a whole equation is left out; a loop makes one turn more or less.
+number, a function, a name, an argument or a lane is another one; a term, a factor, a function, a
+side of a choice or a whole equation is left out; a loop makes one turn more or less.
 """
 
 from __future__ import annotations
 
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
@@ -18,32 +18,23 @@ from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
+from ..mutants.edit import Edit
+
 AROUND = 20
 """The number of characters that are told before and behind a change."""
 
 
-@dataclass(frozen=True)
-class Change:
+@dataclass(frozen=True, slots=True)
+class Change(Edit):
     """One edit of a file of the library."""
 
     file: str
     """The file's name without its ending."""
     declaration: str
     """The full name of the declaration that it changes."""
-    start: int
-    end: int
-    replacement: str
     told: str = ""
     """The declaration, and what is replaced by what, with what is around it: no other change of the
     library is told alike, and one elsewhere in the file leaves these words as they are."""
-
-    def applied(self, text: str) -> str:
-        """The file's text with the edit."""
-        return text[: self.start] + self.replacement + text[self.end :]
-
-    def line(self, text: str) -> int:
-        """The number of the line, from 1."""
-        return text.count("\n", 0, self.start) + 1
 
 
 _OPERATORS = {
@@ -70,20 +61,21 @@ _LANES = {"x": "y", "y": "x", "z": "x", "w": "z", "r": "g", "g": "r", "b": "g", 
 _NOT_CHANGED = ast.TypeName | ast.Name
 """Records of the syntax that are no expressions."""
 
-Edit = tuple[int, int, str]
+Place = tuple[int, int, str]
 """From where to where, and what is there then."""
 
 
 def changes(name: str, text: str) -> list[Change]:
     """All changes of a file of the library, in the order of its text."""
     file = parse(Source(name, text), Report())
-    found: dict[Edit, str] = {}
+    found: dict[Place, str] = {}
     for declaration in file.declarations:
         if isinstance(declaration, ast.Import):
             continue
         full = f"std.{name}.{declaration.name.text}"
+        names = _other_names(declaration)
         for node in _nodes(declaration):
-            for edit in (*_exchanges(node, text), *_omissions(node, text)):
+            for edit in (*_exchanges(node, text), *_omissions(node, text), *_misnamed(node, names)):
                 if text[edit[0] : edit[1]] != edit[2]:
                     found[edit] = full
     counts: Counter[str] = Counter()
@@ -92,11 +84,11 @@ def changes(name: str, text: str) -> list[Change]:
         told = f"{full}: {_told(edit, text)}"
         counts[told] += 1
         again = f" ({counts[told]})" if counts[told] > 1 else ""
-        made.append(Change(name, full, *edit, told + again))
+        made.append(Change(*edit, name, full, told + again))
     return made
 
 
-def _told(edit: Edit, text: str) -> str:
+def _told(edit: Place, text: str) -> str:
     """The words that are replaced and those that replace them, with some that are around."""
     start, end, replacement = edit
     nearby = slice(max(0, start - 20 * AROUND), start), slice(end, end + 20 * AROUND)
@@ -127,7 +119,7 @@ def _nodes(root: object) -> Iterator[object]:
 # --- something else is written -------------------------------------------------------------------
 
 
-def _exchanges(node: object, text: str) -> Iterator[Edit]:
+def _exchanges(node: object, text: str) -> Iterator[Place]:
     """The edits of one node that write something else."""
     match node:
         case ast.Binary(operator=operator) if operator in _OPERATORS:
@@ -173,7 +165,7 @@ def _other_numbers(digits: str, kind: str) -> Iterator[str]:
         yield repr(float(digits) * 0.75)
 
 
-def _other_calls(node: ast.Call, text: str) -> Iterator[Edit]:
+def _other_calls(node: ast.Call, text: str) -> Iterator[Place]:
     """Another function is called, or two neighbouring arguments are exchanged."""
     name = node.callee.name if isinstance(node.callee, ast.Reference) else ""
     start, end = node.callee.span.start, node.callee.span.end
@@ -188,15 +180,37 @@ def _other_calls(node: ast.Call, text: str) -> Iterator[Edit]:
             yield from _exchanged(text, one.span, other.span)
 
 
-def _exchanged(text: str, one: Span, other: Span) -> Iterator[Edit]:
+def _exchanged(text: str, one: Span, other: Span) -> Iterator[Place]:
     first, last = text[one.start : one.end], text[other.start : other.end]
     yield one.start, other.end, last + text[one.end : other.start] + first
+
+
+def _other_names(declaration: ast.Declaration) -> dict[str, str]:
+    """For names in a declaration another one, of the same type as far as one is written."""
+    alike = defaultdict[object, list[str]](list)
+    named: list[ast.Argument | ast.Param | ast.Slot] = []
+    match declaration:
+        case ast.Function(arguments=arguments, parts=parts):
+            named = [*arguments, *parts]
+        case ast.Record(members=members) | ast.Mixin(members=members):
+            named = [each for each in members if isinstance(each, ast.Param | ast.Slot)]
+    for each in named:
+        span = None if each.type is None else each.type.span
+        alike[span and span.source.text[span.start : span.end]].append(each.name.text)
+    pairs = (zip(names, names[1:] + names[:1], strict=True) for names in alike.values())
+    return dict(pair for some in pairs for pair in some)
+
+
+def _misnamed(node: object, names: dict[str, str]) -> Iterator[Place]:
+    """The edit of a reference that names something else."""
+    if isinstance(node, ast.Reference) and node.name in names:
+        yield node.span.start, node.span.end, names[node.name]
 
 
 # --- something is left out -----------------------------------------------------------------------
 
 
-def _omissions(node: object, text: str) -> Iterator[Edit]:
+def _omissions(node: object, text: str) -> Iterator[Place]:
     """The edits of one node that leave something out."""
     match node:
         case ast.Binary(operator=operator, span=span):

@@ -18,10 +18,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "(face_ray(face, uv))] ) } /// The light th"
         ),
         (
-            "std.prelude.Surface: <world> = normalize( [nonzero(eye - position) -> (eye - "
-            "position)] ) /// The position o"
-        ),
-        (
             "std.tessellation.PNTriangles: normal = normalize( [nonzero( at.x * "
             "at.x…corner[0].normal ) ) -> (at.x * at.x * corne… corner[0].normal ))] ) } } /// The "
             "distan"
@@ -150,12 +146,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.shadows.first_to_show: int = min i in 0..N [ -> + 1] : if shows(cameras[i",
         "std.shadows.first_to_show: int = min i in 0..N [ -> - 1] : if shows(cameras[i",
     ),
-    "The element that is left out is the one to begin with.": (
-        "std.reductions.Least: = group_min(min i in [0 -> 1] ..count up to 64 fro",
-        "std.reductions.Greatest: = group_max(max i in [0 -> 1] ..count up to 64 fro",
-        "std.reductions.Least: group_min(min i in 0 [ -> + 1] ..count up to 64 fro",
-        "std.reductions.Greatest: group_max(max i in 0 [ -> + 1] ..count up to 64 fro",
-    ),
     "What is read behind the end of a buffer is its last element, which counts already.": (
         "std.reductions.Least: in(min i in 0..count [ -> + 1] up to 64 from before",
         "std.reductions.Greatest: ax(max i in 0..count [ -> + 1] up to 64 from before",
@@ -198,6 +188,115 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "Light along the surface has no share.": (
         "std.environments.share_of: -> vec2 = if along.z [> -> >=] 0 and facet.z > 0 th",
+    ),
+    "No face of a cube has x downwards.": (
+        "std.frames.through_face: mat4( vec4(right.x, [- -> ] down.x, depth * ahea",
+    ),
+    "Of an edge's levels from one end to the other and back, the larger one counts anyway.": (
+        (
+            "std.tessellation.Displaced: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] { position = inherit"
+        ),
+        (
+            "std.tessellation.Displaced: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] { position = inherit"
+        ),
+        (
+            "std.tessellation.DisplacedQuads: d tessellate quad by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] { position = inherit"
+        ),
+        (
+            "std.tessellation.DisplacedQuads: d tessellate quad by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] { position = inherit"
+        ),
+        (
+            "std.tessellation.PhongTessellation: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] as at { position = i"
+        ),
+        (
+            "std.tessellation.PhongTessellation: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] as at { position = i"
+        ),
+        (
+            "std.tessellation.PNTriangles: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] as at { position = i"
+        ),
+        (
+            "std.tessellation.PNTriangles: ssellate triangle by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] as at { position = i"
+        ),
+        (
+            "std.tessellation.QuadraticSplines: ends [0, 1, 4, 3] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] as at { position = c"
+        ),
+        (
+            "std.tessellation.QuadraticSplines: ends [0, 1, 4, 3] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] as at { position = c"
+        ),
+        (
+            "std.tessellation.BezierPatches: ds [0, 3, 15, 12] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] as at { position = c"
+        ),
+        (
+            "std.tessellation.BezierPatches: ds [0, 3, 15, 12] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] as at { position = c"
+        ),
+        (
+            "std.tessellation.SplinePatches: nds [5, 6, 10, 9] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[0].fineness)] as at { position = c"
+        ),
+        (
+            "std.tessellation.SplinePatches: nds [5, 6, 10, 9] by [max(end[0].fineness, "
+            "end[1].fineness) -> (end[1].fineness)] as at { position = c"
+        ),
+        "std.tessellation.Displaced: triangle by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.DisplacedQuads: ate quad by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.PhongTessellation: triangle by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.PNTriangles: triangle by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.QuadraticSplines: 1, 4, 3] by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.BezierPatches: 15, 12] by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.SplinePatches: , 10, 9] by max(end[ [0 -> 1] ].fineness, end[1].f",
+        "std.tessellation.Displaced: nd[0].fineness, end[ [1 -> 0] ].fineness) { positi",
+        "std.tessellation.DisplacedQuads: nd[0].fineness, end[ [1 -> 0] ].fineness) { positi",
+        "std.tessellation.PhongTessellation: nd[0].fineness, end[ [1 -> 0] ].fineness) as at {",
+        "std.tessellation.PNTriangles: nd[0].fineness, end[ [1 -> 0] ].fineness) as at {",
+        "std.tessellation.QuadraticSplines: nd[0].fineness, end[ [1 -> 0] ].fineness) as at {",
+        "std.tessellation.BezierPatches: nd[0].fineness, end[ [1 -> 0] ].fineness) as at {",
+        "std.tessellation.SplinePatches: nd[0].fineness, end[ [1 -> 0] ].fineness) as at {",
+    ),
+    "The normal in the middle of an edge is the same from either end.": (
+        (
+            "std.tessellation.PNTriangles: .x * at.y * between( [corner[0].position, "
+            "corner[1].position -> corner[1].position, corner[0].position] , corner[0].normal,"
+        ),
+        (
+            "std.tessellation.PNTriangles: .y * at.z * between( [corner[1].position, "
+            "corner[2].position -> corner[2].position, corner[1].position] , corner[1].normal,"
+        ),
+        (
+            "std.tessellation.PNTriangles: .z * at.x * between( [corner[2].position, "
+            "corner[0].position -> corner[0].position, corner[2].position] , corner[2].normal,"
+        ),
+        (
+            "std.tessellation.PNTriangles: corner[2].position, [corner[0].normal, corner[1].normal "
+            "-> corner[1].normal, corner[0].normal] , corner[2].normal )"
+        ),
+        (
+            "std.tessellation.PNTriangles: n, corner[0].normal, [corner[1].normal, "
+            "corner[2].normal -> corner[2].normal, corner[1].normal] ) normal = normalize"
+        ),
+        (
+            "std.tessellation.PNTriangles: corner[1].position, [corner[0].normal, corner[1].normal "
+            "-> corner[1].normal, corner[0].normal] ) + at.y * at.z * be"
+        ),
+        (
+            "std.tessellation.PNTriangles: corner[2].position, [corner[1].normal, corner[2].normal "
+            "-> corner[2].normal, corner[1].normal] ) + at.z * at.x * be"
+        ),
+        (
+            "std.tessellation.PNTriangles: corner[0].position, [corner[2].normal, corner[0].normal "
+            "-> corner[0].normal, corner[2].normal] ) )) } } /// The dis"
+        ),
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""

@@ -50,14 +50,14 @@ def test_planted_errors_are_found() -> None:
 def test_verdicts(before: str, after: str, verdict: str) -> None:
     text = text_of("vertices")
     start = text.index(before)
-    change = Change("vertices", "std.vertices.SecondUv", start, start + len(before), after)
+    change = Change(start, start + len(before), after, "vertices", "std.vertices.SecondUv")
     assert judged(change)["verdict"] == verdict
 
 
 def test_a_default_is_known_by_the_list_of_parameters_only() -> None:
     text = text_of("morphing")
     start = text.index("per draw = 0") + len("per draw = ")
-    change = Change("morphing", "std.morphing.Morphed", start, start + 1, "0.5")
+    change = Change(start, start + 1, "0.5", "morphing", "std.morphing.Morphed")
     assert judged(change)["verdict"] == "golden"
 
 
