@@ -226,6 +226,8 @@ def _omissions(node: object, text: str) -> Iterator[Place]:
             for argument in node.arguments:
                 kept = text[argument.span.start : argument.span.end]
                 yield span.start, span.end, f"({kept})"
+        case ast.Conversion(span=span, operand=operand):
+            yield operand.span.end, span.end, ""
         case ast.Fold(initial=initial, turns=turns) if initial is not None:
             before = turns.most or turns.end
             yield before.span.end, initial.span.end, ""

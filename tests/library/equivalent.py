@@ -138,7 +138,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     "`look_at` takes only the direction of what is up.": (
         "std.shadows.seen_by_sun: 0.9 then vec3(0, 0, [1 -> 2] ) else vec3(0, 1, 0)",
         "std.shadows.seen_by_sun: , 0, 1) else vec3(0, [1 -> 2] , 0) } /// The numbe",
-        "std.frames.seen_from: rspective(2 * outer, [1 -> 2] , near, far) * look_",
         "std.frames.seen_from: xis) then vec3(0, 0, [1 -> 2] ) else vec3(0, 1, 0)",
         "std.frames.seen_from: , 0, 1) else vec3(0, [1 -> 2] , 0) } /// The view",
     ),
