@@ -297,6 +297,9 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "-> corner[0].normal, corner[2].normal] ) )) } } /// The dis"
         ),
     ),
+    "Both lanes have the same bound.": (
+        "std.frames.is_in_picture: > 0 and all(abs(at. [xy -> yx] ) <= vec2((1 - margi",
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 

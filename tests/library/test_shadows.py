@@ -245,6 +245,7 @@ def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
     [
         ((0.95, 0.0, 0.5), 0.0, 1), ((0.95, 0.0, 0.5), 0.1, 0), ((0.0, -0.85, 0.5), 0.1, 1),
         ((0.0, 0.0, 0.0), 0.0, 1), ((0.0, 0.0, 1.0), 0.0, 1), ((0.0, 0.0, 1.01), 0.0, 0),
+        ((1.0, 0.0, 0.5), 0.0, 1), ((0.0, -1.0, 0.5), 0.0, 1),
         ((0.0, 0.0, -0.01), 0.0, 0), ((0.0, 1.01, 0.5), 0.0, 0), ((-1.01, 0.0, 0.5), 0.0, 0),
     ],
 )  # fmt: skip
@@ -258,6 +259,28 @@ def test_what_a_camera_shows(place: tuple[float, ...], margin: float, is_shown: 
             camera=columns(camera), at=place,
         )  # fmt: skip
         assert found == close([wanted] * 3)
+
+
+@truth("std.frames.shows")
+@pytest.mark.parametrize(("x", "is_shown"), [(0.0, 1), (0.999, 1), (1.001, 0), (-1.001, 0)])
+def test_a_camera_shows_all_of_its_picture(x: float, is_shown: int) -> None:
+    found = shown(
+        "import std.frames.{shows}\n"
+        "material M { param camera : transform<world, clip>  param at : point<world>\n"
+        "color = vec3(float(shows(camera, at))) }",
+        camera=columns(seeing((2, 0, 0))), at=(2 + x, 0.0, 0.5),
+    )  # fmt: skip
+    assert found == close([is_shown] * 3)
+
+
+@truth("std.frames.is_in_picture")
+@pytest.mark.parametrize(("w", "is_in"), [(1e-9, 1), (0.0, 0), (-1.0, 0)])
+def test_no_picture_has_a_place_beside_the_eye(w: float, is_in: int) -> None:
+    found = shown(
+        "import std.frames.{is_in_picture}\nmaterial M { param at : vec4\n"
+        "color = vec3(float(is_in_picture(at, 0))) }", at=(0.0, 0.0, 0.0, w),
+    )  # fmt: skip
+    assert found == close([is_in] * 3)
 
 
 @truth("std.shadows.share_lit", "std.frames.is_in_picture")
