@@ -180,6 +180,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "along.z > 0] then seen * vec2(1 -"
         ),
         "std.environments.share_of: ng.z > 0 and facet.z [> -> >=] 0 then seen * vec2(1",
+        "std.environments.share_of: = if along.z > 0 and [facet -> to_eye] .z > 0 then seen * v",
         (
             "std.environments.share_of: where { eye_facet = [saturate(dot(to_eye, facet)) -> "
             "(dot(to_eye, facet))] along = 2 * eye_face"
@@ -275,14 +276,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.tessellation.PNTriangles: .z * at.x * between( [corner[2].position, "
             "corner[0].position -> corner[0].position, corner[2].position] , corner[2].normal,"
-        ),
-        (
-            "std.tessellation.PNTriangles: corner[2].position, [corner[0].normal, corner[1].normal "
-            "-> corner[1].normal, corner[0].normal] , corner[2].normal )"
-        ),
-        (
-            "std.tessellation.PNTriangles: n, corner[0].normal, [corner[1].normal, "
-            "corner[2].normal -> corner[2].normal, corner[1].normal] ) normal = normalize"
         ),
         (
             "std.tessellation.PNTriangles: corner[1].position, [corner[0].normal, corner[1].normal "

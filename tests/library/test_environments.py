@@ -121,7 +121,7 @@ def test_the_table_is_what_a_surface_mirrors_of_even_light(cosine: float, roughn
 
 @truth("std.environments.mirrored_share", "std.environments.share_of")
 @pytest.mark.parametrize("count", [5, MANY])
-@pytest.mark.parametrize(("cosine", "roughness"), [(0.9, 0.5), (0.2, 0.6), (0.6, 1.0)])
+@pytest.mark.parametrize(("cosine", "roughness"), [(0.9, 0.2), (0.2, 0.6), (0.6, 1.0)])
 def test_each_facet_has_its_share(cosine: float, roughness: float, count: int) -> None:
     """Karis 2013, the function `IntegrateBRDF`, with the masking of Walter 2007."""
     width = roughness**2

@@ -59,9 +59,11 @@ TO_LAMP = unit(LAMP - POSITION_IN_WORLD)
 
 
 @truth("std.lights.Point")
-def test_a_point_light_shines_from_its_place() -> None:
-    found = lit("Point", LIT, place=lanes(LAMP), diffuse_color=TINT)
-    assert found == close(lambert(TO_LAMP, TINT))
+@pytest.mark.parametrize("way", [(0.3, 1.4, 0.8), (-0.4, 1.2, -0.2), (0.2, -0.1, 1.5)])
+def test_a_point_light_shines_from_its_place(way: tuple[float, ...]) -> None:
+    found = lit("Point", LIT, place=lanes(POSITION_IN_WORLD + way), diffuse_color=TINT)
+    assert found == close(lambert(unit(way), TINT))
+    assert found.min() > 0
 
 
 @truth("std.lights.Spot")

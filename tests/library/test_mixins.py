@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -65,7 +67,7 @@ def test_a_normal_map_bends_the_normal() -> None:
 BONES = np.zeros((128, 4, 4))
 BONES[:, 3, 3] = 1.0
 BONES[:, :3, :] = np.eye(3, 4) + 0.3 * CHANCE.uniform(-1.0, 1.0, (128, 3, 4))
-JOINTS, WEIGHTS = (5, 0, 63, 17), (0.4, 0.1, 0.3, 0.2)
+JOINTS, WEIGHTS = (5, 2, 63, 17), (0.4, 0.1, 0.3, 0.2)
 SKIN = sum(weight * BONES[joint] for joint, weight in zip(JOINTS, WEIGHTS, strict=True))
 SKINNED = {
     "vertex_joints": JOINTS, "vertex_weights": WEIGHTS, "bones": tuple(map(columns, BONES)),
@@ -120,14 +122,14 @@ def test_an_instance_stands_where_its_transform_says() -> None:
     assert of("normal", header, imports, **given) == close(normal)
 
 
-def facing(world: Floats) -> Floats:
+def facing(world: Floats, eye: Sequence[float] = EYE) -> Floats:
     """A billboard's transform instead of this one: upright, as large, and turned to the eye.
 
     One that mirrors is mirrored along x.
     """
     center, scale = world[:3, 3], np.linalg.norm(world[:3, :3], axis=0)
     scale[0] *= np.sign(np.linalg.det(world[:3, :3]))
-    right = unit(np.cross((0.0, 1.0, 0.0), EYE - center))
+    right = unit(np.cross((0.0, 1.0, 0.0), eye - center))
     found = np.eye(4)
     found[:3, 0], found[:3, 1] = scale[0] * right, (0.0, scale[1], 0.0)
     found[:3, 2], found[:3, 3] = scale[2] * unit(np.cross(right, (0.0, 1.0, 0.0))), center
@@ -136,10 +138,11 @@ def facing(world: Floats) -> Floats:
 
 @truth("std.billboards.Billboard")
 @pytest.mark.parametrize("mirror", [1.0, -1.0])
-def test_a_billboard_faces_the_viewer(mirror: float) -> None:
+@pytest.mark.parametrize("eye", [EYE, (-2.5, 0.4, -1.2)])
+def test_a_billboard_faces_the_viewer(mirror: float, eye: tuple[float, float, float]) -> None:
     header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
     world = WORLD @ np.diag((mirror, 1.0, 1.0, 1.0))
-    turned, given = facing(world), {"object_to_world": columns(world)}
+    turned, given = facing(world, eye), {"object_to_world": columns(world), "eye": eye}
     assert of("position", header, imports, **given) == close(moved(turned, PLACE))
     assert of("normal", header, imports, **given) == close(unit(upright(turned, NORMAL)))
     last_row = of("object_to_world[0].w, object_to_world[1].w, object_to_world[2].w",
@@ -204,10 +207,15 @@ def test_all_that_a_mesh_has_moves_along(sign: float) -> None:
         moved(matrix, (1, 2, 3))
     )
     assert of(f"{rested}.position", header, imports, **given) == close(moved(twice, PLACE))
+    assert of(f"{rested}.tangent", header, imports, **given) == close(twice[:3, :3] @ TANGENT)
+    assert of(f"{rested}.normal", header, imports, **given) == close(upright(twice, NORMAL))
+    assert of(f"{rested}.handedness", header, imports, **given) == close([1.0] * 3)
 
 
 @truth("std.motion.mirrors")
-@pytest.mark.parametrize(("depth", "is_mirrored"), [(1, 0), (0.5, 0), (0, 0), (-0.5, 1)])
+@pytest.mark.parametrize(
+    ("depth", "is_mirrored"), [(1, 0), (0.5, 0), (1e-6, 0), (0, 0), (-1e-6, 1), (-0.5, 1)]
+)
 def test_a_transform_mirrors_if_it_turns_space_inside_out(depth: float, is_mirrored: int) -> None:
     """One that makes everything flat does not."""
     diagonal = f"mat3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, {depth}))"

@@ -14,6 +14,7 @@ from burnish.compiler.ir.stages import EDGE_LEVEL, TARGET
 from ..passes.kit import elaborated
 from ..passes.test_lower_expansion import Primitive
 from ..passes.test_lower_tessellation import at_patch, directly
+from .kit import close, of, unit, written
 from .truth import truth
 
 Floats = NDArray[np.float64]
@@ -135,6 +136,20 @@ def test_pn_triangles_are_what_the_paper_says(triangle: Floats) -> None:
     normal += sum(u[i] * u[j] * between(i, j) for i, j in ((0, 1), (1, 2), (2, 0)))
     normal /= np.linalg.norm(normal)
     assert drawn("PNTriangles", "normal", triangle, where) == pytest.approx(normal)
+
+
+@truth("std.tessellation.between")
+@pytest.mark.parametrize("length", [2.0, 2e-6, 5e-7])
+def test_edges_of_almost_no_length_divide_by_no_less_than_a_square_of_a_millionth(
+    length: float,
+) -> None:
+    edge = length * np.array((0.6, 0.0, 0.8))
+    normals = np.array(((0.36, 0.48, 0.8), (0.0, 0.6, 0.8)))
+    both = normals.sum(axis=0)
+    found = both - 2 * (edge @ both) / max(edge @ edge, 1e-12) * edge
+    first, last = (written(normal, "normal<world>") for normal in normals)
+    call = f"between({written((0, 0, 0))}, {written(edge)}, {first}, {last})"
+    assert of(call, "M", "import std.tessellation.{between}") == close(unit(found))
 
 
 def bezier(t: float) -> Floats:
