@@ -244,7 +244,7 @@ MIXINS = {
 @truth(*(f"std.tessellation.{name}" for name in MIXINS))
 @pytest.mark.parametrize("mixin", MIXINS)
 def test_edges_are_as_fine_as_the_detail_says(mixin: str) -> None:
-    count, _corners = MIXINS[mixin]
+    count, corners = MIXINS[mixin]
     (shader,) = elaborated(
         f"import std.tessellation.{{{mixin}}}\n"
         f"material M : Surface + {mixin} {{ detail = 2 + object_position.x  color = vec3(1) }}"
@@ -253,6 +253,8 @@ def test_edges_are_as_fine_as_the_detail_says(mixin: str) -> None:
     place = Primitive(0, 0, tuple(range(count)), values)
     levels = {at_patch(shader, row.value, place) for row in shader.results_of(EDGE_LEVEL)}
     assert levels == {5.0}
+    assert shader.tessellation is not None
+    assert (shader.tessellation.points, shader.tessellation.ends) == (count, corners)
 
 
 @truth(*(f"std.tessellation.{name}" for name in MIXINS))
