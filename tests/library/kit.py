@@ -46,6 +46,7 @@ CLIP = np.array(
     [[0.9, 0.1, -0.2, 0.4], [0.0, 1.3, 0.3, -0.1], [0.2, -0.3, -1.1, 0.7], [0.1, 0.2, -0.8, 2.0]]
 )
 PLACE, NORMAL, EYE = (0.4, -0.3, 0.6), (0.3, 0.8, 0.5), (1.5, -0.7, 2.2)
+TANGENT = (0.7, -0.2, 0.4)
 MESH: Given = {
     "vertex_position": PLACE,
     "vertex_normal": NORMAL,
@@ -96,3 +97,31 @@ def matrix(expression: str, imports: str = "") -> Floats:
 def written(v: Sequence[float] | Floats, kind: str = "point<world>") -> str:
     """A vector as an expression."""
     return f"(vec3({', '.join(map(repr, map(float, v)))}) as {kind})"
+
+
+# --- samples -------------------------------------------------------------------------------------
+
+
+def hammersley(count: int) -> Floats:
+    """Points of a square: the middles of as many strips, and the numbers' bits in reverse order."""
+    numbers = np.arange(count)
+    reverse = [int(f"{number:024b}"[::-1], 2) / 2**24 for number in numbers]
+    return np.stack([(numbers + 0.5) / count, reverse], axis=1)
+
+
+def on_circle(turn: Floats) -> Floats:
+    return np.stack([np.cos(2 * np.pi * turn), np.sin(2 * np.pi * turn)], axis=1)
+
+
+def facets(count: int, width: float) -> Floats:
+    """Normals of microfacets around +z (Walter 2007, equations 35 and 36)."""
+    x, y = hammersley(count).T
+    squared = (1 - y) / (1 + (width**2 - 1) * y)
+    return np.concatenate(
+        [np.sqrt(1 - squared)[:, None] * on_circle(x), np.sqrt(squared)[:, None]], axis=1
+    )
+
+
+def mirrored_by(normals: Floats) -> Floats:
+    """The directions to which these mirror +z."""
+    return np.asarray(2 * normals[:, 2:] * normals - np.array([0.0, 0.0, 1.0]))

@@ -2,42 +2,46 @@
 
 A mutant of the library is a copy with one small change (``changes.py``). The tests that know values
 from elsewhere (``truth.py``) have to find it: those of the changed declaration first, then those of
-its file, and of the files that import it. What they do not find either changes no value, and is
-listed in ``EQUIVALENT`` with the reason, or shows that a truth is missing.
+all that use it. What they do not find either changes no value, and has a reason in
+``equivalent.py``, or shows that a truth is missing.
 
     python -m tests.library.mutants                       # all
     python -m tests.library.mutants --count 50 --seed 7   # some by chance
     python -m tests.library.mutants --file shadows        # those of one file
+
+The table says for each file how many are caught by a truth; how many the compiler refuses; how many
+only the list of parameters shows (``parameters.txt``); how many change no value; and how many
+survive, which are told one by one.
 """
 
 from __future__ import annotations
 
 import os
 import random
-import re
 import shutil
 import sys
 import tempfile
 from argparse import ArgumentParser, RawDescriptionHelpFormatter
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, partial
 from pathlib import Path
 
 from burnish.compiler import frontend, library
+from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..mutants.judge.children import Answer, in_child
 from .changes import Change, changes
+from .equivalent import EQUIVALENT
 from .test_declarations import ELSEWHERE
-from .test_parameters import test_parameters_are_as_they_were
-from .truth import TRUTHS, Check, checks, load_all
+from .test_parameters import parameters, test_parameters_are_as_they_were
+from .truth import Test, checks, load_all
+from .users import truths_about
 
 PATIENCE = 120.0
 """The limit of one mutant, in seconds; one that takes longer counts as found."""
-
-EQUIVALENT: dict[str, str] = {}
-"""Changes that no value can show, as ``Change.told`` says them, and why."""
+VERDICTS = ("caught", "refused", "golden", "equivalent", "survived")
 
 
 def all_changes(name: str = "") -> list[Change]:
@@ -57,56 +61,43 @@ def text_of(name: str) -> str:
 
 
 def judged(change: Change) -> Answer:
-    """The verdict on a mutant: ``caught`` with the reason, or ``survived``."""
+    """The verdict on a mutant, one of ``VERDICTS``, and by which test it was found."""
+    prepare()
+    near, far = truths_about(change.declaration)
+    tests = (*near, test_parameters_are_as_they_were, *far)
+    return in_child(partial(_judged, change, tests), PATIENCE)
+
+
+@cache
+def prepare() -> None:
+    """Load what every mutant needs, so that no child does it again."""
     load_all()
-    return in_child(partial(_judged, change), PATIENCE)
+    assert list(parameters())
 
 
-def _judged(change: Change) -> Answer:
-    """What the tests say of a changed library, in a process that has compiled nothing yet."""
+def _judged(change: Change, tests: Sequence[Test]) -> Answer:
+    """What tests say of a changed library, in a process that has compiled nothing yet."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(shutil.copytree(library.FOLDER, Path(temporary) / "stdlib"))
         path = folder / f"{change.file}.burnish"
         path.write_text(change.applied(text_of(change.file)), "utf-8")
         for module in (library, frontend):
             vars(module)["FOLDER"] = folder
-        for name, check in _ordered(change):
-            try:
-                check()
-            except Exception as error:
-                return {"verdict": "caught", "by": f"{name}: {type(error).__name__}"}
-    return {"verdict": "survived"}
-
-
-def _ordered(change: Change) -> Iterator[tuple[str, Check]]:
-    """The checks that may find a change, the likeliest first, with the names of their tests."""
-    yield "test_parameters", test_parameters_are_as_they_were
-    users = _users(change.file)
-    near = [name for name in TRUTHS if name.split(".")[1] == change.file]
-    far = [name for name in TRUTHS if name.split(".")[1] in users]
-    tests = [test for name in (change.declaration, *near, *far) for test in TRUTHS.get(name, ())]
-    for test in dict.fromkeys(tests):
-        for check in checks(test):
-            yield test.__name__, check
-
-
-def _users(file: str) -> set[str]:
-    """The files of the library that import one, directly or not; every file sees some."""
-    names = {path.stem for path in library.FOLDER.glob("*.burnish")}
-    if file in ("prelude", "spaces"):
-        return names
-    found, waiting = set[str](), [file]
-    while waiting:
-        one = waiting.pop()
-        importing = {name for name in names if re.search(rf"import std\.{one}\b", text_of(name))}
-        waiting += importing - found
-        found |= importing
-    return found
+        for test in tests:
+            for check in checks(test):
+                try:
+                    check()
+                except CompileError:
+                    return {"verdict": "refused", "by": test.__name__}
+                except Exception as error:
+                    verdict = "golden" if test is test_parameters_are_as_they_were else "caught"
+                    return {"verdict": verdict, "by": f"{test.__name__}: {type(error).__name__}"}
+    return {"verdict": "equivalent" if change.told in EQUIVALENT else "survived"}
 
 
 def judge_all(chosen: Sequence[Change]) -> Iterable[tuple[Change, Answer]]:
     """The verdicts on mutants in their order, several at once."""
-    load_all()
+    prepare()
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         yield from zip(chosen, pool.map(judged, chosen), strict=True)
 
@@ -124,17 +115,26 @@ def main() -> None:
     found = all_changes(asked.file)
     chance = random.Random(asked.seed)
     chosen = chance.sample(found, min(asked.count, len(found))) if asked.count else found
-    counts: Counter[str] = Counter()
+    counts: defaultdict[str, Counter[str]] = defaultdict(Counter)
     for change, answer in judge_all(chosen):
-        text = text_of(change.file)
         verdict = answer["verdict"]
-        if verdict == "survived" and change.told(text) in EQUIVALENT:
-            verdict = "equivalent"
-        counts[verdict] += 1
+        counts[change.file][verdict] += 1
+        counts["all"][verdict] += 1
         if verdict == "survived":
-            print(f"line {change.line(text)}: {change.told(text)}", flush=True)
-    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
-    sys.exit(bool(counts["survived"]))
+            print(f"line {change.line(text_of(change.file))}: {change.told}", flush=True)
+        elif verdict != "equivalent" and change.told in EQUIVALENT:
+            print(f"no longer equivalent: {change.told}", flush=True)
+    print(table(counts))
+    sys.exit(bool(counts["all"]["survived"]))
+
+
+def table(counts: dict[str, Counter[str]]) -> str:
+    """The number of mutants by file and verdict; the last line has those of all files."""
+    rows = sorted(counts.items(), key=lambda row: (row[0] == "all", row[0]))
+    lines = [f"{'':14}" + "".join(f"{verdict:>12}" for verdict in VERDICTS)]
+    for name, counter in rows:
+        lines.append(f"{name:14}" + "".join(f"{counter[verdict]:12}" for verdict in VERDICTS))
+    return "\n".join(lines)
 
 
 if __name__ == "__main__":

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from burnish.targets.runner.frames.by_reference import ReferenceFrames
 from burnish.targets.runner.frames.host import FrameHost
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from ..frames.kit import of_text
+from .kit import Floats, facets, hammersley, mirrored_by, on_circle
 from .truth import truth
 
 AROUND = """
@@ -24,14 +24,16 @@ frame F {
     glossy = each face in cube : GlossyLight(screen, 2) with {
         around = slope.light, face = face, roughness = 0.7
     }
+    smooth = each face in cube : GlossyLight(screen, 2) with {
+        around = slope.light, face = face, roughness = 0.3
+    }
     output arriving = matt.light
     output mirrored = glossy.light
+    output smoothly = smooth.light
 }
 """
 """Coloured light that grows along an axis."""
 TINT = np.array([1.0, 0.5, 0.25])
-
-Floats = NDArray[np.float64]
 
 
 def drawn() -> ReferenceFrames:
@@ -55,13 +57,6 @@ def heights() -> Floats:
     return np.asarray(faced() @ np.array([0.6, 0.0, 0.8]), np.float64)
 
 
-def hammersley(count: int) -> Floats:
-    """Points of a square: the middles of as many strips, and the numbers' bits in reverse order."""
-    numbers = np.arange(count)
-    reverse = [int(f"{number:024b}"[::-1], 2) / 2**24 for number in numbers]
-    return np.stack([(numbers + 0.5) / count, reverse], axis=1)
-
-
 def around(axis: Floats, arrows: Floats) -> Floats:
     """Directions around +z as they are around an axis, by the basis of Duff and others (2017)."""
     x, y, z = axis
@@ -78,10 +73,6 @@ def sampled(arrows: Floats, weights: Floats) -> Floats:
     return np.array([(weights * light).sum() / weights.sum() for light in seen])
 
 
-def on_circle(turn: Floats) -> Floats:
-    return np.stack([np.cos(2 * np.pi * turn), np.sin(2 * np.pi * turn)], axis=1)
-
-
 @truth(
     "std.environments.FaceOfCube",
     "std.environments.MattLight",
@@ -93,17 +84,12 @@ def test_each_sample_counts() -> None:
     """The same samples, by NumPy. The light is read from a cube of 16 texels in 16 bits."""
     x, y = hammersley(64).T
     matt = np.concatenate([np.sqrt(1 - y)[:, None] * on_circle(x), np.sqrt(y)[:, None]], axis=1)
-    x, y = hammersley(32).T
-    width = 0.7**2
-    squared = (1 - y) / (1 + (width**2 - 1) * y)
-    facets = np.concatenate(
-        [np.sqrt(1 - squared)[:, None] * on_circle(x), np.sqrt(squared)[:, None]], axis=1
-    )
-    mirrored = 2 * facets[:, 2:] * facets - np.array([0.0, 0.0, 1.0])
+    mirrored, smoothly = (mirrored_by(facets(32, width)) for width in (0.7**2, 0.3**2))
     drawing = drawn()
     for name, arrows, weights in (
         ("arriving", matt, np.ones(64)),
         ("mirrored", mirrored, np.maximum(mirrored[:, 2], 0)),
+        ("smoothly", smoothly, np.maximum(smoothly[:, 2], 0)),
     ):
         (level,) = drawing.output(name).levels
         found = level[0, [0, 5]].reshape(-1, 4)

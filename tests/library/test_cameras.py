@@ -58,6 +58,26 @@ def test_a_lamp_sees_as_far_to_each_side_as_its_angle_says(axis: tuple[float, ..
         assert math.hypot(x, y) == pytest.approx(1)
 
 
+@truth("std.frames.seen_from")
+@pytest.mark.parametrize(
+    ("axis", "up"),
+    [
+        ((0.3, -0.4, 0.8), (0, 1, 0)), ((1.0, 1.6, -0.6), (0, 1, 0)),
+        ((math.sqrt(0.19), 0.9, 0.0), (0, 1, 0)), ((0.3, -2.0, 0.4), (0, 0, 1)),
+    ],
+)  # fmt: skip
+def test_up_is_y_unless_a_lamp_looks_almost_along_it(
+    axis: tuple[float, ...], up: tuple[float, ...]
+) -> None:
+    place, ahead = np.array([0.5, 1.0, -2.0]), unit(axis)
+    camera = matrix(
+        f"seen_from({written(place)}, {written(axis, 'vector<world>')}, 45deg, 1, 9)", IMPORTS
+    )
+    above = unit(np.array(up) - (np.array(up) @ ahead) * ahead)
+    assert projected(camera, place + 3 * (ahead + 0.5 * above))[:2] == close((0, 0.5))
+    assert projected(camera, place + 3 * (ahead + 0.5 * np.cross(ahead, above)))[0] > 0.49
+
+
 @truth("std.frames.through_face", "std.frames.face_direction")
 @pytest.mark.parametrize("face", FACES)
 def test_a_camera_sees_what_belongs_into_its_face(face: str) -> None:
@@ -117,6 +137,8 @@ def test_one_triangle_covers_the_screen(
     assert at(whole, whole.results_of(CLIP_POSITION)[0].value, given) == close((*place, 0, 1))
     (target,) = whole.results_of(TARGET)
     assert at(whole, target.value, given)[:2] == close(uv)
+    depth = whole.render_state.depth
+    assert (depth.compare, depth.write) == ("always", False)  # Nothing hides it, and it nothing.
 
 
 @truth("std.frames.Unwrapped")

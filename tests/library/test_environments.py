@@ -14,12 +14,12 @@ from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from ..semantics.kit import at, shader
-from .kit import MESH, Floats, close, lanes, of, shown, unit
+from .kit import MESH, Floats, close, facets, lanes, mirrored_by, of, shown, unit
 from .truth import truth
 
 IMPORTS = """
 import std.sampling.{axes_along, cosine_direction, facet_normal, hammersley, radical_inverse}
-import std.environments.{mirrored_share}
+import std.environments.{mirrored_along, mirrored_share, weight}
 """
 MANY = 1024
 """Samples, of which the mean is compared with an integral."""
@@ -117,6 +117,36 @@ def mirrored(cosine: float, roughness: float) -> tuple[float, float]:
 def test_the_table_is_what_a_surface_mirrors_of_even_light(cosine: float, roughness: float) -> None:
     found = value(f"mirrored_share({cosine}, {roughness}, {MANY}), 0")
     assert found[:2] == pytest.approx(mirrored(cosine, roughness), abs=6e-3)
+
+
+@truth("std.environments.mirrored_share", "std.environments.share_of")
+@pytest.mark.parametrize("count", [5, MANY])
+@pytest.mark.parametrize(("cosine", "roughness"), [(0.9, 0.2), (0.2, 0.6), (0.6, 1.0)])
+def test_each_facet_has_its_share(cosine: float, roughness: float, count: int) -> None:
+    """Karis 2013, the function `IntegrateBRDF`, with the masking of Walter 2007."""
+    width = roughness**2
+    to_eye = np.array([np.sqrt(1 - cosine**2), 0.0, cosine])
+    normals = facets(count, width)
+    eye_facet = np.clip(normals @ to_eye, 0, 1)
+    light = 2 * eye_facet * normals[:, 2] - cosine
+
+    def unmasked(c: Any) -> Any:
+        return 2 * c / (c + np.sqrt(width**2 + (1 - width**2) * c**2))
+
+    with np.errstate(invalid="ignore"):
+        seen = unmasked(light) * unmasked(cosine) * eye_facet / (normals[:, 2] * cosine)
+    seen = np.where(light > 0, seen, 0)
+    rim = (1 - eye_facet) ** 5
+    found = value(f"mirrored_share({cosine}, {roughness}, {count}), 0")
+    assert found == close([(seen * (1 - rim)).mean(), (seen * rim).mean(), 0])
+
+
+@truth("std.environments.mirrored_along", "std.environments.weight")
+@pytest.mark.parametrize("number", range(8))
+def test_facets_mirror_an_arrow_as_long_as_one(number: int) -> None:
+    arrow = mirrored_by(facets(8, 0.6**2))[number]
+    assert value(f"mirrored_along({number}, 8, 0.6)") == close(arrow)
+    assert value(f"weight(mirrored_along({number}, 8, 0.6))") == close([max(arrow[2], 0.0)] * 3)
 
 
 @truth("std.environments.mirrored_share", "std.environments.share_of")

@@ -22,7 +22,7 @@ from burnish.targets.runner.scene import Scene
 from burnish.targets.runner.scene_state import set_up
 
 from ..semantics.kit import Painted, at, shader
-from .kit import MESH, Floats, close, unit
+from .kit import MESH, Floats, close, columns, of, shown, unit
 from .truth import truth
 
 SIDE = 9
@@ -87,7 +87,7 @@ def test_what_is_reflected(metallic: float, roughness: float, degrees: float) ->
     angle = math.radians(degrees)
     found = middle(
         "Directional", lamp_direction=(-math.sin(angle), 0, -math.cos(angle)),
-        lamp_diffuse_color=(1, 1, 1), base_color=(0.8, 0.5, 0.2, 1), metallic=metallic,
+        lamp_diffuse_color=(1, 1, 1), base_color=(0.8, 0.5, 0.2, 0.3), metallic=metallic,
         roughness=roughness,
     )  # fmt: skip
     wanted = [reflected(base, metallic, roughness, angle) for base in (0.8, 0.5, 0.2)]
@@ -144,6 +144,7 @@ def placed(*scale: float) -> dict[str, Any]:
     return {"object_to_world": np.diag((*scale, 1.0)).tolist()}
 
 
+@truth("std.gltf.MetallicRoughness")
 @pytest.mark.parametrize("scale", [(-1, 1, -1), (1, -1, -1), (1, 1, -1), (-1, -1, -1)])
 def test_backs_are_lit_or_hidden(scale: tuple[float, ...]) -> None:
     """The square is turned around, or mirrored, so that its back is seen.
@@ -159,6 +160,7 @@ def test_backs_are_lit_or_hidden(scale: tuple[float, ...]) -> None:
     assert shown[0] > 0.1
 
 
+@truth("std.gltf.MetallicRoughness")
 @pytest.mark.parametrize("scale", [(-1, 1, 1), (1, -1, 1), (-1, -1, 1), (2, 0.5, 1)])
 @pytest.mark.parametrize("is_two_sided", [False, True])
 def test_the_front_of_a_mirrored_mesh_is_its_front(
@@ -172,7 +174,7 @@ def test_the_front_of_a_mirrored_mesh_is_its_front(
 
 
 @truth("std.gltf.Masked")
-@pytest.mark.parametrize(("alpha", "is_drawn"), [(0.3, False), (0.7, True)])
+@pytest.mark.parametrize(("alpha", "is_drawn"), [(0.3, False), (0.5, True), (0.7, True)])
 def test_the_cutoff(alpha: float, is_drawn: bool) -> None:
     found = middle("Directional", "Masked", base_color=(1, 1, 1, alpha), alpha_cutoff=0.5)
     assert (found[3] > 0) == is_drawn
@@ -196,7 +198,7 @@ def test_light_fades_with_the_square_of_the_distance() -> None:
 @truth("std.gltf.PunctualSpot")
 @pytest.mark.parametrize(
     ("degrees", "share"),
-    [(0, 1), (20, 1), (40, 0.5), (60, 0)],
+    [(0, 1), (20, 1), (40, 0.5), (60, 0), (175, 0)],
 )
 def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
     """In the middle between both cosines, the square of one half is left."""
@@ -205,10 +207,70 @@ def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
     if share == 0.5:
         axis = math.acos((math.cos(inner) + math.cos(outer)) / 2)
     found = middle(
-        "PunctualSpot", lamp_place=(0, 0, 1), lamp_diffuse_color=(1, 1, 1), lamp_inner=inner,
+        "PunctualSpot", lamp_place=(0, 0, 2), lamp_diffuse_color=(4, 4, 4), lamp_inner=inner,
         lamp_outer=outer, lamp_axis=(math.sin(axis), 0, -math.cos(axis)),
     )  # fmt: skip
     assert found[0] == pytest.approx(reflected(1, 1, 1, 0) * share**2, rel=1e-4, abs=1e-6)
+
+
+@truth("std.gltf.PunctualSpot")
+@pytest.mark.parametrize("inner", [30.0, 60.0])
+def test_the_edge_of_a_cone_is_hard_if_the_inner_one_is_not_smaller(inner: float) -> None:
+    """It is as wide as a millionth, in the cosine, so that nothing is divided by zero."""
+    outer = math.cos(math.radians(30))
+    for cosine, share in ((0.9, 1.0), (outer + 5e-7, 0.5), (outer - 1e-9, 0.0), (0.8, 0.0)):
+        found = at_origin(
+            "PunctualSpot", "light_arriving()", place=(0.0, 0.0, 1.0),
+            axis=(math.sqrt(1 - cosine**2), 0.0, -cosine), inner=math.radians(inner),
+            outer=math.radians(30),
+        )  # fmt: skip
+        assert found == pytest.approx([share**2] * 3, rel=1e-6, abs=1e-12)
+
+
+def at_origin(light: str, color: str, **values: Any) -> Floats:
+    """A colour at the origin, under one light; ``light_arriving()`` is what arrives of it."""
+    text = (
+        f"import std.gltf.{{{light}, MetallicRoughness}}\nterm light_arriving() per light ="
+        f" light.diffuse\nmaterial M {{ color = {color} }}\nrig R {{ lamp : {light} }}"
+    )
+    named = {f"lamp.{name}": value for name, value in values.items()}
+    place = {"vertex_position": (0.0, 0.0, 0.0), "object_to_world": columns(np.eye(4))}
+    return shown(text, **place, **named)
+
+
+def value_of(slot: str, **values: Any) -> Floats:
+    """A number of the glTF material, whose maps are white if nothing else is given."""
+    given: dict[str, Any] = {"vertex_tangent": (1.0, 0.0, 0.0, 1.0)}
+    imports = "import std.gltf.{MetallicRoughness}"
+    return of(slot, "M : MetallicRoughness", imports, **given | values)
+
+
+@truth("std.gltf.MetallicRoughness")
+@pytest.mark.parametrize(
+    ("roughness", "green", "width"), [(0.5, 0.6, 0.09), (0.0, 1.0, 0.002025), (1.0, 0.04, 0.002025)]
+)
+def test_no_surface_is_so_smooth_that_highlights_vanish(
+    roughness: float, green: float, width: float
+) -> None:
+    """The square of the roughness, which is 0.045 at least."""
+    painted = Painted(lambda _u, _v: (0.0, green, 0.0, 1.0))
+    found = value_of("width", roughness=roughness, metallic_roughness_map=painted)
+    assert found == close([width] * 3)
+
+
+@truth("std.gltf.MetallicRoughness")
+@pytest.mark.parametrize("hand", [1.0, -1.0])
+@pytest.mark.parametrize("mirror", [1.0, -1.0])
+@pytest.mark.parametrize("is_facing", [True, False])
+def test_the_front_is_the_other_side_where_a_mesh_is_mirrored(
+    hand: float, mirror: float, is_facing: bool
+) -> None:
+    """Whichever hand the axes of its textures have."""
+    found = value_of(
+        "float(is_front)", vertex_tangent=(1.0, 0.0, 0.0, hand), front_facing=(is_facing,),
+        object_to_world=columns(np.diag((mirror, 1.0, 1.0, 1.0))),
+    )  # fmt: skip
+    assert found == close([float(is_facing == (mirror > 0))] * 3)
 
 
 @truth("std.gltf.PaintedVertices")
@@ -250,33 +312,37 @@ BASE = np.array((0.8, 0.5, 0.2))
 
 @truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough", "std.gltf.leaning")
 @pytest.mark.parametrize(
-    ("towards", "roughness", "scale"),
+    ("towards", "roughness", "scale", "blue"),
     [
-        ((0.6, 0.0, 0.8), 0.5, 1.0),
-        ((-0.3, 0.5, 0.8), 0.0, 0.5),  # as smooth as it can be
-        ((0.9, 0.1, 0.1), 0.7, -2.0),
-        ((-0.8, 0.2, -0.6), 0.7, 1.0),  # from behind
+        ((0.6, 0.0, 0.8), 0.5, 1.0, 230),
+        ((-0.3, 0.5, 0.8), 0.0, 0.5, 230),  # as smooth as it can be
+        ((0.9, 0.1, 0.1), 0.7, -2.0, 230),
+        ((-0.8, 0.2, -0.6), 0.7, 1.0, 230),  # from behind
+        ((0.95, 0.0, 0.3), 0.7, 1.0, 50),  # The map bends the normal away from the eye.
     ],
 )
-def test_a_bent_surface(towards: tuple[float, ...], roughness: float, scale: float) -> None:
+def test_a_bent_surface(
+    towards: tuple[float, ...], roughness: float, scale: float, blue: int
+) -> None:
     """The square is in the plane of x and y, so its axes are those of the world."""
-    texel, rough, metal, occluded = (204, 102, 230), 178, 128, 51
+    texel, rough, metal, occluded = (204, 102, blue), 178, 128, 51
     light = unit(towards)
     found = middle(
-        "Directional", lamp_direction=tuple(-light), lamp_diffuse_color=(1, 1, 1),
+        "Directional", lamp_direction=tuple(-light), lamp_diffuse_color=(0.5, 2, 1.5),
         base_color=(*BASE, 1), metallic=0.75, roughness=roughness, normal_scale=scale,
         normal_map=Texture.solid(tuple(lane / 255 for lane in texel)),
         metallic_roughness_map=Texture.solid((0, rough / 255, metal / 255, 1)),
         occlusion_map=Texture.solid((occluded / 255, 1, 1)), occlusion_strength=0.5,
         ambient_light=(0.1, 0.2, 0.4), emissive=(0.5, 0.25, 1),
-        emissive_map=Texture.solid((1, 0, 1)),
+        emissive_map=Texture.solid((0.4, 0, 1)),
     )  # fmt: skip
     lean = 2 * np.array(texel) / 255 - 1
     normal = unit(lean * (scale, scale, 1))
     metallic = 0.75 * metal / 255
     wanted = shaded(normal, light, np.array((0, 0, 1.0)), BASE, metallic, roughness * rough / 255)
+    wanted *= (0.5, 2, 1.5)
     occlusion = 0.5 + 0.5 * occluded / 255
-    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * BASE * (1 - metallic) + (0.5, 0, 1)
+    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * BASE * (1 - metallic) + (0.2, 0, 1)
     assert np.allclose(found[:3], wanted, rtol=2e-5)
 
 

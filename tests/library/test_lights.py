@@ -14,6 +14,7 @@ from .kit import (
     TO_EYE,
     Floats,
     close,
+    columns,
     lanes,
     shown,
     unit,
@@ -22,7 +23,8 @@ from .truth import truth
 
 # --- lights --------------------------------------------------------------------------------------
 
-LIT = "ambient(#000) + lambert(vec3(1))"
+LIT = "ambient(#000) + lambert(vec3(0.7, 0.4, 0.25))"
+SURFACE = (0.7, 0.4, 0.25)
 TINT = (0.9, 0.5, 0.2)
 
 
@@ -38,7 +40,8 @@ def lit(light: str, term: str, /, **given: Any) -> Floats:
 
 
 def lambert(to_light: Any, arriving: Any) -> Floats:
-    return max(float(NORMAL_IN_WORLD @ to_light), 0.0) * np.asarray(arriving)
+    cosine = max(float(NORMAL_IN_WORLD @ to_light), 0.0)
+    return np.asarray(cosine * np.multiply(SURFACE, arriving), np.float64)
 
 
 @truth("std.lights.Directional", "std.prelude.Light", "std.terms.lambert")
@@ -56,13 +59,15 @@ TO_LAMP = unit(LAMP - POSITION_IN_WORLD)
 
 
 @truth("std.lights.Point")
-def test_a_point_light_shines_from_its_place() -> None:
-    found = lit("Point", LIT, place=lanes(LAMP), diffuse_color=TINT)
-    assert found == close(lambert(TO_LAMP, TINT))
+@pytest.mark.parametrize("way", [(0.3, 1.4, 0.8), (-0.4, 1.2, -0.2), (0.2, -0.1, 1.5)])
+def test_a_point_light_shines_from_its_place(way: tuple[float, ...]) -> None:
+    found = lit("Point", LIT, place=lanes(POSITION_IN_WORLD + way), diffuse_color=TINT)
+    assert found == close(lambert(unit(way), TINT))
+    assert found.min() > 0
 
 
 @truth("std.lights.Spot")
-@pytest.mark.parametrize("turn", [0.0, 14.0, 22.0, 29.0, 31.0, 80.0])
+@pytest.mark.parametrize("turn", [0.0, 14.0, 22.0, 29.0, 31.0, 80.0, 170.0])
 def test_a_spot_fades_between_its_cones(turn: float) -> None:
     inner, outer = math.radians(15.0), math.radians(30.0)
     across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
@@ -74,6 +79,16 @@ def test_a_spot_fades_between_its_cones(turn: float) -> None:
     falloff = part * part * (3.0 - 2.0 * part)
     assert found == close(falloff * lambert(TO_LAMP, TINT))
     assert (falloff > 0) == (turn < 30.0)
+
+
+@truth("std.lights.Spot")
+@pytest.mark.parametrize(("turn", "arrives"), [(0.0, 1.0), (29.0, 1.0), (31.0, 0.0), (45.0, 0.0)])
+def test_the_edge_is_hard_if_the_inner_cone_is_the_larger_one(turn: float, arrives: float) -> None:
+    across = unit(np.cross(TO_LAMP, (1.0, 0.0, 0.0)))
+    axis = -TO_LAMP * math.cos(math.radians(turn)) + across * math.sin(math.radians(turn))
+    found = lit("Spot", LIT, place=lanes(LAMP), diffuse_color=TINT, axis=lanes(axis),
+                inner=math.radians(50.0), outer=math.radians(30.0))  # fmt: skip
+    assert found == close(arrives * lambert(TO_LAMP, TINT))
 
 
 @truth("std.lights.Spot", "std.prelude.Light")
@@ -104,8 +119,6 @@ def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
 
 # --- terms ---------------------------------------------------------------------------------------
 
-SURFACE = (0.7, 0.4, 0.25)
-
 
 @truth("std.terms.ambient")
 def test_ambient_light() -> None:
@@ -132,6 +145,37 @@ def test_a_highlight_after_phong(place: Any) -> None:
     power = max(float(mirrored @ TO_EYE), 0.0) ** 5 if cosine > 0 else 0.0
     found = lit("Point", "phong(vec3(0.7, 0.4, 0.25), 5)", place=lanes(place), specular_color=TINT)
     assert found == close(power * np.multiply(SURFACE, TINT))
+
+
+FLAT: dict[str, Any] = {
+    "object_to_world": columns(np.eye(4)), "vertex_position": (0.0, 0.0, 0.0),
+    "vertex_normal": (0.0, 0.0, 1.0),
+}  # fmt: skip
+"""A point at the origin of a surface that lies in the plane of x and y."""
+
+
+@truth("std.terms.mirrored")
+def test_light_along_a_surface_has_no_highlight() -> None:
+    """It travels to the eye, exactly along the surface."""
+    text = (
+        "import std.lights.{Directional}\nimport std.terms.{phong}\n"
+        "material M { color = phong(vec3(1), 5) }\nrig R { lamp : Directional }"
+    )
+    for height, arrives in ((0.0, 0.0), (1e-9, 1.0)):
+        along = {"lamp.direction": lanes(unit((1.0, 0.0, -height))), "eye": (2.0, 0.0, 0.0)}
+        assert shown(text, **FLAT, **along) == pytest.approx([arrives] * 3)
+
+
+@truth("std.terms.blinn_phong", "std.terms.blinn_coefficients")
+def test_no_highlight_is_seen_from_behind() -> None:
+    text = (
+        "import std.lights.{Directional}\nimport std.terms.{blinn_phong}\n"
+        "material M { color = blinn_phong(vec3(0), 5) }\nrig R { lamp : Directional }"
+    )
+    sun = {"lamp.direction": lanes(unit((1.0, 0.0, -0.5)))}
+    before, behind = (shown(text, **FLAT, **sun, eye=(0.5, 0.0, z)) for z in (2.0, -2.0))
+    assert before.min() > 0.1
+    assert behind == close((0, 0, 0))
 
 
 @truth("std.terms.blinn_phong", "std.terms.blinn_coefficients")

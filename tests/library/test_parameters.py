@@ -1,4 +1,5 @@
-"""The parameters of the library, and slots that are numbers, as ``parameters.txt`` lists them.
+"""The parameters, attributes, buffers, targets and results of the library, and slots that are
+numbers, as ``parameters.txt`` lists them.
 
 Users' hosts depend on all of these, and no formula says what they are. The list was read by people:
 lengths and angles are those of the manual, and ranges end before anything has no meaning.
@@ -7,6 +8,7 @@ lengths and angles are those of the manual, and ranges end before anything has n
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 from burnish.compiler import library
@@ -21,18 +23,36 @@ GOLDEN = Path(__file__).parent / "parameters.txt"
 
 
 def parameters() -> Iterator[str]:
-    """Each parameter of the library as it is written, below the name of its owner."""
+    """Each of them as it is written, behind the name of its owner."""
     for path in sorted(library.FOLDER.glob("*.burnish")):
-        text = path.read_text("utf-8")
-        for declaration in parse(Source(path.name, text), Report()).declarations:
-            if not isinstance(declaration, ast.Record | ast.Mixin):
-                continue
+        yield from parameters_of(path.stem, path.read_text("utf-8"))
+
+
+@lru_cache(maxsize=64)
+def parameters_of(name: str, text: str) -> tuple[str, ...]:
+    """Those of one file. Mutants ask again for the files that they do not change."""
+    found = []
+    for declaration in parse(Source(name, text), Report()).declarations:
+        if isinstance(declaration, ast.Record | ast.Mixin):
             for member in declaration.members:
-                named = isinstance(member, ast.Param | ast.Texture)
-                if named or (isinstance(member, ast.Slot) and isinstance(member.value, ast.Number)):
-                    span = member.span
-                    said = " ".join(text[span.start : span.end].split())
-                    yield f"std.{path.stem}.{declaration.name.text}: {said}"
+                if said := " ".join(text[slice(*_told(member))].split()):
+                    found.append(f"std.{name}.{declaration.name.text}: {said}")
+    return tuple(found)
+
+
+def _told(member: ast.Member) -> tuple[int, int]:
+    """The part of a member that the list has."""
+    span = member.span
+    match member:
+        case ast.Param() | ast.Texture() | ast.Attribute() | ast.Buffer():
+            return span.start, span.end
+        case ast.Slot(value=ast.Number()):
+            return span.start, span.end
+        case ast.Target(format=format_):
+            return span.start, format_.span.end
+        case ast.Result(type=type_):
+            return span.start, type_.span.end
+    return 0, 0
 
 
 def test_parameters_are_as_they_were() -> None:

@@ -5,6 +5,7 @@ The reference computes each kernel as often as a host would run it.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any
 
@@ -68,6 +69,7 @@ def reduced(name: str, values: Array) -> float:
 @pytest.mark.parametrize("count", SIZES)
 def test_one_element_is_left(count: int) -> None:
     values = numbers(count)
+    assert len(run("Whole", before=values)) == math.ceil(count / 4096)
     assert reduced("Whole", values) == values.sum()
     assert reduced("Lowest", values) == values.min()
     assert reduced("Highest", values) == values.max()
@@ -80,6 +82,27 @@ def test_the_extreme_element_is_found_wherever_it_is(place: int) -> None:
     values[place] = -1
     assert reduced("Lowest", values) == -1
     assert reduced("Highest", -values) == 1
+
+
+@truth("std.reductions.InBlocks", "std.reductions.Least", "std.reductions.Greatest",
+       "std.reductions.Total")  # fmt: skip
+@pytest.mark.parametrize("place", [0, 63, 64, 4031, 4032, 4095])
+def test_each_4096_elements_have_a_result_of_their_own(place: int) -> None:
+    """The extreme elements are at the same place of each block, and no other element is near 0."""
+    values = np.full(3 * 4096 + 100, 50, np.float32)
+    wanted = np.array([20, 10, 30, 50], np.float32)
+    values[place : 3 * 4096 : 4096] = wanted[:3]
+    assert (run("Lowest", before=values) == wanted).all()
+    assert (run("Highest", before=-values) == -wanted).all()
+    sums = np.add.reduceat(values, np.arange(4) * 4096)
+    assert (run("Whole", before=values) == sums).all()
+
+
+@truth("std.reductions.BlockCounts")
+@pytest.mark.parametrize("count", [1, 64, 65, 100, 256])
+def test_each_64_counts_have_a_sum_of_their_own(count: int) -> None:
+    counts = np.random.default_rng(count).integers(1, 9, count).astype(np.uint32)
+    assert (run("Blocks", counts=counts) == np.add.reduceat(counts, np.arange(0, count, 64))).all()
 
 
 def prefix_sums(counts: Array) -> Array:

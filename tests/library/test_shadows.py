@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from burnish.compiler.documents.plan import DrawStep, ResultSource
-from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.ir.stages import DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from ..frames.kit import inputs_of, of_text
@@ -24,11 +24,9 @@ from .kit import (
     close,
     columns,
     lanes,
-    matrix,
-    moved,
+    of,
     shown,
     unit,
-    written,
 )
 from .truth import truth
 
@@ -66,15 +64,24 @@ def around(x: float, y: float, spread: float) -> Floats:
 )
 def test_nine_comparisons_around_a_place(kind: str, layer: str, others: tuple[float, ...]) -> None:
     shadow = Compared(line=0.4 + 0.7 / SIZE[0])
-    found = shown(
+    text = (
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
-        f"color = vec3(share_lit(shadow, {layer}vec3(0.4, 0.7, 0.75), 0.25, 1.5)) }}",
-        shadow=shadow,
+        f"color = vec3(share_lit(shadow, {layer}vec3(0.4, 0.7, 0.75), 0.25, 1.5)) }}"
     )
+    found = shown(text, shadow=shadow)
     assert found == close([6 / 9] * 3)
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.4, 0.7, 1.5))
     assert (asked[:, 2:] == others).all()
+    assert shown(text, shadow=Compared(line=9.0)) == close([1] * 3)
+
+
+@truth("std.shadows.neighbour")
+def test_neighbours_are_counted_row_by_row() -> None:
+    ways = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+    for number, way in enumerate(ways):
+        found = of(f"neighbour({number}), 0", "M", "import std.shadows.{neighbour}")
+        assert found == close((*way, 0))
 
 
 @truth("std.shadows.ShadowedSpot")
@@ -102,6 +109,34 @@ def test_a_spot_is_lit_by_what_its_map_lets_through() -> None:
     assert lit == close([6 / 9 * max(float(NORMAL_IN_WORLD @ to_lamp), 0.0)] * 3)
     dark = shown(text, **given, **{"lamp.shadow": Compared(line=-2.0)})
     assert dark == close((0, 0, 0))
+
+
+@truth("std.shadows.ShadowedSpot")
+def test_a_cone_fades_whatever_its_map_lets_through() -> None:
+    """Exactly between both angles, in the cosine, half of the light arrives."""
+    inner, outer = math.radians(10), math.radians(50)
+    cosine = (math.cos(inner) + math.cos(outer)) / 2
+    to_lamp = unit((0.3, 1.4, 0.8))
+    across = unit(np.cross(to_lamp, (1.0, 0.0, 0.0)))
+    axis = -to_lamp * cosine + across * math.sqrt(1 - cosine**2)
+    given: dict[str, Any] = {
+        "lamp.place": lanes(POSITION_IN_WORLD + to_lamp), "lamp.axis": lanes(axis),
+        "lamp.inner": inner, "lamp.outer": outer, "lamp.shadow": Compared(line=9.0),
+    }  # fmt: skip
+    found = shown(
+        "import std.shadows.{ShadowedSpot}\nimport std.terms.{lambert}\n"
+        "material M { color = lambert(vec3(1)) }\nrig R { lamp : ShadowedSpot }", **given,
+    )  # fmt: skip
+    assert found == close([0.5 * float(NORMAL_IN_WORLD @ to_lamp)] * 3)
+
+
+@truth("std.shadows.DepthOnly")
+@pytest.mark.parametrize("is_hidden", [True, False])
+def test_a_map_has_nothing_of_what_is_hidden(is_hidden: bool) -> None:
+    text = "import std.shadows.{DepthOnly}\nmaterial M { param gone : bool  is_hidden = gone }"
+    whole = shader(text, pass_="DepthOnly")
+    (discard,) = whole.results_of(DISCARD)
+    assert at(whole, discard.value, {**MESH, "gone": (is_hidden,)}) == (is_hidden,)
 
 
 @truth("std.shadows.DepthOnly")
@@ -132,6 +167,8 @@ def deep(middle: tuple[float, float, float]) -> Floats:
     [
         ((0.0, 0.0, 0.5), 0),  # all three show it
         ((0.9, 0.9, 0.9), 0),
+        ((0.977, 0.0, 0.5), 0),
+        ((0.982, 0.0, 0.5), 1),  # so near to the edge that a comparison beside it is outside
         ((2.0, 0.0, 0.5), 1),  # beside the first one
         ((0.0, -2.0, 0.5), 2),  # below all but the last one
         ((0.0, 9.0, 0.5), 2),  # nowhere
@@ -157,7 +194,7 @@ def test_the_first_map_that_shows_a_point(place: tuple[float, ...], number: int)
         (60.0, 60.0, 40.0, 0.2, 9.0, 9.0),
         (88.0, 80.0, 79.0, 0.2, 9.0, 9.0),  # A map shows no wider cone than that.
         (0.5, 1.0, 0.4, 0.2, 9.0, 9.0),  # Nor a narrower one.
-        (45.0, 45.0, 10.0, 1.0, 0.5, 1.001),  # Its depths end behind where they begin.
+        (45.0, 45.0, 10.0, 2.0, 0.5, 2.002),  # Its depths end behind where they begin.
     ],
 )
 def test_a_point_lies_in_the_map_where_the_cone_says(
@@ -202,37 +239,13 @@ def test_a_lamp_draws_what_it_sees_into_its_map() -> None:
     assert seen.depth is not None and seen.depth.result == "lamp.seen.depth"
 
 
-@truth("std.shadows.seen_by_sun")
-@pytest.mark.parametrize(
-    ("direction", "up"),
-    [
-        ((0.36, -0.8, 0.48), (0, 1, 0)),
-        ((-0.6, 0.0, 0.8), (0, 1, 0)),
-        ((0.0, -1.0, 0.0), (0, 0, 1)),  # Straight down: there is another way up.
-        ((0.1, 0.95, 0.2), (0, 0, 1)),
-        ((0.5, -0.88, 0.1), (0, 1, 0)),
-    ],
-)
-def test_the_sun_sees_a_ball(direction: tuple[float, ...], up: tuple[float, ...]) -> None:
-    sun, middle, radius, reach = unit(direction), np.array((0.5, -2.0, 1.0)), 3.0, 4.0
-    camera = matrix(
-        f"seen_by_sun({written(sun, 'direction<world>')}, {written(middle)}, {radius}, {reach})",
-        "import std.shadows.{seen_by_sun}",
-    )
-    assert moved(camera, middle - radius * sun - reach * sun) == close((0, 0, 0))
-    assert moved(camera, middle + radius * sun) == close((0, 0, 1))
-    above = unit(np.array(up) - (np.array(up) @ sun) * sun)
-    right = np.cross(sun, above)
-    assert moved(camera, middle + radius * above)[:2] == close((0, 1))
-    assert moved(camera, middle + radius * right)[:2] == close((1, 0))
-
-
 @truth("std.frames.shows", "std.frames.is_in_picture")
 @pytest.mark.parametrize(
     ("place", "margin", "is_shown"),
     [
         ((0.95, 0.0, 0.5), 0.0, 1), ((0.95, 0.0, 0.5), 0.1, 0), ((0.0, -0.85, 0.5), 0.1, 1),
         ((0.0, 0.0, 0.0), 0.0, 1), ((0.0, 0.0, 1.0), 0.0, 1), ((0.0, 0.0, 1.01), 0.0, 0),
+        ((1.0, 0.0, 0.5), 0.0, 1), ((0.0, -1.0, 0.5), 0.0, 1),
         ((0.0, 0.0, -0.01), 0.0, 0), ((0.0, 1.01, 0.5), 0.0, 0), ((-1.01, 0.0, 0.5), 0.0, 0),
     ],
 )  # fmt: skip
@@ -246,6 +259,28 @@ def test_what_a_camera_shows(place: tuple[float, ...], margin: float, is_shown: 
             camera=columns(camera), at=place,
         )  # fmt: skip
         assert found == close([wanted] * 3)
+
+
+@truth("std.frames.shows")
+@pytest.mark.parametrize(("x", "is_shown"), [(0.0, 1), (0.999, 1), (1.001, 0), (-1.001, 0)])
+def test_a_camera_shows_all_of_its_picture(x: float, is_shown: int) -> None:
+    found = shown(
+        "import std.frames.{shows}\n"
+        "material M { param camera : transform<world, clip>  param at : point<world>\n"
+        "color = vec3(float(shows(camera, at))) }",
+        camera=columns(seeing((2, 0, 0))), at=(2 + x, 0.0, 0.5),
+    )  # fmt: skip
+    assert found == close([is_shown] * 3)
+
+
+@truth("std.frames.is_in_picture")
+@pytest.mark.parametrize(("w", "is_in"), [(1e-9, 1), (0.0, 0), (-1.0, 0)])
+def test_no_picture_has_a_place_beside_the_eye(w: float, is_in: int) -> None:
+    found = shown(
+        "import std.frames.{is_in_picture}\nmaterial M { param at : vec4\n"
+        "color = vec3(float(is_in_picture(at, 0))) }", at=(0.0, 0.0, 0.0, w),
+    )  # fmt: skip
+    assert found == close([is_in] * 3)
 
 
 @truth("std.shadows.share_lit", "std.frames.is_in_picture")
@@ -272,7 +307,7 @@ def test_a_place_is_compared_where_the_camera_shows_it(kind: str) -> None:
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
         "param camera : transform<world, clip>  param at : point<world>\n"
         f"color = vec3(share_lit(shadow, {layer}camera, at, 0.25, 2)) }}",
-        camera=columns(np.eye(4)), at=(0.2, -0.4, 0.75), shadow=shadow,
+        camera=columns(seeing((5, 0, 0))), at=(5.2, -0.4, 0.75), shadow=shadow,
     )  # fmt: skip
     asked = np.array(sorted(set(shadow.asked)))
     assert asked[:, :2] == close(around(0.6, 0.7, 2.0))

@@ -15,31 +15,25 @@ import pytest
 from burnish.compiler.ir.stages import CLIP_POSITION, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
-from ..semantics.kit import Painted, at, shader
+from ..semantics.kit import at, shader
 from .kit import (
     CLIP,
-    EYE,
     MESH,
-    NORMAL,
     NORMAL_IN_WORLD,
     PLACE,
     POSITION_IN_WORLD,
+    TANGENT,
     TO_EYE,
     WORLD,
     Floats,
     close,
-    columns,
     matrix,
     moved,
     of,
-    shown,
     unit,
     upright,
 )
 from .truth import truth
-
-CHANCE = np.random.default_rng(20)
-"""Numbers without a pattern, so that an exchange of lanes is seen."""
 
 # --- surfaces ------------------------------------------------------------------------------------
 
@@ -52,6 +46,7 @@ CHANCE = np.random.default_rng(20)
         ("normal", NORMAL_IN_WORLD),
         ("to_eye", TO_EYE),
         ("object_position", PLACE),
+        ("object_tangent", (0.0, 0.0, 0.0)),
         ("vec3(uv, pi)", (0.3, 0.8, math.pi)),
         ("ambient_light", (0.1, 0.1, 0.1)),
     ],
@@ -77,24 +72,7 @@ def test_the_librarys_pass_writes_colour_and_alpha() -> None:
     assert at(whole, target.value, MESH) == close((0.5, 0.25, 0.75, 0.125))
 
 
-# --- mixins --------------------------------------------------------------------------------------
-
-TANGENT = (0.7, -0.2, 0.4)
-
-
-@truth("std.tangents.Tangents")
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_tangents(sign: float) -> None:
-    header, imports = "M : Surface + Tangents", "import std.tangents.{Tangents}"
-    tangent = unit(WORLD[:3, :3] @ TANGENT)
-    bitangent = np.cross(NORMAL_IN_WORLD, tangent) * sign
-    arrow = (0.3, -0.6, 0.9)
-    basis = tangent * arrow[0] + bitangent * arrow[1] + NORMAL_IN_WORLD * arrow[2]
-    given = {"vertex_tangent": (*TANGENT, sign)}
-    assert of("tangent", header, imports, **given) == close(tangent)
-    assert of("bitangent", header, imports, **given) == close(bitangent)
-    found = of("(vec3(0.3, -0.6, 0.9) as vector<tangent>) in world", header, imports, **given)
-    assert found == close(basis)
+# --- spaces and transforms -----------------------------------------------------------------------
 
 
 @truth("std.spaces.upright", "std.spaces.upright_back")
@@ -108,129 +86,6 @@ def test_what_is_at_a_right_angle_stays_so_in_any_axes() -> None:
     assert there == close(np.linalg.inv(axes).T @ arrow)
     back = of("(vec3(0.3, -0.6, 0.9) as covector<world>) in tangent", header, imports, **given)
     assert back == close(axes.T @ arrow)
-
-
-@truth("std.tangents.Bumped")
-def test_a_normal_map_bends_the_normal() -> None:
-    def texel(u: float, v: float) -> Lanes:
-        return (0.2 + 0.5 * u, 0.9 - 0.4 * v, 0.85, 1.0)
-
-    tangent = unit(WORLD[:3, :3] @ TANGENT)
-    x, y, z = (2.0 * lane - 1.0 for lane in texel(0.3, 0.8)[:3])
-    bent = tangent * x - np.cross(NORMAL_IN_WORLD, tangent) * y + NORMAL_IN_WORLD * z
-    header, imports = "M : Surface + Tangents + Bumped", "import std.tangents.{Tangents, Bumped}"
-    found = of("normal", header, imports,
-               vertex_tangent=(*TANGENT, -1.0), normal_map=Painted(texel))  # fmt: skip
-    assert found == close(unit(bent))
-
-
-BONES = np.zeros((128, 4, 4))
-BONES[:, 3, 3] = 1.0
-BONES[:, :3, :] = np.eye(3, 4) + 0.3 * CHANCE.uniform(-1.0, 1.0, (128, 3, 4))
-JOINTS, WEIGHTS = (5, 0, 63, 17), (0.4, 0.1, 0.3, 0.2)
-SKIN = sum(weight * BONES[joint] for joint, weight in zip(JOINTS, WEIGHTS, strict=True))
-SKINNED = {
-    "vertex_joints": JOINTS, "vertex_weights": WEIGHTS, "bones": tuple(map(columns, BONES)),
-}  # fmt: skip
-
-
-@truth("std.skinning.Skinned")
-def test_bones_move_a_vertex() -> None:
-    header, imports = "M : Surface + Skinned", "import std.skinning.{Skinned}"
-    place = moved(WORLD, moved(np.asarray(SKIN), PLACE))
-    assert of("position", header, imports, **SKINNED) == close(place)
-    normal = unit(upright(WORLD, upright(SKIN, NORMAL)))
-    assert of("normal", header, imports, **SKINNED) == close(normal)
-
-
-@truth("std.skinning.Skinned")
-def test_bones_move_a_tangent() -> None:
-    found = of("tangent", "M : Surface + Tangents + Skinned",
-               "import std.skinning.{Skinned}\nimport std.tangents.{Tangents}",
-               vertex_tangent=(*TANGENT, 1.0), **SKINNED)  # fmt: skip
-    assert found == close(unit(WORLD[:3, :3] @ np.asarray(SKIN)[:3, :3] @ TANGENT))
-
-
-@truth("std.morphing.Morphed")
-def test_a_mesh_on_its_way_to_another_shape() -> None:
-    header, imports = "M : Surface + Morphed", "import std.morphing.{Morphed}"
-    given = {"morph": 0.3, "morph_position": (0.5, -0.2, 0.7), "morph_normal": (-0.4, 0.1, 0.6)}
-    place = moved(WORLD, np.array(PLACE) + 0.3 * np.array((0.5, -0.2, 0.7)))
-    normal = unit(upright(WORLD, np.array(NORMAL) + 0.3 * np.array((-0.4, 0.1, 0.6))))
-    assert of("position", header, imports, **given) == close(place)
-    assert of("normal", header, imports, **given) == close(normal)
-
-
-@truth("std.instancing.Instanced")
-def test_an_instance_stands_where_its_transform_says() -> None:
-    header, imports = "M : Surface + Instanced", "import std.instancing.{Instanced}"
-    own = np.eye(4)
-    own[:3] += 0.4 * CHANCE.uniform(-1.0, 1.0, (3, 4))
-    # A matrix at the vertices is one input for each column.
-    given = {f"instance_transform.{i}": column for i, column in enumerate(columns(own))}
-    assert of("position", header, imports, **given) == close(moved(WORLD, moved(own, PLACE)))
-    normal = unit(upright(WORLD, upright(own, NORMAL)))
-    assert of("normal", header, imports, **given) == close(normal)
-
-
-@truth("std.billboards.Billboard")
-def test_a_billboard_faces_the_viewer() -> None:
-    header, imports = "M : Surface + Billboard", "import std.billboards.{Billboard}"
-    center = WORLD[:3, 3]
-    right = unit(np.cross((0.0, 1.0, 0.0), EYE - center))
-    turned = np.stack([right, (0.0, 1.0, 0.0), unit(np.cross(right, (0.0, 1.0, 0.0)))], axis=1)
-    scale = np.linalg.norm(WORLD[:3, :3], axis=0)
-    assert of("position", header, imports) == close(center + turned @ (scale * PLACE))
-    assert of("normal", header, imports) == close(unit(turned @ (np.array(NORMAL) / scale)))
-
-
-@truth("std.vertices.VertexColors", "std.vertices.SecondUv")
-def test_more_attributes() -> None:
-    imports = "import std.vertices.{VertexColors, SecondUv}"
-    given = {"vertex_color": (0.5, 0.25, 0.125, 0.3), "vertex_uv2": (0.6, 0.9)}
-    found = of("vec3(0.8, 0.4, 0.2)", "M", "", **given)
-    painted = shown(
-        f"{imports}\nabstract material A {{ color = vec3(0.8, 0.4, 0.2) }}\n"
-        "material M : A + VertexColors {}", **given,
-    )  # fmt: skip
-    assert painted == close(found * (0.5, 0.25, 0.125))
-    seen = of("vec3(alpha, uv2)", "M : Surface + VertexColors + SecondUv", imports, **given)
-    assert seen == close(np.array((0.3, 0.6, 0.9)))
-
-
-MOVING = np.array(
-    [[0.9, 0.3, -0.2, 0.5], [-0.1, 1.1, 0.4, -0.3], [0.2, -0.5, 0.8, 0.7], [0, 0, 0, 1]]
-)
-
-
-@truth("std.motion.moved_by", "std.motion.at_rest", "std.motion.mirrors", "std.motion.MeshPoint")
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_all_that_a_mesh_has_moves_along(sign: float) -> None:
-    """A mirrored mesh has the other hand; the motion counts from the resting place."""
-    matrix = MOVING @ np.diag((sign, 1.0, 1.0, 1.0))
-    header = "M : Surface + Tangents"
-    imports = "import std.motion.{moved_by, at_rest, mirrors}\nimport std.tangents.{Tangents}"
-    given = {"vertex_tangent": (*TANGENT, 1.0)}
-    columns_ = (f"vec4({', '.join(map(repr, map(float, column)))})" for column in matrix.T)
-    by = f"mat4({', '.join(columns_)})"
-    single = f"moved_by({by}, object_shape)"
-    point, rested = f"moved_by({by}, {single})", f"moved_by({by}, at_rest({single}))"
-    twice = matrix @ matrix
-    assert of(f"{point}.position", header, imports, **given) == close(moved(twice, PLACE))
-    assert of(f"{point}.tangent", header, imports, **given) == close(twice[:3, :3] @ TANGENT)
-    assert of(f"{point}.normal", header, imports, **given) == close(upright(twice, NORMAL))
-    assert of(f"{point}.handedness", header, imports, **given) == close([1.0] * 3)
-    assert of(f"{single}.handedness", header, imports, **given) == close([sign] * 3)
-    assert of(f"({point}.motion * vec4(1, 2, 3, 1)).xyz", header, imports, **given) == close(
-        moved(twice, (1, 2, 3))
-    )
-    assert of(f"({rested}.motion * vec4(1, 2, 3, 1)).xyz", header, imports, **given) == close(
-        moved(matrix, (1, 2, 3))
-    )
-    assert of(f"{rested}.position", header, imports, **given) == close(moved(twice, PLACE))
-
-
-# --- spaces and transforms -----------------------------------------------------------------------
 
 
 @truth("std.spaces.moved", "std.spaces.upright", "std.spaces.upright_back", "std.spaces.matrix")
@@ -318,56 +173,3 @@ def test_orthographic() -> None:
     lens = matrix("orthographic(6, 4, 0.5, 20)")
     assert lens @ (3, 2, -0.5, 1) == close((1, 1, 0, 1))
     assert lens @ (-3, -2, -20, 1) == close((-1, -1, 1, 1))
-
-
-SUN = np.array([0.36, -0.8, 0.48])
-"""The direction in which the light travels."""
-
-
-@truth(
-    "std.shadows.cascade",
-    "std.shadows.corner",
-    "std.shadows.how_far",
-    "std.shadows.slice_end",
-    "std.shadows.seen_by_sun",
-)
-@pytest.mark.parametrize("number", [0, 1, 2])
-def test_a_cascade_contains_its_slice_of_the_view_and_what_shades_it(number: int) -> None:
-    camera = "perspective(60deg, 2, 0.5, 4.5) * look_at({eye}, {target}, {up})".format(
-        eye="(vec3(0, 0, 5) as point<world>)", target="(vec3(0) as point<world>)",
-        up="(vec3(0, 1, 0) as vector<world>)",
-    )  # fmt: skip
-    sun = "(vec3(0.36, -0.8, 0.48) as direction<world>)"
-    cascade = matrix(f"cascade({camera}, {sun}, {number}, 3, 7)")
-
-    # Half way between equal depths, and equal ratios, 9 ^ (i / 3).
-    ends = [0.5 * (0.5 + 4 * i / 3 + 0.5 * 9 ** (i / 3)) for i in (number, number + 1)]
-    steep = math.tan(math.radians(30))
-    corners = np.array([
-        (x * 2 * steep * d, y * steep * d, 5 - d) for d in ends for x in (-1, 1) for y in (-1, 1)
-    ])  # fmt: skip
-    # A ball around the corners, seen from behind everything that shades it.
-    middle = corners.mean(axis=0)
-    radius = np.linalg.norm(corners - middle, axis=1).max()
-    for place in (*corners, *(corners - 7 * SUN)):
-        x, y, depth = moved(cascade, place)
-        along = float((place - middle) @ SUN)
-        beside = np.linalg.norm(place - middle - along * SUN)
-        assert math.hypot(x, y) == pytest.approx(beside / radius)
-        assert depth == pytest.approx((along + radius + 7) / (2 * radius + 7))
-        assert depth > -1e-9
-    assert np.linalg.det(cascade[:3, :3]) < 0  # Depths grow away from the sun: not mirrored.
-
-
-@truth("std.shadows.slice_end", "std.shadows.how_far", "std.shadows.cascade")
-def test_slices_of_a_view_without_a_perspective_are_equally_deep() -> None:
-    camera = "orthographic(4, 2, 1, 10) * look_at({eye}, {target}, {up})".format(
-        eye="(vec3(0, 0, 5) as point<world>)", target="(vec3(0) as point<world>)",
-        up="(vec3(0, 1, 0) as vector<world>)",
-    )  # fmt: skip
-    cascade = matrix(f"cascade({camera}, (vec3(0, -1, 0) as direction<world>), 1, 3, 2)")
-    # The second third of the way from 4 to -5, around (0, 0, -0.5), 4 by 2 by 3 large.
-    radius = math.sqrt(2**2 + 1**2 + 1.5**2)
-    assert moved(cascade, (0.0, radius + 2, -0.5)) == close((0, 0, 0))
-    assert moved(cascade, (0.0, -radius, -0.5)) == close((0, 0, 1))
-    assert abs(moved(cascade, (radius, 0.0, -0.5))[0]) == pytest.approx(1)

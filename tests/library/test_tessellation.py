@@ -14,6 +14,7 @@ from burnish.compiler.ir.stages import EDGE_LEVEL, TARGET
 from ..passes.kit import elaborated
 from ..passes.test_lower_expansion import Primitive
 from ..passes.test_lower_tessellation import at_patch, directly
+from .kit import close, of, unit, written
 from .truth import truth
 
 Floats = NDArray[np.float64]
@@ -55,6 +56,16 @@ def flat(*points: Sequence[float]) -> Floats:
 
 
 PART_OF_A_BALL = on_a_ball([1, 0, 0.2], [0.3, 1, 0], [0, 0.1, 1])
+
+
+def anyhow(count: int, seed: int) -> Floats:
+    """Points without a pattern, whose normals are of no surface."""
+    dice = np.random.default_rng(seed)
+    points, normals = dice.uniform(-1, 1, (count, 3)), dice.uniform(-1, 1, (count, 3))
+    return np.concatenate([points, normals / np.linalg.norm(normals, axis=1)[:, None]], axis=1)
+
+
+TRIANGLES = [PART_OF_A_BALL, PART_OF_A_BALL * (1, 1, 1, -1, -1, -1), anyhow(3, 1), anyhow(3, 2)]
 PLACES = [(1, 0, 0), (0, 0, 1), (0.5, 0.5, 0), (0.25, 0.25, 0.5), (0.2, 0.3, 0.5)]
 
 
@@ -83,13 +94,14 @@ def test_a_flat_triangle_stays_flat(mixin: str, where: tuple[float, ...]) -> Non
 
 
 @truth("std.tessellation.PhongTessellation", "std.tessellation.to_plane")
-def test_phong_tessellation_is_what_the_paper_says() -> None:
+@pytest.mark.parametrize("triangle", TRIANGLES)
+def test_phong_tessellation_is_what_the_paper_says(triangle: Floats) -> None:
     where = np.array([0.2, 0.5, 0.3])
-    corners, normals = PART_OF_A_BALL[:, :3], PART_OF_A_BALL[:, 3:]
+    corners, normals = triangle[:, :3], triangle[:, 3:]
     plain = where @ corners
     projected = [plain - ((plain - p) @ n) * n for p, n in zip(corners, normals, strict=True)]
     wanted = 0.25 * plain + 0.75 * (where @ np.array(projected))
-    assert drawn("PhongTessellation", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
+    assert drawn("PhongTessellation", "position", triangle, where) == pytest.approx(wanted)
 
 
 @truth(
@@ -98,10 +110,11 @@ def test_phong_tessellation_is_what_the_paper_says() -> None:
     "std.tessellation.moved",
     "std.tessellation.between",
 )
-def test_pn_triangles_are_what_the_paper_says() -> None:
+@pytest.mark.parametrize("triangle", TRIANGLES)
+def test_pn_triangles_are_what_the_paper_says(triangle: Floats) -> None:
     """Vlachos and others, equations 1 to 3."""
     where = np.array([0.2, 0.5, 0.3])
-    p, n = PART_OF_A_BALL[:, :3], PART_OF_A_BALL[:, 3:]
+    p, n = triangle[:, :3], triangle[:, 3:]
 
     def near(i: int, j: int) -> Floats:
         return np.array((2 * p[i] + p[j] - ((p[j] - p[i]) @ n[i]) * n[i]) / 3)
@@ -112,7 +125,7 @@ def test_pn_triangles_are_what_the_paper_says() -> None:
     u = where
     wanted = sum(u[i] ** 3 * p[i] for i in range(3)) + 6 * u.prod() * middle
     wanted += sum(3 * u[i] ** 2 * u[j] * value for (i, j), value in edges.items())
-    assert drawn("PNTriangles", "position", PART_OF_A_BALL, where) == pytest.approx(wanted)
+    assert drawn("PNTriangles", "position", triangle, where) == pytest.approx(wanted)
 
     def between(i: int, j: int) -> Floats:
         edge, both = p[j] - p[i], n[i] + n[j]
@@ -122,7 +135,21 @@ def test_pn_triangles_are_what_the_paper_says() -> None:
     normal = sum(u[i] ** 2 * n[i] for i in range(3))
     normal += sum(u[i] * u[j] * between(i, j) for i, j in ((0, 1), (1, 2), (2, 0)))
     normal /= np.linalg.norm(normal)
-    assert drawn("PNTriangles", "normal", PART_OF_A_BALL, where) == pytest.approx(normal)
+    assert drawn("PNTriangles", "normal", triangle, where) == pytest.approx(normal)
+
+
+@truth("std.tessellation.between")
+@pytest.mark.parametrize("length", [2.0, 2e-6, 5e-7])
+def test_edges_of_almost_no_length_divide_by_no_less_than_a_square_of_a_millionth(
+    length: float,
+) -> None:
+    edge = length * np.array((0.6, 0.0, 0.8))
+    normals = np.array(((0.36, 0.48, 0.8), (0.0, 0.6, 0.8)))
+    both = normals.sum(axis=0)
+    found = both - 2 * (edge @ both) / max(edge @ edge, 1e-12) * edge
+    first, last = (written(normal, "normal<world>") for normal in normals)
+    call = f"between({written((0, 0, 0))}, {written(edge)}, {first}, {last})"
+    assert of(call, "M", "import std.tessellation.{between}") == close(unit(found))
 
 
 def bezier(t: float) -> Floats:
@@ -198,8 +225,11 @@ def test_what_is_between_moves_along_the_normal(mixin: str) -> None:
     else:
         corners, where = flat([0, 0, 1], [2, 0, 1], [2, 3, 1], [0, 3, 1]), np.array((0.25, 0.5))
         plain = np.array((0.5, 1.5, 1.0))
+    normal = np.array((0.48, -0.64, 0.6))
+    corners[:, 3:] = normal
     found = drawn(mixin, "position", corners, where, "displacement = 0.25")
-    assert found == pytest.approx(np.add(plain, (0, 0, 0.25)))
+    assert found == pytest.approx(plain + 0.25 * normal)
+    assert drawn(mixin, "position", corners, where) == pytest.approx(plain)
 
 
 MIXINS = {
@@ -209,6 +239,22 @@ MIXINS = {
     "SplinePatches": (16, (5, 6, 10, 9)),
 }  # fmt: skip
 """The number of control points of a patch, and which of them are its corners, around it."""
+
+
+@truth(*(f"std.tessellation.{name}" for name in MIXINS))
+@pytest.mark.parametrize("mixin", MIXINS)
+def test_edges_are_as_fine_as_the_detail_says(mixin: str) -> None:
+    count, corners = MIXINS[mixin]
+    (shader,) = elaborated(
+        f"import std.tessellation.{{{mixin}}}\n"
+        f"material M : Surface + {mixin} {{ detail = 2 + object_position.x  color = vec3(1) }}"
+    )
+    values = {("vertex_position", number): (3.0, 0.0, 0.0) for number in range(count)}
+    place = Primitive(0, 0, tuple(range(count)), values)
+    levels = {at_patch(shader, row.value, place) for row in shader.results_of(EDGE_LEVEL)}
+    assert levels == {5.0}
+    assert shader.tessellation is not None
+    assert (shader.tessellation.points, shader.tessellation.ends) == (count, corners)
 
 
 @truth(*(f"std.tessellation.{name}" for name in MIXINS))

@@ -20,20 +20,21 @@ from typing import Any, TypeVar
 
 HERE = Path(__file__).parent
 
-Test = TypeVar("Test", bound=Callable[..., None])
+Test = Callable[..., None]
 Check = Callable[[], None]
+Marked = TypeVar("Marked", bound=Test)
 
-TRUTHS: dict[str, list[Callable[..., None]]] = {}
+TRUTHS: dict[str, list[Test]] = {}
 """The tests of each declaration, by its name: ``std.lights.Spot``."""
 
 
-def truth(*names: str) -> Callable[[Test], Test]:
+def truth(*names: str) -> Callable[[Marked], Marked]:
     """Note that a test knows these declarations from elsewhere.
 
     It stands above ``parametrize``. Such a test takes no fixture, since mutants call it.
     """
 
-    def note(test: Test) -> Test:
+    def note(test: Marked) -> Marked:
         for name in names:
             TRUTHS.setdefault(name, []).append(test)
         return test
@@ -47,7 +48,7 @@ def load_all() -> None:
         import_module(f"{__package__}.{path.stem}")
 
 
-def checks(test: Callable[..., None]) -> Iterator[Check]:
+def checks(test: Test) -> Iterator[Check]:
     """The calls of a test: one for each combination of its parameters."""
     marks = [mark for mark in getattr(test, "pytestmark", ()) if mark.name == "parametrize"]
     for chosen in product(*(_rows(mark) for mark in marks)):

@@ -13,27 +13,20 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeGuard
 
+from .edit import Edit
+
 
 @dataclass(frozen=True, slots=True)
-class Change:
-    """One edit of a module."""
+class Change(Edit):
+    """One edit of a module, or of an emitted text."""
 
-    start: int
-    """The offset of the first byte that is replaced."""
-    end: int
-    replacement: str
     kind: str
     """The kind of thing that is changed: ``comparison``, ``constant`` and so on."""
 
-    def applied(self, source: bytes) -> bytes:
-        """The module with the edit."""
-        return source[: self.start] + self.replacement.encode() + source[self.end :]
-
-    def told(self, source: bytes) -> str:
+    def told(self, text: str | bytes) -> str:
         """The line, and what is replaced by what."""
-        line = source.count(b"\n", 0, self.start) + 1
-        before = source[self.start : self.end].decode()
-        return f"{line} {self.kind}: {_short(before)} -> {_short(self.replacement)}"
+        before, after = _short(self.replaced(text)), _short(self.replacement)
+        return f"{self.line(text)} {self.kind}: {before} -> {after}"
 
 
 _COMPARISONS: dict[type[ast.cmpop], str] = {

@@ -140,19 +140,19 @@ void main() {
 }
 """
 TEXT_CHANGES = [
-    "8 operand order: '1.5 / power' -> 'power / 1.5'",
-    "8 operator: ' < ' -> ' <= '",
-    "8 operator: ' - ' -> ' + '",
-    "8 operator: ' / ' -> ' * '",
-    "8 constant: '2.5' -> '2.5000009536743164'",
-    "8 constant: '1.5' -> '1.5000004768371582'",
-    "8 lanes: '.x' -> '.y'",
-    "8 guard: 'max(base[1], 0.0)' -> '(base[1])'",
-    "8 function: 'max' -> 'min'",
-    "8 index: '[1]' -> '[0]'",
-    "5 qualifier: 'flat ' -> ''",
-    "1 binding: 'binding = 0' -> 'binding = 1'",
-    "2 members: '    vec3 base;\\n    float power;' -> '    float power;\\n    vec3 base;'",
+    "8 operand order: 1.5 / power -> power / 1.5",
+    "8 operator: < -> <=",
+    "8 operator: - -> +",
+    "8 operator: / -> *",
+    "8 constant: 2.5 -> 2.5000009536743164",
+    "8 constant: 1.5 -> 1.5000004768371582",
+    "8 lanes: .x -> .y",
+    "8 guard: max(base[1], 0.0) -> (base[1])",
+    "8 function: max -> min",
+    "8 index: [1] -> [0]",
+    "5 qualifier: flat -> nothing",
+    "1 binding: binding = 0 -> binding = 1",
+    "2 members: vec3 base; float power; -> float power; vec3 base;",
 ]
 
 

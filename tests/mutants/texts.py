@@ -34,28 +34,11 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 
+from .changes import Change
+
 ROUTES_DRAWN = ("lavapipe:glsl", "lavapipe:hlsl-dxc", "lavapipe:wgsl-naga")
 LAST_PLACES = 4
 """The change of a constant, in units in the last place of a float32."""
-
-
-@dataclass(frozen=True, slots=True)
-class TextChange:
-    """One change of an emitted text."""
-
-    kind: str
-    start: int
-    end: int
-    replacement: str
-
-    def applied(self, text: str) -> str:
-        """The text with the change."""
-        return text[: self.start] + self.replacement + text[self.end :]
-
-    def told(self, text: str) -> str:
-        """The line, and what is replaced by what."""
-        line = text.count("\n", 0, self.start) + 1
-        return f"{line} {self.kind}: {text[self.start : self.end]!r} -> {self.replacement!r}"
 
 
 def _exchanged(found: re.Match[str]) -> str:
@@ -122,13 +105,20 @@ KINDS: Sequence[Kind] = (
 """The kinds of changes, where each can be made, and what replaces what is found."""
 
 
+<<<<<<< HEAD
 def text_changes(text: str, kinds: Sequence[Kind] = KINDS) -> list[TextChange]:
     """All changes of a text, in the order of kinds; none of comments."""
     found: dict[TextChange, None] = {}
     for kind, pattern, replacement in kinds:
+=======
+def text_changes(text: str) -> list[Change]:
+    """All changes of a text, in the order of kinds; none of comments."""
+    found: dict[Change, None] = {}
+    for kind, pattern, replacement in KINDS:
+>>>>>>> mutants
         for match in re.finditer(pattern, text, re.MULTILINE):
             line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
-            change = TextChange(kind, *match.span(), replacement(match))
+            change = Change(*match.span(), replacement(match), kind)
             if "//" not in line and change.applied(text) != text:
                 found[change] = None
     return list(found)
@@ -141,7 +131,7 @@ class Changed:
     material: CompiledMaterial
     route: str
     file: int
-    change: TextChange
+    change: Change
 
     def __str__(self) -> str:
         file = self.material.files[self.file]

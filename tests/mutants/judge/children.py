@@ -30,7 +30,7 @@ def in_child(work: Callable[[], Answer], limit: float) -> Answer:
             where = traceback.extract_tb(error.__traceback__)[-1]
             place = f"{Path(where.filename).name}:{where.lineno}"
             answer = {"verdict": "caught", "by": f"{type(error).__name__} at {place}"}
-        with os.fdopen(sink, "w") as stream:
+        with suppress(OSError), os.fdopen(sink, "w") as stream:  # Who asked may be gone.
             json.dump(answer, stream)
         os._exit(0)
     os.close(sink)
