@@ -105,17 +105,10 @@ KINDS: Sequence[Kind] = (
 """The kinds of changes, where each can be made, and what replaces what is found."""
 
 
-<<<<<<< HEAD
-def text_changes(text: str, kinds: Sequence[Kind] = KINDS) -> list[TextChange]:
-    """All changes of a text, in the order of kinds; none of comments."""
-    found: dict[TextChange, None] = {}
-    for kind, pattern, replacement in kinds:
-=======
-def text_changes(text: str) -> list[Change]:
+def text_changes(text: str, kinds: Sequence[Kind] = KINDS) -> list[Change]:
     """All changes of a text, in the order of kinds; none of comments."""
     found: dict[Change, None] = {}
-    for kind, pattern, replacement in KINDS:
->>>>>>> mutants
+    for kind, pattern, replacement in kinds:
         for match in re.finditer(pattern, text, re.MULTILINE):
             line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
             change = Change(*match.span(), replacement(match), kind)
