@@ -141,11 +141,16 @@ def _missed(found: Mapping[str, Any]) -> str:
         "constants that are off by four steps of a float32. The others:\n\n"
     )
     lines = (
-        (cell(row["kind"]), f"`{cell(row['what'])}`", f"{row['subject']}, `{row['route']}`",
-         _codes(row))
+        (cell(row["kind"]), _changed(row), f"{row['subject']}, `{row['route']}`", _codes(row))
         for row in others
     )  # fmt: skip
     return said + table(("error", "what", "where", "changes a lane by"), lines)
+
+
+def _changed(row: Mapping[str, Any]) -> str:
+    """The text that is replaced, and by what; nothing of an error of a host, whose kind says it."""
+    _place, _kind, change = row["what"].rpartition(f"{row['kind']}: ")
+    return "" if change == row["kind"] else f"`{cell(change)}`"
 
 
 def _codes(row: Mapping[str, Any]) -> str:
