@@ -1,6 +1,8 @@
-"""The corpus on a real device: no result of any case is outside of what its route promises."""
+"""The corpus on real devices: no result of any case is outside of what its route promises."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 import pytest
 
@@ -12,22 +14,27 @@ from .corpus_programs import Called, Floats, all_called, batches, returned, text
 from .kit import Studio
 
 CALLED = all_called(SEED)
+DEFECTS: Mapping[str, set[str]] = {"lavapipe:glsl": set(), "swiftshader:glsl": {"degrees"}}
+"""The operations with results outside, by route; docs/drivers.md lists these bugs."""
 
 
-@pytest.mark.parametrize("name", ["lavapipe:glsl"])
+@pytest.mark.parametrize("name", DEFECTS)
 def test_results_are_within_their_intervals(studio: Studio, name: str) -> None:
     route = ROUTES[name]
     promise = "+".join(route.platforms)
     operands = textures(CALLED)
     wrong: list[str] = []
+    seen = set()
     compared = 0
     for batch in batches(CALLED):
         for called, lanes in returned(batch, operands, route, studio):
             found, count = _outside(called, lanes, promise)
-            wrong += found
             compared += count
-    assert not wrong, "\n".join([f"{len(wrong)} of {compared}", *wrong[:40]])
-    assert compared > 20_000
+            if found:
+                seen.add(called.overload.row.name)
+                wrong += found
+    assert seen == DEFECTS[name], "\n".join([f"{len(wrong)} of {compared}", *wrong[:40]])
+    assert compared > 25_000
 
 
 def _outside(called: Called, lanes: list[Floats], promise: str) -> tuple[list[str], int]:

@@ -65,6 +65,12 @@ def alone(folder: Path, name: str, to: Path) -> Path:
     return to
 
 
+def test_the_case_of_the_page(folder: Path) -> None:
+    found = re.search(r"^```text\n(.*?), …", PAGE.read_text("utf-8"), re.M | re.S)
+    assert found
+    assert found[1].replace("\n", "") in (folder / "sqrt.json").read_text("utf-8")
+
+
 def test_the_program_of_the_page(tmp_path: Path) -> None:
     for name in ("checker.py", "backend.py"):
         (tmp_path / name).write_text(block(name), "utf-8")
