@@ -40,6 +40,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "std.tessellation.SplinePatches: normal = normalize( [nonzero(cross( sum "
             "j…er[5].position) ) )) -> (cross( sum j in 0..…er[5].position) ) ))] ) } }"
         ),
+        (
+            "std.prelude.Surface: <world> = normalize( [nonzero(eye - position) -> (eye - "
+            "position)] ) /// The position o"
+        ),
     ),
     "`pow` of a negative number is 0 anyway, and a cosine is 1 at most.": (
         (
