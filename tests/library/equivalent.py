@@ -297,6 +297,53 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     "Both lanes have the same bound.": (
         "std.frames.is_in_picture: > 0 and all(abs(at. [xy -> yx] ) <= vec2((1 - margi",
     ),
+    "The weights of slopes add up to 0, so that it does not matter what they count from.": (
+        (
+            "std.tessellation.QuadraticSplines: c_slope(at.x)[i] * ( [corner[3 * j + i].position - "
+            "corner[4].position -> corner[3 * j + i].position] ) ), sum j in 0..3 :"
+        ),
+        (
+            "std.tessellation.BezierPatches: n_slope(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[0].position -> corner[4 * j + i].position] ) ), sum j in 0..4 :"
+        ),
+        (
+            "std.tessellation.SplinePatches: e_slope(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[5].position -> corner[4 * j + i].position] ) ), sum j in 0..4 :"
+        ),
+        (
+            "std.tessellation.QuadraticSplines: _spline(at.x)[i] * ( [corner[3 * j + i].position - "
+            "corner[4].position -> corner[3 * j + i].position] ) ) ))) } } /// The"
+        ),
+        (
+            "std.tessellation.BezierPatches: rnstein(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[0].position -> corner[4 * j + i].position] ) ) ))) } } /// Unif"
+        ),
+        (
+            "std.tessellation.SplinePatches: spline(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[5].position -> corner[4 * j + i].position] ) ) ))) } }"
+        ),
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 3] ].position) ), sum j",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 5] ].position) ), sum j",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 3] ].position) ) ))) }",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 5] ].position) ) ))) }",
+        "std.tessellation.BezierPatches: ].position - corner[ [0 -> 1] ].position) ), sum j",
+        "std.tessellation.BezierPatches: ].position - corner[ [0 -> 1] ].position) ) ))) }",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 4] ].position) ), sum j",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 6] ].position) ), sum j",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 4] ].position) ) ))) }",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 6] ].position) ) ))) }",
+    ),
+    "The weights of slopes add up to 0, and beyond a net all points are one.": (
+        "std.tessellation.QuadraticSplines: ro(cross( sum j in 0 [ -> - 1] ..3 : quadratic_spli",
+        "std.tessellation.BezierPatches: ro(cross( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
+        "std.tessellation.SplinePatches: ro(cross( sum j in 0 [ -> - 1] ..4 : spline(at.y)[j",
+        "std.tessellation.QuadraticSplines: (cross( sum j in 0.. [3 -> 4] : quadratic_spline(a",
+        "std.tessellation.BezierPatches: (cross( sum j in 0.. [4 -> 5] : bernstein(at.y)[j]",
+        "std.tessellation.SplinePatches: (cross( sum j in 0.. [4 -> 5] : spline(at.y)[j] *",
+        "std.tessellation.QuadraticSplines: cross( sum j in 0..3 [ -> + 1] : quadratic_spline(a",
+        "std.tessellation.BezierPatches: cross( sum j in 0..4 [ -> + 1] : bernstein(at.y)[j]",
+        "std.tessellation.SplinePatches: cross( sum j in 0..4 [ -> + 1] : spline(at.y)[j] *",
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 
