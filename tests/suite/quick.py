@@ -51,6 +51,7 @@ LEFT_OUT: Mapping[str, str] = {
     "examples/test_own_materials.py": _COMPILERS,
     "fuzz": _LARGE,
     "layout/test_compilers.py": _COMPILERS,
+    "library/test_mutants.py": _LARGE,
     "mistakes/test_edits.py": _LARGE,
     "mutants": _DRAW,
     "passes/test_expansions.py": _LARGE,
