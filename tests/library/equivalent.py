@@ -98,23 +98,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "half))] ), 5) scattered = (1"
         ),
     ),
-    (
-        "The guard is for numbers of 32 bits, where the square of a tiny reach is 0. Nothing is "
-        "lit then, whatever the guard."
-    ): (
-        (
-            "std.gltf.PunctualPoint: o_place, to_place) / [max(squared(reach), 1e-30) -> "
-            "(squared(reach))] , 1)) else 1 falloff"
-        ),
-        (
-            "std.gltf.PunctualPoint: max(squared(reach), [1e-30 -> 1.2500000000000001e-30] ), 1)) "
-            "else 1 fallof"
-        ),
-        (
-            "std.gltf.PunctualPoint: max(squared(reach), [1e-30 -> 7.500000000000001e-31] ), 1)) "
-            "else 1 fallof"
-        ),
-    ),
     "`clamp` finds the middle one of three numbers.": (
         (
             "std.shadows.ShadowedSpot: (place, axis, clamp( [outer, 1deg -> 1deg, outer] , 80deg), "
@@ -175,23 +158,12 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.environments.GlossyLight: heights = sum i in 0 [ -> - 1] ..samples : weight(m",
         "std.environments.GlossyLight: = vec4( (sum i in 0 [ -> - 1] ..samples : weight(m",
     ),
-    "No table has so many facets.": (
+    "`up to` says that there are no more facets.": (
         "std.environments.mirrored_share: (sum i in 0..n up to [1024 -> 1025] : share_of(facet_nor",
     ),
-    "A facet that does not face up mirrors nothing upwards.": (
-        (
-            "std.environments.share_of: float) -> vec2 = if [along.z > 0 and facet.z > 0 -> "
-            "along.z > 0] then seen * vec2(1 -"
-        ),
-        "std.environments.share_of: ng.z > 0 and facet.z [> -> >=] 0 then seen * vec2(1",
-        "std.environments.share_of: = if along.z > 0 and [facet -> to_eye] .z > 0 then seen * v",
-        (
-            "std.environments.share_of: where { eye_facet = [saturate(dot(to_eye, facet)) -> "
-            "(dot(to_eye, facet))] along = 2 * eye_face"
-        ),
-    ),
-    "Light along the surface has no share.": (
+    "Light along the surface has no share, and what is divided by 0 is 0.": (
         "std.environments.share_of: -> vec2 = if along.z [> -> >=] 0 and facet.z > 0 th",
+        "std.environments.share_of: ng.z > 0 and facet.z [> -> >=] 0 then seen * vec2(1",
     ),
     "No face of a cube has x downwards.": (
         "std.frames.through_face: mat4( vec4(right.x, [- -> ] down.x, depth * ahea",
