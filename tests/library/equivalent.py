@@ -316,6 +316,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.tessellation.BezierPatches: cross( sum j in 0..4 [ -> + 1] : bernstein(at.y)[j]",
         "std.tessellation.SplinePatches: cross( sum j in 0..4 [ -> + 1] : spline(at.y)[j] *",
     ),
+    "Before the first row all points are the first one, from which distances count.": (
+        "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
+        "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 
