@@ -40,6 +40,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "std.tessellation.SplinePatches: normal = normalize( [nonzero(cross( sum "
             "j…er[5].position) ) )) -> (cross( sum j in 0..…er[5].position) ) ))] ) } }"
         ),
+        (
+            "std.prelude.Surface: <world> = normalize( [nonzero(eye - position) -> (eye - "
+            "position)] ) /// The position o"
+        ),
     ),
     "`pow` of a negative number is 0 anyway, and a cosine is 1 at most.": (
         (
@@ -92,23 +96,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.gltf.metallic_rough: * pow(1 - saturate( [dot(to_eye, half) -> abs(dot(to_eye, "
             "half))] ), 5) scattered = (1"
-        ),
-    ),
-    (
-        "The guard is for numbers of 32 bits, where the square of a tiny reach is 0. Nothing is "
-        "lit then, whatever the guard."
-    ): (
-        (
-            "std.gltf.PunctualPoint: o_place, to_place) / [max(squared(reach), 1e-30) -> "
-            "(squared(reach))] , 1)) else 1 falloff"
-        ),
-        (
-            "std.gltf.PunctualPoint: max(squared(reach), [1e-30 -> 1.2500000000000001e-30] ), 1)) "
-            "else 1 fallof"
-        ),
-        (
-            "std.gltf.PunctualPoint: max(squared(reach), [1e-30 -> 7.500000000000001e-31] ), 1)) "
-            "else 1 fallof"
         ),
     ),
     "`clamp` finds the middle one of three numbers.": (
@@ -171,23 +158,12 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.environments.GlossyLight: heights = sum i in 0 [ -> - 1] ..samples : weight(m",
         "std.environments.GlossyLight: = vec4( (sum i in 0 [ -> - 1] ..samples : weight(m",
     ),
-    "No table has so many facets.": (
+    "`up to` says that there are no more facets.": (
         "std.environments.mirrored_share: (sum i in 0..n up to [1024 -> 1025] : share_of(facet_nor",
     ),
-    "A facet that does not face up mirrors nothing upwards.": (
-        (
-            "std.environments.share_of: float) -> vec2 = if [along.z > 0 and facet.z > 0 -> "
-            "along.z > 0] then seen * vec2(1 -"
-        ),
-        "std.environments.share_of: ng.z > 0 and facet.z [> -> >=] 0 then seen * vec2(1",
-        "std.environments.share_of: = if along.z > 0 and [facet -> to_eye] .z > 0 then seen * v",
-        (
-            "std.environments.share_of: where { eye_facet = [saturate(dot(to_eye, facet)) -> "
-            "(dot(to_eye, facet))] along = 2 * eye_face"
-        ),
-    ),
-    "Light along the surface has no share.": (
+    "Light along the surface has no share, and what is divided by 0 is 0.": (
         "std.environments.share_of: -> vec2 = if along.z [> -> >=] 0 and facet.z > 0 th",
+        "std.environments.share_of: ng.z > 0 and facet.z [> -> >=] 0 then seen * vec2(1",
     ),
     "No face of a cube has x downwards.": (
         "std.frames.through_face: mat4( vec4(right.x, [- -> ] down.x, depth * ahea",
@@ -292,6 +268,57 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "Both lanes have the same bound.": (
         "std.frames.is_in_picture: > 0 and all(abs(at. [xy -> yx] ) <= vec2((1 - margi",
+    ),
+    "The weights of slopes add up to 0, so that it does not matter what they count from.": (
+        (
+            "std.tessellation.QuadraticSplines: c_slope(at.x)[i] * ( [corner[3 * j + i].position - "
+            "corner[4].position -> corner[3 * j + i].position] ) ), sum j in 0..3 :"
+        ),
+        (
+            "std.tessellation.BezierPatches: n_slope(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[0].position -> corner[4 * j + i].position] ) ), sum j in 0..4 :"
+        ),
+        (
+            "std.tessellation.SplinePatches: e_slope(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[5].position -> corner[4 * j + i].position] ) ), sum j in 0..4 :"
+        ),
+        (
+            "std.tessellation.QuadraticSplines: _spline(at.x)[i] * ( [corner[3 * j + i].position - "
+            "corner[4].position -> corner[3 * j + i].position] ) ) ))) } } /// The"
+        ),
+        (
+            "std.tessellation.BezierPatches: rnstein(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[0].position -> corner[4 * j + i].position] ) ) ))) } } /// Unif"
+        ),
+        (
+            "std.tessellation.SplinePatches: spline(at.x)[i] * ( [corner[4 * j + i].position - "
+            "corner[5].position -> corner[4 * j + i].position] ) ) ))) } }"
+        ),
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 3] ].position) ), sum j",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 5] ].position) ), sum j",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 3] ].position) ) ))) }",
+        "std.tessellation.QuadraticSplines: ].position - corner[ [4 -> 5] ].position) ) ))) }",
+        "std.tessellation.BezierPatches: ].position - corner[ [0 -> 1] ].position) ), sum j",
+        "std.tessellation.BezierPatches: ].position - corner[ [0 -> 1] ].position) ) ))) }",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 4] ].position) ), sum j",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 6] ].position) ), sum j",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 4] ].position) ) ))) }",
+        "std.tessellation.SplinePatches: ].position - corner[ [5 -> 6] ].position) ) ))) }",
+    ),
+    "The weights of slopes add up to 0, and beyond a net all points are one.": (
+        "std.tessellation.QuadraticSplines: ro(cross( sum j in 0 [ -> - 1] ..3 : quadratic_spli",
+        "std.tessellation.BezierPatches: ro(cross( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
+        "std.tessellation.SplinePatches: ro(cross( sum j in 0 [ -> - 1] ..4 : spline(at.y)[j",
+        "std.tessellation.QuadraticSplines: (cross( sum j in 0.. [3 -> 4] : quadratic_spline(a",
+        "std.tessellation.BezierPatches: (cross( sum j in 0.. [4 -> 5] : bernstein(at.y)[j]",
+        "std.tessellation.SplinePatches: (cross( sum j in 0.. [4 -> 5] : spline(at.y)[j] *",
+        "std.tessellation.QuadraticSplines: cross( sum j in 0..3 [ -> + 1] : quadratic_spline(a",
+        "std.tessellation.BezierPatches: cross( sum j in 0..4 [ -> + 1] : bernstein(at.y)[j]",
+        "std.tessellation.SplinePatches: cross( sum j in 0..4 [ -> + 1] : spline(at.y)[j] *",
+    ),
+    "Before the first row all points are the first one, from which distances count.": (
+        "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
+        "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""

@@ -39,7 +39,7 @@ from .test_parameters import parameters, test_parameters_are_as_they_were
 from .truth import Test, checks, load_all
 from .users import truths_about
 
-PATIENCE = 120.0
+PATIENCE = 300.0
 """The limit of one mutant, in seconds; one that takes longer counts as found."""
 VERDICTS = ("caught", "refused", "golden", "equivalent", "survived")
 

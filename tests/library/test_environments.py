@@ -14,12 +14,12 @@ from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from ..semantics.kit import at, shader
-from .kit import MESH, Floats, close, facets, lanes, mirrored_by, of, shown, unit
+from .kit import MESH, Floats, close, facets, lanes, mirrored_by, of, shown, unit, written
 from .truth import truth
 
 IMPORTS = """
 import std.sampling.{axes_along, cosine_direction, facet_normal, hammersley, radical_inverse}
-import std.environments.{mirrored_along, mirrored_share, weight}
+import std.environments.{mirrored_along, mirrored_share, share_of, weight}
 """
 MANY = 1024
 """Samples, of which the mean is compared with an integral."""
@@ -139,6 +139,31 @@ def test_each_facet_has_its_share(cosine: float, roughness: float, count: int) -
     rim = (1 - eye_facet) ** 5
     found = value(f"mirrored_share({cosine}, {roughness}, {count}), 0")
     assert found == close([(seen * (1 - rim)).mean(), (seen * rim).mean(), 0])
+
+
+@truth("std.environments.share_of")
+@pytest.mark.parametrize(
+    ("facet", "to_eye"),
+    [
+        ((0.6, 0.0, 0.8), (0.0, 0.0, 1.0)), ((0.2, -0.3, 0.9), (0.7, 0.1, 0.3)),
+        ((0.6, 0.0, 0.8), (0.6, 0.0, -0.8)),  # an eye behind the surface, and behind the facet
+        ((0.6, 0.0, 0.8), (0.995, 0.0, -0.1)),  # an eye behind the surface, before the facet
+        ((-0.995, 0.0, -0.1), (-0.436, 0.0, -0.9)),  # a facet that faces down
+    ],
+)  # fmt: skip
+def test_a_facet_has_a_share_if_it_faces_up_and_mirrors_upwards(
+    facet: tuple[float, ...], to_eye: tuple[float, ...]
+) -> None:
+    normal, eye, width = unit(facet), unit(to_eye), 0.3
+    cosine = max(float(normal @ eye), 0.0)
+    light = 2 * cosine * normal[2] - eye[2]
+    rim, seen = (1 - cosine) ** 5, 0.0
+    if light > 0 and normal[2] > 0:
+        masked = [c + math.sqrt(width**2 + (1 - width**2) * c**2) for c in (light, eye[2])]
+        seen = 4 * light * cosine / (masked[0] * masked[1] * normal[2])
+    names = ", ".join(written(each, "vec3") for each in (normal, eye))
+    found = value(f"share_of({names}, {width}), 0")
+    assert found == close((seen * (1 - rim), seen * rim, 0))
 
 
 @truth("std.environments.mirrored_along", "std.environments.weight")

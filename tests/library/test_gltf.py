@@ -213,6 +213,14 @@ def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
     assert found[0] == pytest.approx(reflected(1, 1, 1, 0) * share**2, rel=1e-4, abs=1e-6)
 
 
+@truth("std.gltf.PunctualPoint")
+def test_no_reach_is_shorter_than_what_a_float_can_square() -> None:
+    """Its square is 1e-30 at least: a shorter one counts as 1e-15."""
+    away = 5e-16
+    found = at_origin("PunctualPoint", "light_arriving()", place=(0.0, 0.0, away), reach=1e-16)
+    assert found == close([(1 - 0.25**2) / away**2] * 3)
+
+
 @truth("std.gltf.PunctualSpot")
 @pytest.mark.parametrize("inner", [30.0, 60.0])
 def test_the_edge_of_a_cone_is_hard_if_the_inner_one_is_not_smaller(inner: float) -> None:

@@ -91,6 +91,14 @@ def test_bones_move_a_tangent() -> None:
     assert found == close(unit(WORLD[:3, :3] @ np.asarray(SKIN)[:3, :3] @ TANGENT))
 
 
+@truth("std.prelude.Surface", "std.motion.at_rest")
+def test_motion_as_a_whole_begins_behind_bones() -> None:
+    """Billboards ask where an object stands, whatever its bones do."""
+    found = of("(object_place.motion * vec4(1, 2, 3, 1)).xyz", "M : Surface + Skinned",
+               "import std.skinning.{Skinned}", **SKINNED)  # fmt: skip
+    assert found == close((1, 2, 3))
+
+
 @truth("std.morphing.Morphed")
 def test_a_mesh_on_its_way_to_another_shape() -> None:
     header, imports = "M : Surface + Morphed", "import std.morphing.{Morphed}"

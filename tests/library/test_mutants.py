@@ -20,7 +20,7 @@ from .mutants import all_changes, judged, table, text_of
 
 pytestmark = pytest.mark.xdist_group("library_mutants")  # One process finds all changes.
 
-FEW, SEED = 40, 5
+FEW, SEED = 30, 5
 
 
 def test_planted_errors_are_found() -> None:

@@ -47,6 +47,7 @@ from .truth import truth
         ("to_eye", TO_EYE),
         ("object_position", PLACE),
         ("object_tangent", (0.0, 0.0, 0.0)),
+        ("float(is_hidden)", (0.0, 0.0, 0.0)),
         ("vec3(uv, pi)", (0.3, 0.8, math.pi)),
         ("ambient_light", (0.1, 0.1, 0.1)),
     ],

@@ -175,6 +175,25 @@ def cox_de_boor(degree: int, start: int, t: float) -> float:
     return rise + fall
 
 
+CURVES = {
+    "bernstein": ("bernstein_slope", bezier),
+    "spline": ("spline_slope", cubic),
+    "quadratic_spline": ("quadratic_slope", quadratic),
+}
+
+
+@truth(*(f"std.tessellation.{name}" for each in CURVES for name in (each, CURVES[each][0])))
+@pytest.mark.parametrize("t", [0.2, 0.7])
+@pytest.mark.parametrize("curve", CURVES)
+def test_weights_and_their_derivatives(curve: str, t: float) -> None:
+    slope, weights = CURVES[curve]
+    rising = (weights(t + 1e-5) - weights(t - 1e-5)) / 2e-5
+    imports = f"import std.tessellation.{{{curve}, {slope}}}"
+    for number, (value, change) in enumerate(zip(weights(t), rising, strict=True)):
+        found = of(f"{curve}({t})[{number}], {slope}({t})[{number}], 0", "M", imports)
+        assert found == pytest.approx((value, change, 0), rel=1e-8, abs=1e-8)
+
+
 NETS = {
     "BezierPatches": (4, bezier),
     "SplinePatches": (4, cubic),

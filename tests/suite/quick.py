@@ -56,6 +56,7 @@ LEFT_OUT: Mapping[str, str] = {
     "fuzz": _LARGE,
     "judging/test_assertions.py": "start pytest again and again",
     "layout/test_compilers.py": _COMPILERS,
+    "library/test_mutants.py": _LARGE,
     "mistakes/test_edits.py": _LARGE,
     "mutants": _DRAW,
     "passes/test_expansions.py": _LARGE,
