@@ -128,7 +128,7 @@ def conform(**chosen: Any) -> None:
                 _measure(request, routes)
         elif request.golden is not None:
             with stopping.at_once():
-                _write_golden(request, routes, request.golden)
+                _write_golden(request, routes, request.golden, stopping)
         elif request.explain is None:
             _judge(request, routes, stopping)
         else:
@@ -226,11 +226,13 @@ def _measure(request: ConformRequest, routes: Sequence[Route]) -> None:
     measure(routes, request.device, named=request.routes != "all")
 
 
-def _write_golden(request: ConformRequest, routes: Sequence[Route], folder: Path) -> None:
+def _write_golden(
+    request: ConformRequest, routes: Sequence[Route], folder: Path, stopping: Stopping
+) -> None:
     """Write a golden folder."""
     from .golden import write_golden
 
-    write_golden(request, routes, folder)
+    write_golden(request, routes, folder, stopping)
 
 
 def _judge(request: ConformRequest, routes: Sequence[Route], stopping: Stopping) -> None:

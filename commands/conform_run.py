@@ -79,11 +79,11 @@ class Run:
                 self._stopping.at_once(),
             ):
                 if request.explain is None and len(request.files) >= SEVERAL:
-                    self._judge(_units(judges.contents(request.files)), judges)
+                    self._judge(units_of(judges.contents(request.files)), judges)
                     return
                 forms = [judge.forms(file) for file in request.files]
-                units = _units(map(contents_of, request.files, forms))
-                if request.explain is None and (len(units) >= SEVERAL or _pays(units, size)):
+                units = units_of(map(contents_of, request.files, forms))
+                if request.explain is None and (len(units) >= SEVERAL or pays(units, size)):
                     self._judge(units, judges)
                 else:
                     self._judge_here(forms, runner, toolchain)
@@ -111,14 +111,14 @@ class Run:
             self._with_reasons = _with_reasons(self.subjects, rows, self._request.seed)
 
 
-def _units(contents: Iterable[Contents]) -> Sequence[Unit]:
+def units_of(contents: Iterable[Contents]) -> Sequence[Unit]:
     """All subjects of all files. Raises ``CompileError`` with the errors in all of them."""
     found = list(contents)
     show_said([each.said for each in found])
     return [unit for each in found for unit in each.units]
 
 
-def _pays(units: Sequence[Unit], processes: int) -> bool:
+def pays(units: Sequence[Unit], processes: int) -> bool:
     """True if processes are worth while for a few subjects."""
     costs = [(unit.cost, unit.shared) for unit in units]
     return saved(costs, processes) > START

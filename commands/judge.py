@@ -6,7 +6,7 @@ agree on subjects by the name of the file and the label, as what is compiled is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,6 +16,7 @@ from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
 if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
     from ..targets.conformance.frames import FrameTrial
+    from ..targets.conformance.golden.writing import GoldenPart
     from ..targets.conformance.rows import Row
     from ..targets.runner.frames.helped import Helpers
     from ..targets.runner.routes import Route
@@ -31,6 +32,10 @@ class Unit(NamedTuple):
 
     file: Path
     label: str
+    name: str
+    """The name of the subject by itself."""
+    variant: tuple[str, ...]
+    """Its rig and its pass."""
     read: str
     """The digest of what was read to compile the file."""
     cost: float
@@ -46,6 +51,14 @@ class PartOf(NamedTuple):
     common: bytes
     """What is common to all parts."""
     number: int
+
+
+class GoldenOf(NamedTuple):
+    """A subject whose bounds are written, instead of drawing it."""
+
+    unit: Unit
+    name: str
+    """Its name in the golden folder, and that of its folder there."""
 
 
 class Forms(NamedTuple):
@@ -123,6 +136,28 @@ class Judge:
         except REFUSALS:
             return None
 
+    def golden(
+        self, about: GoldenOf, told: Callable[[float], None] = lambda _share: None
+    ) -> GoldenPart | str:
+        """The part of a golden folder about a subject; or the reason why there is none.
+
+        ``told`` is called with the part of the work that is done. Raises ``MemoryError``.
+        """
+        from ..targets.conformance.golden.writing import NothingToDrawError, golden_part
+        from ..targets.conformance.refusals import REFUSALS
+
+        unit, seed = about.unit, self._request.seed
+        _drawn, meant, _said, read = self.forms(unit.file)
+        if read != unit.read:
+            return f"{unit.label}: its file has changed meanwhile"
+        (subject,) = (pair for pair in meant if pair[0] == unit.label)
+        try:
+            return golden_part(subject, about.name, self._routes, seed, told)
+        except NothingToDrawError as error:
+            return str(error)
+        except REFUSALS as error:
+            return f"{unit.label}: {error}"
+
     def failed(self, unit: Unit, problem: str) -> Sequence[Row]:
         """The rows of a subject that cannot be judged."""
         from ..targets.conformance.rows import Row
@@ -158,11 +193,15 @@ class Judge:
 def contents_of(file: Path, forms: Forms) -> Contents:
     """The contents of a file whose subjects were compiled."""
     from ..targets.conformance.costs import cost_of, shared_cost_of
+    from ..targets.conformance.golden.writing import variant_of
 
     units = (
-        Unit(file, label, forms.read, cost_of(subject), shared_cost_of(subject))
+        Unit(
+            file, label, subject.name, variant_of(subject), forms.read, cost_of(subject),
+            shared_cost_of(subject),
+        )
         for label, subject in forms.meant
-    )
+    )  # fmt: skip
     return Contents(tuple(units), forms.said)
 
 

@@ -78,10 +78,10 @@ def _print_comparer(language: str | None) -> None:
 def judge(**chosen: Any) -> None:
     """Compare a PICTURE with the bounds of a golden FOLDER.
 
-    `burnish conform FILE --golden FOLDER` writes such a folder. It has, for each pixel, between
-    which numbers every device's value lies that keeps its promises, and what to draw. So a picture
-    is not compared with another one by a tolerance, which would be too wide at one pixel and too
-    narrow at the next.
+    `burnish conform plastic.burnish --golden golden/` writes such a folder. It has, for each pixel,
+    between which numbers every device's value lies that keeps its promises, and what to draw. So a
+    picture is not compared with another one by a tolerance, which would be too wide at one pixel
+    and too narrow at the next.
 
     A PICTURE is .npy (floats, or whole numbers of 8 or 16 bits), .png or .exr. It may also be a
     folder, with pictures that are called as in the golden folder, such as
@@ -91,7 +91,6 @@ def judge(**chosen: Any) -> None:
 
     \b
     Example:
-        burnish conform plastic.burnish --golden golden/
         burnish judge golden/ mine.npy --case Plastic/defaults
         burnish judge golden/ screen.png --case defaults --encoding srgb --diff outside.png
         burnish judge golden/ pictures/

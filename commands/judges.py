@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import pickle
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -30,13 +30,17 @@ from ..targets.toolchain.tools import ToolState
 from ..targets.toolchain.workers import Answer, Pool, Worker
 from .compared import ConformRequest
 from .helping import Offers, Part, asks_help
-from .judge import Contents, Judge, PartOf, Unit
+from .judge import Contents, GoldenOf, Judge, PartOf, Unit
 
 if TYPE_CHECKING:
     from ..targets.conformance.gathering import Work
+    from ..targets.conformance.golden.writing import GoldenPart
     from ..targets.conformance.rows import Row
 
 T = TypeVar("T")
+
+Asked = Path | Unit | GoldenOf
+"""What a process is asked about."""
 
 _PROCESS = f"{__package__}.judging_process"
 TIME_LIMIT = 600.0
@@ -94,6 +98,10 @@ class Judges(Closing):
         """Have a process judge a subject, behind all with which others were asked to begin."""
         return self._threads.submit(self._rows, unit)
 
+    def begin_golden(self, about: GoldenOf) -> Future[GoldenPart | str]:
+        """Have a process compute the bounds of a subject, likewise."""
+        return self._threads.submit(self._asked, self._here.golden, about)
+
     def _rows(self, unit: Unit) -> Sequence[Row]:
         """The rows of a subject. Raises ``DriverError``."""
         from ..targets.conformance.rows import LACKS_MEMORY
@@ -103,7 +111,7 @@ class Judges(Closing):
         except MemoryError:
             return self._here.failed(unit, LACKS_MEMORY)
 
-    def _part(self, about: Path | Unit, common: bytes, number: int) -> Part:
+    def _part(self, about: Asked, common: bytes, number: int) -> Part:
         """A part of the work of another process; ``None`` if this one has failed, too.
 
         Raises ``DriverError``.
@@ -116,7 +124,7 @@ class Judges(Closing):
         found: Part = pickle.loads(answer.data) if answer.data else None
         return found
 
-    def _asked(self, work: Callable[[Any], T], about: Path | Unit) -> T:
+    def _asked(self, work: Callable[[Any], T], about: Asked) -> T:
         """Have a process do what a method of ``Judge`` does here."""
         question = self._question(work, about)
         with self._pool.borrow() as worker:
@@ -130,10 +138,10 @@ class Judges(Closing):
         found: T = pickle.loads(answer.data)
         return found
 
-    def _question(self, work: Callable[[Any], object], about: Path | Unit | PartOf) -> Packet:
+    def _question(self, work: Callable[[Any], object], about: Asked | PartOf) -> Packet:
         return Packet({}, pickle.dumps((self._setting, work.__name__, about)))
 
-    def _answer(self, worker: Worker, question: Packet, about: Path | Unit) -> Answer:
+    def _answer(self, worker: Worker, question: Packet, about: Asked) -> Answer:
         """The answer of a process, whose own questions are answered meanwhile."""
         offers = Offers(self._threads, partial(self._part, about))
         try:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import pickle
 import tempfile
-from pathlib import Path
 
 from ..compiler.budget import raised
 from ..targets.runner.driver_pools import LentDrivers
@@ -14,8 +13,8 @@ from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
 from ..targets.toolchain.pipe import Ask, Packet, converse
 from .helping import LentHelpers
-from .judge import Judge, PartOf, Unit
-from .judges import TIME_LIMIT, Setting
+from .judge import Judge, PartOf
+from .judges import TIME_LIMIT, Asked, Setting
 
 
 class _Process:
@@ -28,7 +27,7 @@ class _Process:
         """Do what the main process wants, which may be asked for drivers and for help meanwhile."""
         setting: Setting
         work: str
-        about: Path | Unit | PartOf
+        about: Asked | PartOf
         setting, work, about = pickle.loads(question.data)
         if self._judge is None:
             self._judge = _judge_in(setting, ask)

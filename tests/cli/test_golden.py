@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.targets.conformance.golden.writing import GoldenWriting
+from burnish.commands import golden
+from burnish.commands.judge import Judge
 
 from .kit import PLAIN, invoke, tree
 
@@ -141,7 +142,7 @@ def test_a_folder_that_cannot_be_written_is_told_before_long_work(
     def worked(*_arguments: object) -> None:
         pytest.fail("it has begun to draw")
 
-    monkeypatch.setattr(GoldenWriting, "add", worked)
+    monkeypatch.setattr(Judge, "golden", worked)
     Path("g").write_text("a file")
     result = invoke("conform", "m.burnish", "--golden", "g", *ROUTE)
     assert result.exit_code == 1
@@ -234,9 +235,37 @@ def test_a_frame_has_a_package(tmp_path: Path) -> None:
     assert found[0, :, 0] == pytest.approx((np.arange(72) + 0.5) / 72)
 
 
+def test_processes_write_what_one_process_writes(monkeypatch: pytest.MonkeyPatch) -> None:
+    names = [f"{name}.burnish" for name in "abcd"]
+    for number, name in enumerate(names):
+        Path(name).write_text(f"kernel Same {{ result all : float[3] = {number} / 7.0 }}\n")
+    assert invoke("conform", *names, "--golden", "many", *ROUTE).exit_code == 0
+    monkeypatch.setattr(golden, "SEVERAL", 99)
+    assert invoke("conform", *names, "--golden", "one", *ROUTE).exit_code == 0
+    assert tree(Path("many")) == tree(Path("one"))
+    documents = [json.loads(Path(each, "golden.json").read_text()) for each in ("many", "one")]
+    assert documents[0] == documents[1]
+    subjects = {case["subject"]: case["folder"].split("/")[0] for case in documents[0]["cases"]}
+    assert len(documents[0]["cases"]) == 12
+    assert len({case["folder"] for case in documents[0]["cases"]}) == 12
+    assert sorted(subjects) == ["Same", "Same-2", "Same-3", "Same-4"]
+
+
+def test_subjects_without_bounds_are_all_told() -> None:
+    Path("k.burnish").write_text("kernel Two { result two : float[4] = 2 }\n")
+    result = invoke(
+        "conform", "m.burnish", "k.burnish", "--golden", "g", "--routes", "opengl:gl330"
+    )
+    assert result.exit_code == 1
+    assert result.stderr.startswith("error: k.burnish: Two: none of the routes can draw it: "), (
+        result.stderr
+    )
+    assert not Path("g").exists()
+
+
 def test_needs_no_tools(monkeypatch: pytest.MonkeyPatch) -> None:
     """What is promised does not hang on what is installed."""
     monkeypatch.setattr(
-        "burnish.targets.runner.routes.inspect_tools", lambda _routes: pytest.fail("it looks")
+        "burnish.targets.runner.runner.inspect_tools", lambda _routes: pytest.fail("it looks")
     )
     assert invoke("conform", "m.burnish", "--golden", "g").exit_code == 0

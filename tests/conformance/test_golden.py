@@ -22,7 +22,7 @@ from burnish.targets.conformance.golden.document import Golden
 from burnish.targets.conformance.golden.enclosing import Enclosure, enclosed
 from burnish.targets.conformance.golden.names import folder_names
 from burnish.targets.conformance.golden.within import judged, only, outputs_of, read_npy
-from burnish.targets.conformance.golden.writing import GoldenWriting, NothingToDrawError
+from burnish.targets.conformance.golden.writing import NothingToDrawError, golden_part, whole
 from burnish.targets.conformance.trials import ShaderTrial, Trial
 from burnish.targets.runner.binding import pipeline
 from burnish.targets.runner.codes import compile_one
@@ -80,9 +80,8 @@ def golden(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A golden folder of the material."""
     folder = tmp_path_factory.mktemp("golden")
     material = shiny().shaders[0]
-    writing = GoldenWriting(PROMISES, 0)
-    writing.add([("it", material)], untold)
-    for name, content in writing.files().items():
+    part = golden_part(("it", material), "Shiny", PROMISES, 0)
+    for name, content in whole([part], PROMISES, 0).items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
@@ -257,6 +256,5 @@ def test_what_no_route_can_express_is_told() -> None:
     (kernel,) = burnish.compile(
         Path(__file__).with_name("kernels.burnish"), ALSO, partial=True
     ).materials[:1]
-    writing = GoldenWriting(select(["opengl:gl330"]), 0)
     with pytest.raises(NothingToDrawError, match="none of the routes can draw it"):
-        writing.add([("it", kernel)], untold)
+        golden_part(("it", kernel), "K", select(["opengl:gl330"]), 0)

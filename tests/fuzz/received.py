@@ -26,7 +26,7 @@ from typing import NamedTuple
 from burnish.targets.runner.scenes.gltf.reading import read_gltf
 
 from ..suite.memory import most_memory
-from .hostile import folders, outputs, picture_bytes, plans, requests, scene_bytes
+from .hostile import folders, goldens, outputs, picture_bytes, plans, requests, scene_bytes
 
 SECONDS = 10
 """The largest time of an answer, in seconds."""
@@ -71,6 +71,7 @@ def _plans() -> Trial:
 
 KINDS: Mapping[str, Callable[[], Trial]] = {
     "folders": folders.trial,
+    "goldens": goldens.trial,
     "outputs": outputs.trial,
     "pictures": _pictures,
     "plans": _plans,

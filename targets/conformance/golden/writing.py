@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from io import BytesIO
 from typing import Any
 
@@ -35,103 +36,105 @@ from .inputs import FRAME, SHADER, Files, frame_inputs, shader_inputs
 from .names import file_name, folder_names
 from .viewable import sixteen_bits
 
-Told = Callable[[float], None]
-"""Called with the part of the work that is done."""
-Labelled = tuple[str, Subject | FrameSubject]
-
 
 class NothingToDrawError(Exception):
     """No golden folder can have the bounds of a subject; the text says why."""
 
 
-class GoldenWriting:
-    """The files of a golden folder, as far as they are made."""
+@dataclass(frozen=True, slots=True)
+class GoldenPart:
+    """The part of a golden folder that is about one subject."""
 
-    def __init__(self, routes: Sequence[Route], seed: int) -> None:
-        self._routes, self._seed = routes, seed
-        self._contents: dict[str, bytes] = {}
-        self._cases: list[GoldenCase] = []
+    cases: tuple[GoldenCase, ...]
+    files: Mapping[str, bytes]
+    """The files by their paths from the document."""
 
-    @property
-    def cases(self) -> Sequence[GoldenCase]:
-        """The cases that are made."""
-        return self._cases
 
-    def add(self, subjects: Sequence[Labelled], told: Told) -> None:
-        """Add the cases of all subjects.
+def golden_part(
+    labelled: tuple[str, Subject | FrameSubject],
+    name: str,
+    routes: Sequence[Route],
+    seed: int,
+    told: Callable[[float], None] = lambda _share: None,
+) -> GoldenPart:
+    """All cases of a subject, whose folder has its name. ``told`` is called with the part of the
+    work that is done.
 
-        Raises ``NothingToDrawError``, and whatever drawing by the reference raises.
-        """
-        names = subject_names([subject for _, subject in subjects])
-        folders = folder_names(names)
-        for number, labelled in enumerate(subjects):
+    Raises ``NothingToDrawError``, and whatever drawing by the reference raises.
+    """
+    trial = _trial(labelled, seed)
+    able = _able(trial, routes)
+    for shader in trial.shaders:
+        check_work(shader.shader)
+    contents: dict[str, bytes] = {}
+    files, found = Files(name, contents), []
+    cases = list(trial.cases())
+    for number, (case, own) in enumerate(
+        zip(cases, folder_names(cases, taken=(SHADER, FRAME)), strict=True)
+    ):
 
-            def part(share: float, done: int = number) -> None:
-                told((done + share) / len(subjects))
+        def part(share: float, done: int = number) -> None:
+            told((done + share) / len(cases))
 
-            self._add(labelled, names[number], folders[number], part)
-
-    def files(self) -> dict[str, bytes]:
-        """All files by their paths; the document comes last."""
-        document = Golden(
-            format=FORMAT,
-            version=VERSION,
-            burnish=__version__,
-            seed=self._seed,
-            routes=tuple(route.name for route in self._routes),
-            cases=tuple(self._cases),
-        )
-        return {**self._contents, NAME: to_text(document).encode()}
-
-    def _add(self, labelled: Labelled, name: str, folder: str, told: Told) -> None:
-        trial = _trial(labelled, self._seed)
-        routes = _able(trial, self._routes)
-        for shader in trial.shaders:
-            check_work(shader.shader)
-        cases = list(trial.cases())
-        files = Files(folder, self._contents)
-        own_folders = folder_names(cases, taken=(SHADER, FRAME))
-        for number, (case, own) in enumerate(zip(cases, own_folders, strict=True)):
-
-            def part(share: float, done: int = number) -> None:
-                told((done + share) / len(cases))
-
-            found = enclosed(trial, case, routes, part)
-            self._write(f"{folder}/{own}", found)
-            width, height = found.size
-            self._cases.append(
-                GoldenCase(
-                    subject=name,
-                    case=case,
-                    folder=f"{folder}/{own}",
-                    width=width,
-                    height=height,
-                    undecided=int(found.undecided.sum()),
-                    routes=tuple(route.name for route in routes),
-                    outputs=tuple(map(_output, found.outputs)),
-                    inputs=_inputs(trial, case, routes, files, own),
-                )
+        within = enclosed(trial, case, able, part)
+        contents |= _arrays(f"{name}/{own}", within)
+        width, height = within.size
+        found.append(
+            GoldenCase(
+                subject=name,
+                case=case,
+                folder=f"{name}/{own}",
+                width=width,
+                height=height,
+                undecided=int(within.undecided.sum()),
+                routes=tuple(route.name for route in able),
+                outputs=tuple(map(_output, within.outputs)),
+                inputs=_inputs(trial, case, able, files, own),
             )
-
-    def _write(self, folder: str, found: Enclosure) -> None:
-        self._contents[f"{folder}/undecided.npy"] = _npy(found.undecided.astype("|u1"))
-        for output in found.outputs:
-            path = f"{folder}/{file_name(output.shown.name)}"
-            for end in ("lower", "upper", "reference"):
-                self._contents[f"{path}.{end}.npy"] = _npy(getattr(output, end).astype("<f8"))
-            self._contents[f"{path}.png"] = sixteen_bits(output.reference)
+        )
+    return GoldenPart(tuple(found), contents)
 
 
-def subject_names(subjects: Sequence[Subject | FrameSubject]) -> list[str]:
-    """The names of subjects: with their rigs and passes where several have the same name."""
-    alone = [subject.name for subject in subjects]
+def whole(parts: Iterable[GoldenPart], routes: Sequence[Route], seed: int) -> dict[str, bytes]:
+    """All files of a golden folder by their paths; the document comes last."""
+    cases: list[GoldenCase] = []
+    files: dict[str, bytes] = {}
+    for part in parts:
+        cases += part.cases
+        files |= part.files
+    document = Golden(
+        format=FORMAT,
+        version=VERSION,
+        burnish=__version__,
+        seed=seed,
+        routes=tuple(route.name for route in routes),
+        cases=tuple(cases),
+    )
+    return {**files, NAME: to_text(document).encode()}
+
+
+def _arrays(folder: str, found: Enclosure) -> dict[str, bytes]:
+    """The files with the bounds of a case."""
+    files = {f"{folder}/undecided.npy": _npy(found.undecided.astype("|u1"))}
+    for output in found.outputs:
+        path = f"{folder}/{file_name(output.shown.name)}"
+        for end in ("lower", "upper", "reference"):
+            files[f"{path}.{end}.npy"] = _npy(getattr(output, end).astype("<f8"))
+        files[f"{path}.png"] = sixteen_bits(output.reference)
+    return files
+
+
+def subject_names(subjects: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
+    """The names of subjects, which have a name and a variant each: a rig and a pass. Where several
+    have the same name, it has the variant as well."""
+    alone = [name for name, _ in subjects]
     return [
-        name if alone.count(name) == 1 else ".".join([name, *_variant(subject)])
-        for name, subject in zip(alone, subjects, strict=True)
+        name if alone.count(name) == 1 else ".".join(filter(None, (name, *variant)))
+        for name, variant in subjects
     ]
 
 
-def _variant(subject: Subject | FrameSubject) -> tuple[str, ...]:
+def variant_of(subject: Subject | FrameSubject) -> tuple[str, ...]:
     """The rig and the pass with which something was compiled."""
     if is_frame(subject):
         return (subject.plan.rig,)
@@ -139,7 +142,7 @@ def _variant(subject: Subject | FrameSubject) -> tuple[str, ...]:
     return subject.reflection.rig, subject.reflection.pass_
 
 
-def _trial(labelled: Labelled, seed: int) -> Trial:
+def _trial(labelled: tuple[str, Subject | FrameSubject], seed: int) -> Trial:
     (trial,) = trials_of([labelled], seed=seed)
     if isinstance(trial, tuple):
         raise NothingToDrawError(f"{trial[0]}: {trial[1]}")
