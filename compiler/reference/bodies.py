@@ -15,7 +15,7 @@ from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Lane, Lanes, Namespace, OpenLoops
 from .operations import builtins, chosen
 
 Spend = Callable[[], None]
@@ -139,6 +139,9 @@ class _Iteration(Opened):
         self._bodies = [node.operands[i] for i in bodies_of(node)]
         self._turn = 0
         self._goes_on: Lane = True
+        self._is_next: Lane = True
+        """The condition by which the next states are chosen."""
+        self._endings = xp.endings() if isinstance(xp, OpenLoops) else None
         self._inner = frame
         """The frame of the bodies of one turn."""
         self._following: list[Lanes] = []
@@ -149,7 +152,7 @@ class _Iteration(Opened):
     def following(self) -> tuple[Node, Frame] | None:
         if self._position == 0:
             if self._turn == self._bound or not _anywhere(self._goes_on):
-                states = self._states
+                states = self._states if self._endings is None else self._endings.of(self._states)
                 self.result = states[0] if len(states) == 1 else tuple(states)
                 return None
             self._spend()
@@ -159,18 +162,24 @@ class _Iteration(Opened):
 
     def take(self, value: Lanes) -> None:
         if self._position == 0:
-            (condition,) = value
-            self._goes_on = _all(self._xp, self._goes_on, self._turn < self._count, condition)
+            self._go_on(_all(self._xp, self._turn < self._count, value[0]))
             if _anywhere(self._goes_on):
                 self._position = 1
             return
         state = self._states[self._position - 1]
-        self._following.append(chosen(self._xp, self._goes_on, value, state))
+        self._following.append(chosen(self._xp, self._is_next, value, state))
         self._position += 1
         if self._position == len(self._bodies):
             self._states, self._following = list(map(self._stored, self._following)), []
             self._position = 0
             self._turn += 1
+
+    def _go_on(self, condition: Lane) -> None:
+        """Go on with the elements for which a condition holds, or may hold."""
+        before = self._goes_on
+        self._goes_on = self._is_next = _all(self._xp, before, condition)
+        if self._endings is not None and not isinstance(self._goes_on, bool):
+            self._is_next = self._endings.goes_on(before, condition, self._states)
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:

@@ -152,3 +152,27 @@ class OwnFunctions(ABC):
     @abstractmethod
     def rising(self, function: Callable[[Any, Lane], Lane], x: Lane, /) -> Lane:
         """A function that never falls, of an array library and a lane."""
+
+
+class Endings(ABC):
+    """The states with which a loop ends, where rounding may decide in what turn that is."""
+
+    @abstractmethod
+    def goes_on(self, before: Lane, condition: Lane, states: list[Lanes]) -> Lane:
+        """The condition by which the next states are chosen.
+
+        ``before`` says which elements may have come to this turn with these states, and
+        ``condition`` whether the loop goes on.
+        """
+
+    @abstractmethod
+    def of(self, states: list[Lanes]) -> list[Lanes]:
+        """The states behind the loop, from the last ones."""
+
+
+class OpenLoops(ABC):
+    """Array libraries whose conditions may hold or not, so that loops may have ended or not."""
+
+    @abstractmethod
+    def endings(self) -> Endings:
+        """The endings of one loop."""
