@@ -15,7 +15,7 @@ from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind
-from .namespace import Lane, Lanes, Namespace, OpenLoops
+from .namespace import Attempts, Decisions, Lane, Lanes, Namespace, OpenLoops
 from .operations import builtins, chosen
 
 Spend = Callable[[], None]
@@ -62,12 +62,15 @@ def opened(
 
     ``stored`` is called for the states of an iteration.
     """
+    made: Opened
     if node.op == "apply":
-        return _Application(node, operands, frame)
-    if node.op == "fold":
-        return _Fold(node, operands, frame, xp, spend)
-    assert node.op == "iterate"
-    return _Iteration(node, operands, frame, xp, spend, stored)
+        made = _Application(node, operands, frame)
+    elif node.op == "fold":
+        made = _Fold(node, operands, frame, xp, spend)
+    else:
+        assert node.op == "iterate"
+        made = _Iteration(node, operands, frame, xp, spend, stored)
+    return _Tried(made, xp) if isinstance(xp, Decisions) else made
 
 
 class _Application(Opened):
@@ -180,6 +183,36 @@ class _Iteration(Opened):
         self._goes_on = self._is_next = _all(self._xp, before, condition)
         if self._endings is not None and not isinstance(self._goes_on, bool):
             self._is_next = self._endings.goes_on(before, condition, self._states)
+
+
+class _Tried(Opened):
+    """A node with bodies, each of which is evaluated in all cases of its decisions."""
+
+    def __init__(self, node: Opened, decisions: Decisions) -> None:
+        self._node, self._decisions = node, decisions
+        self._body: tuple[Node, Frame] | None = None
+        """The body of which there are more cases."""
+        self._attempts: Attempts
+
+    def following(self) -> tuple[Node, Frame] | None:
+        if self._body is None:
+            self._decisions.leave()
+            self._body = self._node.following()
+            if self._body is None:
+                self.result = self._node.result
+                return None
+            self._attempts = self._decisions.attempts()
+        root, shared = self._body
+        frame = Frame(shared.parent, shared.bound, shared.formals, place=shared.place)
+        self._attempts.begin(frame)
+        return root, frame
+
+    def take(self, value: Lanes) -> None:
+        known = self._attempts.end(value)
+        if known is not None:
+            self._body = None
+            self._decisions.leave()
+            self._node.take(known)
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:

@@ -176,3 +176,32 @@ class OpenLoops(ABC):
     @abstractmethod
     def endings(self) -> Endings:
         """The endings of one loop."""
+
+
+class Attempts(ABC):
+    """The evaluations of one body, one for each combination of what its decisions may be."""
+
+    @abstractmethod
+    def begin(self, frame: object) -> None:
+        """Begin the next evaluation, in a frame of its own."""
+
+    @abstractmethod
+    def end(self, value: Lanes) -> Lanes | None:
+        """Take the value of the body; returns that of all evaluations, or ``None`` before the
+        last one."""
+
+
+class Decisions(ABC):
+    """Array libraries that try both sides of decisions which rounding may tip."""
+
+    @abstractmethod
+    def at(self, node: Any, frame: object) -> None:
+        """Called before an operation is computed, whose value is kept in this frame."""
+
+    @abstractmethod
+    def leave(self) -> None:
+        """Called before anything else is computed."""
+
+    @abstractmethod
+    def attempts(self) -> Attempts:
+        """The evaluations of one body."""

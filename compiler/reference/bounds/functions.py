@@ -194,8 +194,11 @@ class Bounds(OwnFunctions, OpenLoops):
         x, y = as_bounded(x), as_bounded(y)
         if x.is_exact and y.is_exact and x.kind == "i":
             return exact(np.remainder(x.value, y.value))
-        found = x - y * self.floor(self.divide(x, y))
+        found = self._remainder(x, y)
         return Bounded(np.remainder(x.value, y.value), found.low, found.high, found.form)
+
+    def _remainder(self, x: Bounded, y: Bounded) -> Bounded:
+        return x - y * self.floor(self.divide(x, y))
 
     def sqrt(self, x: Any, /) -> Bounded:
         """The square root; its operand is not negative."""
