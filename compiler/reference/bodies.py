@@ -15,7 +15,7 @@ from ...support.frozen import fresh, record
 from ..ir.node import Formal, Node, binders, bodies_of, formals_of
 from ..ir.operations import FOLD, ITERATE
 from ..ir.types import scalar_kind
-from .namespace import Lane, Lanes, Namespace
+from .namespace import Attempts, Decisions, Lane, Lanes, Namespace, OpenLoops
 from .operations import builtins, chosen
 
 Spend = Callable[[], None]
@@ -62,12 +62,15 @@ def opened(
 
     ``stored`` is called for the states of an iteration.
     """
+    made: Opened
     if node.op == "apply":
-        return _Application(node, operands, frame)
-    if node.op == "fold":
-        return _Fold(node, operands, frame, xp, spend)
-    assert node.op == "iterate"
-    return _Iteration(node, operands, frame, xp, spend, stored)
+        made = _Application(node, operands, frame)
+    elif node.op == "fold":
+        made = _Fold(node, operands, frame, xp, spend)
+    else:
+        assert node.op == "iterate"
+        made = _Iteration(node, operands, frame, xp, spend, stored)
+    return _Tried(made, xp) if isinstance(xp, Decisions) else made
 
 
 class _Application(Opened):
@@ -139,6 +142,9 @@ class _Iteration(Opened):
         self._bodies = [node.operands[i] for i in bodies_of(node)]
         self._turn = 0
         self._goes_on: Lane = True
+        self._is_next: Lane = True
+        """The condition by which the next states are chosen."""
+        self._endings = xp.endings() if isinstance(xp, OpenLoops) else None
         self._inner = frame
         """The frame of the bodies of one turn."""
         self._following: list[Lanes] = []
@@ -149,7 +155,7 @@ class _Iteration(Opened):
     def following(self) -> tuple[Node, Frame] | None:
         if self._position == 0:
             if self._turn == self._bound or not _anywhere(self._goes_on):
-                states = self._states
+                states = self._states if self._endings is None else self._endings.of(self._states)
                 self.result = states[0] if len(states) == 1 else tuple(states)
                 return None
             self._spend()
@@ -159,18 +165,54 @@ class _Iteration(Opened):
 
     def take(self, value: Lanes) -> None:
         if self._position == 0:
-            (condition,) = value
-            self._goes_on = _all(self._xp, self._goes_on, self._turn < self._count, condition)
+            self._go_on(_all(self._xp, self._turn < self._count, value[0]))
             if _anywhere(self._goes_on):
                 self._position = 1
             return
         state = self._states[self._position - 1]
-        self._following.append(chosen(self._xp, self._goes_on, value, state))
+        self._following.append(chosen(self._xp, self._is_next, value, state))
         self._position += 1
         if self._position == len(self._bodies):
             self._states, self._following = list(map(self._stored, self._following)), []
             self._position = 0
             self._turn += 1
+
+    def _go_on(self, condition: Lane) -> None:
+        """Go on with the elements for which a condition holds, or may hold."""
+        before = self._goes_on
+        self._goes_on = self._is_next = _all(self._xp, before, condition)
+        if self._endings is not None and not isinstance(self._goes_on, bool):
+            self._is_next = self._endings.goes_on(before, condition, self._states)
+
+
+class _Tried(Opened):
+    """A node with bodies, each of which is evaluated in all cases of its decisions."""
+
+    def __init__(self, node: Opened, decisions: Decisions) -> None:
+        self._node, self._decisions = node, decisions
+        self._body: tuple[Node, Frame] | None = None
+        """The body of which there are more cases."""
+        self._attempts: Attempts
+
+    def following(self) -> tuple[Node, Frame] | None:
+        if self._body is None:
+            self._decisions.leave()
+            self._body = self._node.following()
+            if self._body is None:
+                self.result = self._node.result
+                return None
+            self._attempts = self._decisions.attempts()
+        root, shared = self._body
+        frame = Frame(shared.parent, shared.bound, shared.formals, place=shared.place)
+        self._attempts.begin(frame)
+        return root, frame
+
+    def take(self, value: Lanes) -> None:
+        known = self._attempts.end(value)
+        if known is not None:
+            self._body = None
+            self._decisions.leave()
+            self._node.take(known)
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:

@@ -17,7 +17,7 @@ from ..ir.node import Node, bare, bodies_of, reachable
 from ..ir.operations import BINDING, BOUND, FORMAL, OUTSIDE
 from . import scalars
 from .bodies import Frame, Opened, opened
-from .namespace import Lanes, Namespace
+from .namespace import Decisions, Lanes, Namespace
 from .operations import NotConstantError, apply, constant_lanes
 
 __all__ = ["Evaluator", "LeafValues", "NotConstantError", "Observer", "TooLongError", "evaluate"]
@@ -116,7 +116,9 @@ class Evaluator:
         self._observer = observer
         self._is_lazy = xp is scalars and observer is None
         """True if only the side of a choice that is taken is evaluated."""
-        self._outermost = Frame()
+        self.outermost = Frame()
+        """The frame of what is under no binder."""
+        self._decisions = xp if isinstance(xp, Decisions) else None
         self._uses: Counter[int] = Counter()
         """The number of users of a node's value still to come, by the node's id, for ``values``."""
 
@@ -133,7 +135,7 @@ class Evaluator:
 
     def value(self, root: Node, *free: Lanes) -> Lanes:
         """The lanes of ``root``; ``free`` are the values of its free variables, if it has any."""
-        frame = Frame(self._outermost, free) if free else self._outermost
+        frame = Frame(self.outermost, free) if free else self.outermost
         walk = _Walk(root, frame, [root])
         waiting: list[tuple[_Walk, Opened]] = []
         while True:
@@ -160,7 +162,7 @@ class Evaluator:
             return frame
         wanted = node.variables
         if not wanted:
-            return self._outermost
+            return self.outermost
         while frame.parent is not None and wanted.isdisjoint(frame.formals):
             frame = frame.parent
         return frame
@@ -175,7 +177,7 @@ class Evaluator:
         while pending:
             node = pending[-1]
             is_under_binder = node.free or node.variables
-            home = self._home(node, frame) if is_under_binder else self._outermost
+            home = self._home(node, frame) if is_under_binder else self.outermost
             known = home.values.get(node.id)
             if known is None and node.op in _GIVEN:
                 known = self._given(node, home)
@@ -195,7 +197,7 @@ class Evaluator:
                 if has_bodies:
                     return opened(node, operands, home, self._xp, self._spend, self._stored)
                 known = operands[0] if is_choice else self._computed(node, operands, home)
-                if self._uses and home is self._outermost:
+                if self._uses and home is self.outermost:
                     self._used(before)
             home.values[node.id] = known
             pending.pop()
@@ -204,6 +206,8 @@ class Evaluator:
     def _computed(self, node: Node, operands: list[Lanes], home: Frame) -> Lanes:
         """The value of an operation without bodies, as the observer leaves it."""
         kept = self._kept
+        if self._decisions is not None:
+            self._decisions.at(node, home)
         before = None if kept is None else kept.value(node, home.place, operands)
         value = apply(node, operands, self._xp) if before is None else before
         if self._observer is not None:
@@ -217,7 +221,7 @@ class Evaluator:
     ) -> list[Lanes] | None:
         """The values of operands; ``None`` if some are not known yet: ``pending`` gets these."""
         values, missing = [], False
-        outermost = self._outermost.values
+        outermost = self.outermost.values
         for operand in wanted:
             if operand.free or operand.variables:
                 value = self._home(operand, frame).values.get(operand.id)
@@ -238,7 +242,7 @@ class Evaluator:
         for operand in operands:
             self._uses[operand.id] -= 1
             if not self._uses[operand.id]:
-                del self._outermost.values[operand.id]
+                del self.outermost.values[operand.id]
 
     def _condition_or_side(self, node: Node, frame: Frame) -> tuple[Node]:
         """The side of a choice that is taken; the condition, as long as that is not known."""

@@ -152,3 +152,56 @@ class OwnFunctions(ABC):
     @abstractmethod
     def rising(self, function: Callable[[Any, Lane], Lane], x: Lane, /) -> Lane:
         """A function that never falls, of an array library and a lane."""
+
+
+class Endings(ABC):
+    """The states with which a loop ends, where rounding may decide in what turn that is."""
+
+    @abstractmethod
+    def goes_on(self, before: Lane, condition: Lane, states: list[Lanes]) -> Lane:
+        """The condition by which the next states are chosen.
+
+        ``before`` says which elements may have come to this turn with these states, and
+        ``condition`` whether the loop goes on.
+        """
+
+    @abstractmethod
+    def of(self, states: list[Lanes]) -> list[Lanes]:
+        """The states behind the loop, from the last ones."""
+
+
+class OpenLoops(ABC):
+    """Array libraries whose conditions may hold or not, so that loops may have ended or not."""
+
+    @abstractmethod
+    def endings(self) -> Endings:
+        """The endings of one loop."""
+
+
+class Attempts(ABC):
+    """The evaluations of one body, one for each combination of what its decisions may be."""
+
+    @abstractmethod
+    def begin(self, frame: object) -> None:
+        """Begin the next evaluation, in a frame of its own."""
+
+    @abstractmethod
+    def end(self, value: Lanes) -> Lanes | None:
+        """Take the value of the body; returns that of all evaluations, or ``None`` before the
+        last one."""
+
+
+class Decisions(ABC):
+    """Array libraries that try both sides of decisions which rounding may tip."""
+
+    @abstractmethod
+    def at(self, node: Any, frame: object) -> None:
+        """Called before an operation is computed, whose value is kept in this frame."""
+
+    @abstractmethod
+    def leave(self) -> None:
+        """Called before anything else is computed."""
+
+    @abstractmethod
+    def attempts(self) -> Attempts:
+        """The evaluations of one body."""

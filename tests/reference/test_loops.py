@@ -18,7 +18,14 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.stages import TARGET
 from burnish.compiler.ir.types import width
-from burnish.compiler.reference.bounds import Bounds, as_bounded, between, exact, remembered
+from burnish.compiler.reference.bounds import (
+    Bounded,
+    Bounds,
+    as_bounded,
+    between,
+    exact,
+    remembered,
+)
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.evaluate import Evaluator
 
@@ -96,8 +103,22 @@ def _arrays(name: str, count: int) -> tuple[Any, ...]:
 @pytest.mark.parametrize("name", LOOPS)
 def test_bounds_of_loops_grow_like_errors(name: str) -> None:
     loop = LOOPS[name]
-    parameters = "\n".join(f"param {each}" for each in loop.parameters.split(", "))
-    drawn = shader(f"material M {{\n{parameters}\ncolor = vec3({loop.text})\n}}")
+    bounds, worst = _compared(loop.parameters, loop.text)
+    assert np.median(bounds.radius / worst) < loop.most
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_a_loop_that_rounding_may_end_goes_one_turn_further_at_most() -> None:
+    bounds, worst = _compared("a : float", "iterate t from 0.0 up to 32 while t < 3.0 * a : t + a")
+    (a,) = _arrays("a", 1)
+    assert (worst > 0.9 * a).any(), "some device goes on"
+    assert (bounds.radius < 1.001 * a).all()
+
+
+def _compared(given: str, text: str) -> tuple[Bounded, Any]:
+    """The bounds of a text with these parameters, and the largest errors of random devices."""
+    parameters = "\n".join(f"param {each}" for each in given.split(", "))
+    drawn = shader(f"material M {{\n{parameters}\ncolor = vec3({text})\n}}")
     (target,) = drawn.results_of(TARGET)
 
     def valued(made: Any) -> Any:
@@ -119,7 +140,7 @@ def test_bounds_of_loops_grow_like_errors(name: str) -> None:
         value = device.lane(Evaluator(valued(device.given), device).value(target.value)[0]).value
         assert ((bounds.low <= value) & (value <= bounds.high)).all(), f"device {number}"
         worst = np.maximum(worst, np.abs(value - bounds.value))
-    assert np.median(bounds.radius / worst) < loop.most
+    return bounds, worst
 
 
 def test_errors_of_uniform_lanes_are_not_taken_for_pixels() -> None:

@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 
 from ....stdlib.builtins.facts import SMALLEST_NORMAL, ULP
-from ..namespace import OwnFunctions
+from ..namespace import OpenLoops, OwnFunctions
 from .affine import Derivative, Form, curved
 from .blend import blend
 from .bounded import Bounded, as_bounded, exact, negated, widened
 from .choices import certain_choice, of_conditions, of_ends, open_choice
 from .lanes import limited, rounded
+from .loop_ends import LoopEnds
 from .products import products
 from .rounding import ROUNDED_UP, Array, outward
 from .whole import LARGEST, LEAST
@@ -35,7 +36,7 @@ _BELOW_ONE = 2.0**-24
 _LN2 = math.log(2.0)
 
 
-class Bounds(OwnFunctions):
+class Bounds(OwnFunctions, OpenLoops):
     """An array library whose lanes are ``Bounded``, for platforms with these errors of functions.
 
     Operands may be plain where they are exact. A plain float is a constant of the program.
@@ -44,6 +45,10 @@ class Bounds(OwnFunctions):
     def __init__(self, errors: Errors) -> None:
         self._errors = errors
         self._rounds: Callable[[str], bool] = getattr(errors, "rounds", lambda _name: False)
+
+    def endings(self) -> LoopEnds:
+        """The endings of a loop."""
+        return LoopEnds()
 
     # --- choices ----------------------------------------------------------------------------------
 
@@ -189,8 +194,11 @@ class Bounds(OwnFunctions):
         x, y = as_bounded(x), as_bounded(y)
         if x.is_exact and y.is_exact and x.kind == "i":
             return exact(np.remainder(x.value, y.value))
-        found = x - y * self.floor(self.divide(x, y))
+        found = self._remainder(x, y)
         return Bounded(np.remainder(x.value, y.value), found.low, found.high, found.form)
+
+    def _remainder(self, x: Bounded, y: Bounded) -> Bounded:
+        return x - y * self.floor(self.divide(x, y))
 
     def sqrt(self, x: Any, /) -> Bounded:
         """The square root; its operand is not negative."""

@@ -23,6 +23,7 @@ from .coverage import Coverage, Fragments, coverage_within, has_level_edges, joi
 from .faces import Faces
 from .hulls import Hulls
 from .lines import LineFaces
+from .narrowing import CasesOf, Colours, narrow
 from .placing import placing_of
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
 from .resolve import expected_on
@@ -312,6 +313,19 @@ class _Drawing:
                 bounded = as_bounded(values)
                 ends = (bounded.value, bounded.low, bounded.high)
                 colours[:, members, i] = np.stack([chosen(end) for end in ends])
+        if self._stages.has_bounds:
+            found = Colours([colours[:, members] for colours in into.colours], lane, quads.side)
+            narrow(found, self._cases_of(quads))
+
+    def _cases_of(self, quads: Quads) -> CasesOf:
+        """Evaluates some of these quads in one case of their decisions."""
+
+        def evaluated(numbers: Ints, some: Ints) -> tuple[list[Lanes], Ints]:
+            part = quads.only(some)
+            place = Barycentric(self._faces, part, self._rules)
+            return self._stages.cases(numbers, place, self._faces.front[part.face], self._vertices)
+
+        return evaluated
 
 
 def _within(progress: Tell, begin: float, share: float) -> Tell:

@@ -51,6 +51,10 @@ class Quads:
         """The quads from ``begin`` to ``end``, whose values are at the centres of pixels."""
         return Quads(self.face[begin:end], self.x[begin:end], self.y[begin:end], self.side)
 
+    def only(self, some: Ints) -> Quads:
+        """Quads of these numbers, whose values are at the centres of pixels."""
+        return Quads(self.face[some], self.x[some], self.y[some], self.side)
+
     def places(self) -> tuple[Floats, Floats]:
         """The places of the values, in pixels: (quads, 1, side) and (quads, side, 1)."""
         across = self._each(self.x, self.at.x)

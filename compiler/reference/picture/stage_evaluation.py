@@ -20,7 +20,8 @@ from ...ir.shader import Shader
 from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
-from ..evaluate import Evaluator
+from ..bounds.deciding import Case, Deciding
+from ..evaluate import Evaluator, LeafValues
 from ..held_values import HeldValues, as_rounded
 from ..kept_numbers import KeptNumbers
 from ..live import at_once
@@ -94,7 +95,8 @@ class StageEvaluator:
         self._held = HeldValues(values, as_rounded if self.has_bounds else None, kept)
         self._kept = kept
         self.rules = rules
-        self._bounds = Bounds(errors or _no_error)
+        self._errors = errors or _no_error
+        self._bounds = Bounds(self._errors)
         self._xp: Namespace = self._bounds if self.has_bounds else np
         ((self._position,), self._targets, discards) = (
             tuple(result.value for result in shader.results_of(kind))
@@ -103,7 +105,10 @@ class StageEvaluator:
         self._discard = next(iter(discards), None)
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "cross"]
-        self.side = 2 if _compares(nodes, rules) else 1
+        compared = _compared(nodes, rules)
+        self.side = 2 if compared else 1
+        self._compared = frozenset(node.id for node in reachable(compared))
+        """The ids of nodes that pixels of a quad compare, whose decisions cases leave open."""
         self._at_vertices = (*(node.operands[0] for node in self._crossings), self._position)
         self._at_pixels = (*((self._discard,) if self._discard else ()), *self._targets)
         self._vertices_at_once = at_once(self._at_vertices, VERTICES_AT_ONCE)
@@ -141,7 +146,7 @@ class StageEvaluator:
                 (inputs[INPUT.data(node).name],) if node.op == "input" else self._held.value(node)
             )
 
-        watch = _Watch(self, (count,))
+        watch = _Watch(self, self.found, (count,))
         evaluator = Evaluator(leaves, self._xp, watch, kept=self._kept)
         *crossed, position = evaluator.values(self._at_vertices)
         crossings = {
@@ -156,6 +161,31 @@ class StageEvaluator:
 
     def fragments(self, place: Barycentric, front: Bools, vertices: Vertices) -> Shaded:
         """Evaluate the fragment stage in quads; ``front`` says which of them face the eye."""
+        watch = _Watch(self, self.found, (len(front), self.side, self.side))
+        leaves = self._pixel_leaves(place, front, vertices)
+        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered, kept=self._kept)
+        found = evaluator.values(self._at_pixels)
+        discarded: Any = found.pop(0)[0] if self._discard else False
+        watch.end((*(lane for target in found for lane in target), discarded))
+        targets = tuple(map(watch.as_defined, found))
+        return Shaded(targets, discarded, watch.undecided)
+
+    def cases(
+        self, numbers: Ints, place: Barycentric, front: Bools, vertices: Vertices
+    ) -> tuple[list[Lanes], Ints]:
+        """The targets of quads, each in one case of the fragment stage's decisions, and how many of
+        these each pixel has."""
+        shape = len(front), self.side, self.side
+        watch = _Watch(self, Found(frozenset()), shape)
+        case = Case(numbers[:, None, None])
+        xp = Deciding(self._errors, lambda node: node.id in self._compared)
+        leaves = self._pixel_leaves(place, front, vertices)
+        evaluator = Evaluator(leaves, xp, watch, stored=all_remembered)
+        xp.begin(evaluator.outermost, case)
+        found = evaluator.values(self._targets)
+        return found, np.broadcast_to(case.counts, shape)
+
+    def _pixel_leaves(self, place: Barycentric, front: Bools, vertices: Vertices) -> LeafValues:
         readers = {r: self._reader(TextureReader(image)) for r, image in self._images.items()}
         inputs = {
             "frag_coord": self._given((place.x, place.y, place.depth_read, place.per_w)),
@@ -172,13 +202,7 @@ class StageEvaluator:
                 return (readers[node.data],)
             return inputs[INPUT.data(node).name] if node.op == "input" else self._held.value(node)
 
-        watch = _Watch(self, (len(front), self.side, self.side))
-        evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered, kept=self._kept)
-        found = evaluator.values(self._at_pixels)
-        discarded: Any = found.pop(0)[0] if self._discard else False
-        watch.end((*(lane for target in found for lane in target), discarded))
-        targets = tuple(map(watch.as_defined, found))
-        return Shaded(targets, discarded, watch.undecided)
+        return leaves
 
     # --- leaves -----------------------------------------------------------------------------------
 
@@ -195,8 +219,8 @@ class StageEvaluator:
 class _Watch(Watch):
     """Observes derivatives, too, and other operations that compare neighbours."""
 
-    def __init__(self, stages: StageEvaluator, shape: tuple[int, ...]) -> None:
-        super().__init__(stages.found, shape, stages.rules, rounds=stages.has_bounds)
+    def __init__(self, stages: StageEvaluator, found: Found, shape: tuple[int, ...]) -> None:
+        super().__init__(found, shape, stages.rules, rounds=stages.has_bounds)
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)
@@ -280,7 +304,7 @@ def attribute_lanes(geometry: Geometry, attribute: Attribute) -> Lanes:
     return tuple(np.ascontiguousarray(array.T, dtype=kind))
 
 
-def _compares(nodes: Iterable[Node], rules: RasterRules) -> bool:
-    """True if pixels depend on others of their quad."""
+def _compared(nodes: Iterable[Node], rules: RasterRules) -> list[Node]:
+    """The operations that make pixels depend on others of their quad."""
     neighbours = _COMPARES_NEIGHBOURS if rules.projects_cubes else _COMPARES_NEIGHBOURS | _GRADS
-    return any(node.op in BUILTIN_OPS and CALL.data(node) in neighbours for node in nodes)
+    return [node for node in nodes if node.op in BUILTIN_OPS and CALL.data(node) in neighbours]
