@@ -78,8 +78,8 @@ def _questions(
     """The profiles whose texts are different, each with all bounds that count for it; and
     ``None``, the source, with those of all routes.
 
-    Of the promises of several APIs the weakest one counts for a text: their hull is hardly
-    narrower, and takes longer.
+    Of the promises of several APIs the weakest one counts for a text, as for one that two of them
+    carry out: an evaluation for each API would take several times as long.
     """
     by_text: dict[Hashable, list[Route]] = {}
     for route in routes:
