@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..targets.conformance.compare import FEW, PROVEN_SHARE
 from ..targets.conformance.golden.document import NAME, GoldenCase
 from ..targets.conformance.golden.names import folder_names
 from ..targets.conformance.golden.writing import GoldenPart, subject_names, whole
@@ -104,7 +105,7 @@ def _named(units: Sequence[Unit]) -> list[GoldenOf]:
 
 
 def _tell(cases: Sequence[GoldenCase]) -> None:
-    """Print a line for each case, and warn of those that are of no use."""
+    """Print a line for each case, and warn of those that prove little."""
     for case in cases:
         outputs = ", ".join(row.name for row in case.outputs)
         size = f"{case.width} x {case.height}"
@@ -112,3 +113,8 @@ def _tell(cases: Sequence[GoldenCase]) -> None:
     for case in cases:
         if case.undecided == case.width * case.height:
             remark("warning", f"{case.folder}: nothing is compared, as all pixels are undecided")
+        elif case.undecided + case.wide > max(FEW, (1 - PROVEN_SHARE) * case.covered):
+            remark("warning", (
+                f"{case.folder}: proves little: of {case.covered} pixels of the object, "
+                f"{case.wide} may have nearly any value, and {case.undecided} are undecided"
+            ))  # fmt: skip

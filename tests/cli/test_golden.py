@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -187,6 +188,20 @@ def test_a_case_in_which_nothing_is_compared_is_told() -> None:
     assert result.stdout.startswith("Big/first: all, 4 x 1 pixels, 4 undecided\n")
     said = "warning: Big/first: nothing is compared, as all pixels are undecided\n"
     assert result.stderr.startswith(said)
+
+
+def test_cases_that_prove_little_are_told() -> None:
+    Path("m.burnish").write_text(
+        "material Hash {\n"
+        "    color = vec3(fract(sin(dot(uv, vec2(12.9898, 78.233))) * 43758.5453))\n}\n"
+    )
+    result = invoke("conform", "m.burnish", "--golden", "g", *ROUTE)
+    assert result.exit_code == 0
+    said = re.findall(r"^warning: (.*): proves little: of \d+ pixels of the object, \d+ may have "
+                      r"nearly any value, and \d+ are undecided$", result.stderr, re.M)  # fmt: skip
+    assert said == [f"Hash/{case}" for case in ("defaults", "stretched", "behind", "inside")]
+    (first, *_) = document()["cases"]
+    assert first["wide"] > 0.5 * first["covered"] > 500
 
 
 def test_elements_of_a_kernel_are_a_row_of_pixels() -> None:

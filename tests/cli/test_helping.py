@@ -69,7 +69,7 @@ def conform() -> tuple[int, str, str]:
 def alone(monkeypatch: pytest.MonkeyPatch) -> tuple[int, str, str]:
     """What is said if the process of the command judges, and what was drawn is forgotten."""
     with monkeypatch.context() as patch:
-        patch.setattr(conform_run, "_pays", lambda *_of: False)
+        patch.setattr(conform_run, "pays", lambda *_of: False)
         patch.setenv("BURNISH_CACHE", str(Path("elsewhere").absolute()))
         return conform()
 

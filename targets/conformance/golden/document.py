@@ -51,6 +51,11 @@ class GoldenCase:
     """Rows of a picture. Those of layers and faces stand one below the other."""
     undecided: Count
     """The number of pixels that are not compared."""
+    covered: Count
+    """The number of pixels that show the object."""
+    wide: Count
+    """The number of these whose bounds say nothing: they are wider than an eighth of the range of
+    the picture's values."""
     routes: tuple[str, ...]
     """The routes whose bounds it has: those that can express the subject."""
     outputs: tuple[GoldenOutput, ...]

@@ -18,7 +18,7 @@ from ....compiler.reference.bounds.errors import Errors
 from ....stdlib.builtins.accuracy import Platform
 from ...runner.routes import Route
 from ..bounds import Bounds
-from ..compare import LARGEST, largest_of_lanes
+from ..compare import LARGEST, largest_of_lanes, says_nothing
 from ..judging import CasePictures, Shown
 from ..trials import Trial
 
@@ -43,6 +43,10 @@ class Enclosure:
     outputs: tuple[Enclosed, ...]
     undecided: Bools
     """The pixels that are not compared, (height, width)."""
+    covered: int
+    """The pixels that some device covers: those of the object."""
+    wide: int
+    """Covered pixels that are compared, but whose bounds say nothing."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -74,8 +78,8 @@ def _questions(
     """The profiles whose texts are different, each with all bounds that count for it; and
     ``None``, the source, with those of all routes.
 
-    Of the promises of several APIs the weakest one counts for a text: their hull is hardly
-    narrower, and takes longer.
+    Of the promises of several APIs the weakest one counts for a text, as for one that two of them
+    carry out: an evaluation for each API would take several times as long.
     """
     by_text: dict[Hashable, list[Route]] = {}
     for route in routes:
@@ -137,11 +141,14 @@ class _Hull:
         values = np.stack(meant.expected.targets)[:, :height, :width]
         undecided = self.undecided | _overflows(values) | ~(self.covered | self.uncovered)
         lower, upper = _known(self.lower, -np.inf), _known(self.upper, np.inf)
+        seen = self.covered & ~undecided
+        wide = seen & says_nothing(values, lower, upper, seen)
         outputs = (
             Enclosed(shown, *(each[number, ..., : shown.lanes] for each in (values, lower, upper)))
             for number, shown in enumerate(meant.shown)
         )
-        return Enclosure(tuple(outputs), undecided)
+        covered = int((~self.uncovered).sum())
+        return Enclosure(tuple(outputs), undecided, covered, int(wide.sum()))
 
 
 def _overflows(values: Floats) -> Bools:

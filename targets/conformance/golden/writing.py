@@ -87,6 +87,8 @@ def golden_part(
                 width=width,
                 height=height,
                 undecided=int(within.undecided.sum()),
+                covered=within.covered,
+                wide=within.wide,
                 routes=tuple(route.name for route in able),
                 outputs=tuple(map(_output, within.outputs)),
                 inputs=_inputs(trial, case, able, files, own),
