@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from .kit import invoke, tree
 
@@ -70,3 +71,13 @@ def test_all_or_nothing(tmp_path: Path) -> None:
     assert "sqrt.json" in result.stderr
     assert tree(tmp_path) == {"sqrt.json", "index.json"}
     assert (tmp_path / "index.json").read_text() == "old"
+
+
+@pytest.mark.parametrize("name", ["index", "not"])
+def test_files_follow_the_printed_schema(name: str, tmp_path: Path) -> None:
+    invoke("corpus", "--only", "not", "-o", tmp_path)
+    printed = invoke("schema", "corpus_index" if name == "index" else "corpus")
+    document = json.loads((tmp_path / f"{name}.json").read_text("utf-8"))
+    assert list(Draft202012Validator(json.loads(printed.stdout)).iter_errors(document)) == []
+    other = invoke("schema", "corpus" if name == "index" else "corpus_index")
+    assert list(Draft202012Validator(json.loads(other.stdout)).iter_errors(document))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 from collections.abc import Callable, Iterator
@@ -58,9 +59,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def alone(folder: Path, name: str, to: Path) -> Path:
     """A folder with the corpus of a single operation."""
-    (to / "index.json").write_text(
-        f'{{"operations": [{{"name": "{name}", "file": "{name}.json"}}]}}'
-    )
+    row = {"name": name, "file": f"{name}.json"}
+    (to / "index.json").write_text(json.dumps({"corpus": 1, "operations": [row]}))
     (to / f"{name}.json").write_text((folder / f"{name}.json").read_text("utf-8"), "utf-8")
     return to
 
