@@ -337,7 +337,8 @@ def test_a_bent_surface(
     light = unit(towards)
     found = middle(
         "Directional", lamp_direction=tuple(-light), lamp_diffuse_color=(0.5, 2, 1.5),
-        base_color=(*BASE, 1), base_color_map=Texture.solid((0.4, 1, 0.6)), metallic=0.75, roughness=roughness, normal_scale=scale,
+        base_color=(*BASE, 1), base_color_map=Texture.solid((0.4, 1, 0.6)), metallic=0.75,
+        roughness=roughness, normal_scale=scale,
         normal_map=Texture.solid(tuple(lane / 255 for lane in texel)),
         metallic_roughness_map=Texture.solid((0, rough / 255, metal / 255, 1)),
         occlusion_map=Texture.solid((occluded / 255, 1, 1)), occlusion_strength=0.5,
