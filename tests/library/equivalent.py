@@ -74,7 +74,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         ),
     ),
     "The order of lanes does not count for a length.": (
-        "std.billboards.Billboard: billboard_origin[3]. [xyz -> zyx] billboard_right : di",
         "std.billboards.Billboard: billboard_origin[0]. [xyz -> zyx] ), length(billboard_",
         "std.billboards.Billboard: billboard_origin[1]. [xyz -> zyx] ), length(billboard_",
         "std.billboards.Billboard: billboard_origin[2]. [xyz -> zyx] ) ) object_drawn = o",

@@ -103,7 +103,10 @@ def judge_all(chosen: Sequence[Change]) -> Iterable[tuple[Change, Answer]]:
 
 
 def main() -> None:
-    """Judge the mutants that the command line asks for; the exit code is 1 if any survived."""
+    """Judge the mutants that the command line asks for.
+
+    The exit code is 1 if any survived, or is found although it has a reason why it cannot be.
+    """
     parser = ArgumentParser(
         prog="python -m tests.library.mutants", description=__doc__,
         formatter_class=RawDescriptionHelpFormatter,
@@ -116,16 +119,19 @@ def main() -> None:
     chance = random.Random(asked.seed)
     chosen = chance.sample(found, min(asked.count, len(found))) if asked.count else found
     counts: defaultdict[str, Counter[str]] = defaultdict(Counter)
+    wrong = False
     for change, answer in judge_all(chosen):
         verdict = answer["verdict"]
-        counts[change.file][verdict] += 1
-        counts["all"][verdict] += 1
+        for row in (change.file, "all"):
+            counts[row][verdict] += 1
         if verdict == "survived":
             print(f"line {change.line(text_of(change.file))}: {change.told}", flush=True)
+            wrong = True
         elif verdict != "equivalent" and change.told in EQUIVALENT:
-            print(f"no longer equivalent: {change.told}", flush=True)
+            print(f"not equivalent, but {verdict}: {change.told}", flush=True)
+            wrong = True
     print(table(counts))
-    sys.exit(bool(counts["all"]["survived"]))
+    sys.exit(wrong)
 
 
 def table(counts: dict[str, Counter[str]]) -> str:

@@ -337,7 +337,8 @@ def test_a_bent_surface(
     light = unit(towards)
     found = middle(
         "Directional", lamp_direction=tuple(-light), lamp_diffuse_color=(0.5, 2, 1.5),
-        base_color=(*BASE, 1), metallic=0.75, roughness=roughness, normal_scale=scale,
+        base_color=(*BASE, 1), base_color_map=Texture.solid((0.4, 1, 0.6)), metallic=0.75,
+        roughness=roughness, normal_scale=scale,
         normal_map=Texture.solid(tuple(lane / 255 for lane in texel)),
         metallic_roughness_map=Texture.solid((0, rough / 255, metal / 255, 1)),
         occlusion_map=Texture.solid((occluded / 255, 1, 1)), occlusion_strength=0.5,
@@ -346,11 +347,11 @@ def test_a_bent_surface(
     )  # fmt: skip
     lean = 2 * np.array(texel) / 255 - 1
     normal = unit(lean * (scale, scale, 1))
-    metallic = 0.75 * metal / 255
-    wanted = shaded(normal, light, np.array((0, 0, 1.0)), BASE, metallic, roughness * rough / 255)
+    metallic, base = 0.75 * metal / 255, BASE * (0.4, 1, 0.6)
+    wanted = shaded(normal, light, np.array((0, 0, 1.0)), base, metallic, roughness * rough / 255)
     wanted *= (0.5, 2, 1.5)
     occlusion = 0.5 + 0.5 * occluded / 255
-    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * BASE * (1 - metallic) + (0.2, 0, 1)
+    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * base * (1 - metallic) + (0.2, 0, 1)
     assert np.allclose(found[:3], wanted, rtol=2e-5)
 
 
