@@ -124,7 +124,7 @@ def rules_of(
         derivatives=hardware.derivatives,
         footprint=hardware.footprint,
         corner_bits=hardware.corner_bits,
-        lines=hardware.lines,
+        lines=(device.lines or "any") if hardware.lines == "any" else hardware.lines,
         snaps_line_ends=driver.snaps_line_ends,
         level_power=driver.level_power,
         bottom_up=bottom_up,

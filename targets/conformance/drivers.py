@@ -70,8 +70,9 @@ class Driver:
     edge_slack: float = 0.0
     """The distance from an edge, in pixels, at which the driver may put a pixel on the wrong
     side."""
-    snaps_line_ends: bool = False
-    """True if the driver snaps the ends of lines, and half their width separately."""
+    snaps_line_ends: bool | None = False
+    """True if the driver snaps the ends of lines, and half their width separately; ``None`` if that
+    is not known."""
     level_power: int | None = None
     """The power of a footprint whose logarithm the driver reads roughly, from a float's bits."""
     projects_cubes: bool = True
@@ -145,8 +146,12 @@ _ANY_DEVICE = Driver(
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,
+<<<<<<< HEAD
     # Direct3D asks for 8 places, and the others for at least 4, which SwiftShader has.
     grids=(4, 8),
+=======
+    snaps_line_ends=None,
+>>>>>>> little
 )
 
 DRIVERS: Mapping[str, Driver] = {

@@ -182,3 +182,21 @@ def test_snapped_ends_and_snapped_corners_differ_by_less_than_a_step() -> None:
         for snaps in (False, True):
             found, _ = pixels(begin, end, by("rectangle", snaps_line_ends=snaps))
             assert (found != exactly).sum() <= 1
+
+
+@settings(max_examples=100)
+@given(points, points)
+def test_what_is_decided_whatever_is_snapped_is_drawn_so_by_both(
+    begin: tuple[float, float], end: tuple[float, float]
+) -> None:
+    for rule in ("rectangle", "parallelogram"):
+        found, undecided = pixels(begin, end, by(rule, snaps_line_ends=None))
+        for snaps in (False, True):
+            drawn, unsure = pixels(begin, end, by(rule, snaps_line_ends=snaps))
+            assert ((drawn == found) | undecided | unsure).all()
+
+
+def test_most_is_decided_if_only_the_rule_is_known() -> None:
+    found, undecided = pixels((1.2, 2.6), (10.8, 2.4), by("rectangle", snaps_line_ends=None))
+    assert (found & ~undecided).sum() == 10
+    assert not undecided.any()

@@ -56,6 +56,7 @@ def test_the_driver_names_itself(vulkan: Asker) -> None:
     assert device.subpixel_bits >= 4
     assert device.subtexel_bits >= 4
     assert device.mip_bits >= 4
+    assert device.lines == "rectangle"
 
 
 # --- where things land -------------------------------------------------------------------------

@@ -208,6 +208,7 @@ class _Drawing:
             # APIs leave the depths open that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
             doubtful, sure = joined([doubtful, fragments.only(beyond)]), sure & ~beyond
+        doubtful = self._not_discarded(doubtful)
         every, certain = Coverage(fragments, sure, doubtful).in_order()
         depth, off = depths_of(self._faces, fragments, self._rules)
         if self._nearest_wins:
@@ -272,6 +273,13 @@ class _Drawing:
         behind = np.full(self._rules.sample_count, np.inf)
         np.minimum.at(behind, certain.sample, farthest)
         return doubtful.only(~(depth - off > behind[doubtful.sample]))
+
+    def _not_discarded(self, doubtful: Fragments) -> Fragments:
+        """The doubtful fragments that some device does not discard, if it draws them."""
+        if not self._stages.discards or not len(doubtful.sample):
+            return doubtful
+        shades = self._shaded(doubtful, None).only(np.arange(len(doubtful.sample)))
+        return doubtful.only(~shades.discarded | shades.undecided)
 
     def _shaded(self, fragments: Fragments, progress: Tell | None) -> Shades:
         """The fragments' colours, computed for a limited number of quads at a time."""

@@ -30,6 +30,11 @@ _HALF = 0.5
 """Half the width of a line, and how far a diamond reaches from the middle of its pixel."""
 _ANY_END = 1.0
 """The pixels by which the ends of a line differ between all rules."""
+_EITHER_SNAPPED = 1.0
+"""The steps, along each axis, by which corners differ that are snapped in one way or the other.
+
+Three roundings make up to 1.5 steps, and places on the grid differ by whole ones.
+"""
 _BORDER = 1.0
 """The distance from the picture's border, in pixels, at which the border matters.
 
@@ -265,7 +270,10 @@ def _unsure_corners(outline: _Outline, slack: Floats, rules: RasterRules) -> Flo
     middle, beside = (np.moveaxis(part, 2, 0) for part in (outline.middle, outline.beside))
     if rules.snaps_line_ends:
         return unsure(*middle) + unsure(*beside)
-    return unsure(*(middle + beside))
+    either = 0.0
+    if rules.snaps_line_ends is None and rules.lines != "any":
+        either = np.sqrt(2.0) * _EITHER_SNAPPED * _step(rules)
+    return unsure(*(middle + beside)) + either
 
 
 def _shares(whole: Floats, weights: Floats) -> Floats:

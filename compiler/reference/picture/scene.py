@@ -146,10 +146,10 @@ class RasterRules:
     edge_slack: float = 0.0
     """The distance to an edge, in pixels, at which the device may put a pixel on the wrong side."""
     lines: Lines = "rectangle"
-    snaps_line_ends: bool = False
+    snaps_line_ends: bool | None = False
     """True if the ends of lines are snapped, and half their width by itself.
 
-    Otherwise the corners of the covered area are.
+    Otherwise the corners of the covered area are; ``None`` if it may be either.
     """
     subtexel_bits: int | None = None
     """The binary places of a linear filter's weights; ``None``: they are exact."""

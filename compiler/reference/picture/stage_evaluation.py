@@ -103,6 +103,8 @@ class StageEvaluator:
             for kind in (CLIP_POSITION, TARGET, DISCARD)
         )
         self._discard = next(iter(discards), None)
+        self.discards = self._discard is not None
+        """True if fragments may be discarded."""
         nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
         self._crossings = [node for node in nodes if node.op == "cross"]
         compared = _compared(nodes, rules)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +20,11 @@ class Device:
     """The binary places of a linear filter's weights; 0 if the API does not tell."""
     mip_bits: int
     """The binary places of the weights between mip levels; 0 if the API does not tell."""
+    lines: Literal["rectangle"] | None = None
+    """The area that a line covers; ``None`` if the API does not tell, or does not know.
+
+    Vulkan's conformance tests let lines that are not strict be parallelograms or follow diamonds.
+    """
 
     @property
     def title(self) -> str:

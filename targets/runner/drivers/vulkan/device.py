@@ -179,6 +179,7 @@ def describe(gpu: Gpu) -> Device:
         subpixel_bits=limits.subPixelPrecisionBits,
         subtexel_bits=limits.subTexelPrecisionBits,
         mip_bits=limits.mipmapPrecisionBits,
+        lines="rectangle" if limits.strictLines else None,
     )
 
 
