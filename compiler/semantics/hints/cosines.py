@@ -11,6 +11,7 @@ from ....stdlib.builtins.facts import UNIT_SLACK
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
+from ...ir.meaning import ARROWS
 from ...ir.node import Node, bare
 from ...syntax.rewriting import rewritten
 from ..state.context import Context
@@ -22,6 +23,12 @@ _HINT = "`normalize(v)` is the direction of a vector"
 
 _KEEP = ("max", "abs", "saturate")
 """The builtins that stand around a cosine."""
+
+_STEPS = ("add", "sub", "mul", "div", "neg", "max", "min")
+"""The builtins by which a vector is scaled, or made of others."""
+
+_MEASURES = ("length", "distance", "dot", "sqrt", "inversesqrt", "cross", "refract")
+"""The builtins that take, or set, the length of what they get."""
 
 
 def warn_of_length(ctx: Context, call: Node, span: Span) -> None:
@@ -43,18 +50,33 @@ def warn_of_length(ctx: Context, call: Node, span: Span) -> None:
 
 
 def _is_vector(ctx: Context, node: Node) -> bool:
-    """True if a value is declared, or computed, as a vector, and not as a direction."""
+    """True if a value is declared, or computed, as a vector, and nothing cares for its length."""
     meaning = ctx.meanings.of(node)
-    return meaning is not None and meaning.kind == "vector" and not _is_divided(bare(node))
+    return meaning is not None and meaning.kind == "vector" and not _is_measured(ctx, node)
 
 
-def _is_divided(node: Node) -> bool:
-    """True for ``v / length(v)``, whose length is one."""
-    if node.op != "call" or node.data != "div":
-        return False
-    vector, divisor = map(bare, node.operands)
-    length = bare(divisor.operands[0]) if divisor.op == "splat" else divisor
-    return length.data == "length" and bare(length.operands[0]) is vector
+def _is_measured(ctx: Context, node: Node) -> bool:
+    """True if a length or a product takes part in a vector, which may well be of length one then.
+
+    So it is with ``v / length(v)``, and with reflections and roots written out by hand.
+    """
+    pending, seen = [node], set[Node]()
+    while pending:
+        top = bare(pending.pop())
+        if top.data in _MEASURES and top.op == "call":
+            return True
+        if top in seen or not _is_arithmetic(ctx, top):
+            continue
+        seen.add(top)
+        pending += top.operands
+    return False
+
+
+def _is_arithmetic(ctx: Context, node: Node) -> bool:
+    """True for numbers and vectors that are made of others; lengths of points say nothing."""
+    meaning = ctx.meanings.of(node)
+    is_arithmetic = node.op in ("splat", "select") or (node.op == "call" and node.data in _STEPS)
+    return is_arithmetic and (meaning is None or meaning.kind in ARROWS)
 
 
 def _is_unit(ctx: Context, node: Node) -> bool:
