@@ -146,12 +146,9 @@ _ANY_DEVICE = Driver(
     interpolates_snapped=True,
     clips_sides=True,
     edge_slack=2.0**-11,
-<<<<<<< HEAD
     # Direct3D asks for 8 places, and the others for at least 4, which SwiftShader has.
     grids=(4, 8),
-=======
     snaps_line_ends=None,
->>>>>>> little
 )
 
 DRIVERS: Mapping[str, Driver] = {
