@@ -113,8 +113,9 @@ def judge(**chosen: Any) -> None:
 
 def _judge(request: _Request) -> None:
     """Judge one picture or a folder of them, and end with 1 if anything is outside."""
-    from ..targets.conformance.golden.within import chosen, only, outputs_of
+    from ..targets.conformance.golden.within import GoldenError, chosen, only, outputs_of
 
+    _check_diff(request)
     outputs = outputs_of(request.folder)
     if not request.picture.is_dir():
         output = only(outputs, request.case, request.output)
@@ -124,13 +125,31 @@ def _judge(request: _Request) -> None:
             raise click.UsageError("--diff shows one picture: name the PICTURE, not a folder")
         wanted = chosen(outputs, request.case, request.output)
         pairs = [(output, _file_of(output, request.picture)) for output in wanted]
-    found = [(output, path, _verdict(output, path, request)) for output, path in pairs]
+    found: list[tuple[Output, Path, Verdict]] = []
+    unjudged: list[str] = []
+    for output, path in pairs:
+        try:
+            found.append((output, path, _verdict(output, path, request)))
+        except GoldenError as error:
+            unjudged.append(str(error))
     if request.form == "json":
         print_output(json.dumps([_row(*each) for each in found], indent=2) + "\n")
     else:
         _tell(found)
+    if unjudged:
+        fail("\nerror: ".join(unjudged))
     if not all(verdict.is_good for _, _, verdict in found):
         click.get_current_context().exit(FAILED)
+
+
+def _check_diff(request: _Request) -> None:
+    """Raise ``UsageError`` for a file of --diff that is no PNG file, or the picture itself."""
+    if request.diff is None:
+        return
+    if request.diff.suffix.lower() != ".png":
+        raise click.UsageError(f"--diff writes a PNG file: call it `{request.diff.stem}.png`")
+    if request.diff.resolve() == request.picture.resolve():
+        raise click.UsageError("--diff would replace the PICTURE: give it another name")
 
 
 def _file_of(output: Output, pictures: Path) -> Path:

@@ -241,7 +241,21 @@ def srgb() -> Iterator[Case]:
             bright,
             **wide,
         )
-    yield case("floats have no encoding", GOOD, filled(0.75, shape=shape), **wide)
+    yield case(
+        "floats have no encoding",
+        "error: the picture has floats, which are linear: only integers are encoded",
+        filled(0.75, shape=shape),
+        **wide,
+    )
+    for type_, white in (("u1", 255), ("u2", 65535)):
+        yield case(
+            f"{type_} that is nearly white",
+            f"{ONE_BAD}x 1, y 0, lane 1, is {white - 1}, not within {white} .. {white}",
+            filled(white, type_, {(0, 1, 1): white - 1}),
+            lower=filled(1.0),
+            upper=filled(1.0),
+            encoding="srgb",
+        )
     yield case(
         "near black",
         f"{ONE_BAD}x 0, y 0, lane 0, is 9, not within 7 .. 8",

@@ -12,6 +12,8 @@ from .folders import Array
 
 def verdict(lower: Array, upper: Array, undecided: Array, picture: Array, encoding: str) -> str:
     """The message of the verdict about a picture that fits its bounds."""
+    if picture.dtype.kind == "f" and encoding == "srgb":
+        return "error: the picture has floats, which are linear: only integers are encoded"
     lanes = picture.shape[2]
     low, high = lower[..., :lanes].copy(), upper[..., :lanes].copy()
     largest = np.iinfo(picture.dtype).max if picture.dtype.kind == "u" else 1
@@ -46,7 +48,7 @@ def verdict(lower: Array, upper: Array, undecided: Array, picture: Array, encodi
 def srgb(values: Array) -> Array:
     """The transfer function of sRGB, from linear light."""
     dark = values <= 0.0031308
-    curve = 1.055 * np.power(np.where(dark, 1, values), 1 / 2.4) - 0.055
+    curve = 1 + 1.055 * (np.power(np.where(dark, 1, values), 1 / 2.4) - 1)
     return np.where(dark, 12.92 * values, curve)
 
 

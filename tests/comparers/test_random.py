@@ -51,7 +51,7 @@ def random_case(chance: np.random.Generator) -> Case:
     """Bounds around random numbers, and a picture of them that may be off a little."""
     height, width, lanes = map(int, chance.integers(1, (5, 5, 5)))
     type_ = np.dtype(chance.choice(TYPES))
-    encoding = str(chance.choice(("linear", "srgb")))
+    encoding = str(chance.choice(("linear", "srgb"))) if type_.kind == "u" else "linear"
     middle = chance.choice((0.01, 1, 50)) * chance.normal(0.5, 0.5, (height, width, lanes))
     if type_.kind == "u":
         middle = chance.random((height, width, lanes)) ** 3

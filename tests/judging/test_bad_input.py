@@ -87,7 +87,15 @@ FOLDERS: dict[str, tuple[Callable[[], object], str]] = {
     ),
     "another version": (
         lambda: document(version=2),
-        "g/golden.json is of version 2, and 1 is read here: write the golden folder again",
+        "g/golden.json is of version 2, and 1 is read here: a newer Burnish reads it",
+    ),
+    "an older version": (
+        lambda: document(version=0),
+        "g/golden.json is of version 0, and 1 is read here: write the golden folder again",
+    ),
+    "an output that is listed twice": (
+        lambda: document(cases=[write_case(Path("g"), *bounds())] * 2),
+        "golden.json, case 'Plain/defaults': the output 'color' is listed twice",
     ),
     "true as a version": (
         lambda: document(version=True),
@@ -267,8 +275,7 @@ def test_what_is_no_picture(name: str) -> None:
 
 def test_floats_have_no_encoding() -> None:
     assert refused("g", "good.npy", "--encoding", "srgb") == (
-        "error: the picture has floats, which are linear: only whole numbers have another "
-        "encoding\n"
+        "error: the picture has floats, which are linear: only integers are encoded\n"
     )
 
 

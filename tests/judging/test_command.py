@@ -150,6 +150,44 @@ def test_a_folder_of_pictures() -> None:
     assert "--diff shows one picture: name the PICTURE, not a folder" in result.stderr
 
 
+def test_codes_are_told_as_codes() -> None:
+    small_golden(Path("g"))
+    Image.fromarray(flat(130).astype("u1")).save("p.png")
+    told = "the worst is pixel 0,0, lane 0 (r): 130 is not within 63 and 128\n"
+    assert told in invoke("judge", "g", "p.png").stdout
+
+
+def test_a_picture_that_cannot_be_judged_hides_no_other() -> None:
+    rows = [write_case(Path("g"), *bounds(), folder=each) for each in (CASE, "Plain/behind")]
+    write_golden(Path("g"), *rows)
+    for folder, picture in ((CASE, flat(0.3)[:1]), ("Plain/behind", flat(0.3))):
+        (Path("mine") / folder).mkdir(parents=True)
+        np.save(Path("mine") / folder / "color.npy", picture)
+    result = invoke("judge", "g", "mine")
+    assert result.exit_code == 1
+    assert result.stdout.split()[:2] == ["agrees", "Plain/behind/color,"]
+    assert result.stderr == (
+        "error: the picture is 3 x 1 pixels large, and Plain/defaults/color is 3 x 2\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("diff", "told"),
+    [
+        ("o.jpg", "--diff writes a PNG file: call it `o.png`"),
+        ("./p.png", "--diff would replace the PICTURE: give it another name"),
+    ],
+)
+def test_a_diff_is_a_file_of_its_own(diff: str, told: str) -> None:
+    small_golden(Path("g"))
+    Image.fromarray(flat(130).astype("u1")).save("p.png")
+    before = Path("p.png").read_bytes()
+    result = invoke("judge", "g", "p.png", "--diff", diff)
+    assert result.exit_code == 2
+    assert told in result.stderr
+    assert Path("p.png").read_bytes() == before
+
+
 def test_verdicts_as_json() -> None:
     small_golden(Path("g"))
     picture = flat(0.3)

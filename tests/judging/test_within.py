@@ -107,7 +107,7 @@ def test_whole_numbers_may_be_rounded_to_either_neighbour(tmp_path: Path) -> Non
             assert found.outside.all()
     top = np.iinfo("u1").max
     worst = verdict(golden, flat(130).astype("u1")).worst
-    assert worst == Worst(0, 0, 0, 130 / top, 63 / top, 128 / top)
+    assert worst == Worst(0, 0, 0, 130 / top, 63 / top, 128 / top, top)
 
 
 def test_bounds_are_clamped_for_whole_numbers(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Pixels at an edge that rounding may move are decided where every device discards what it draws."""
+"""Edges that rounding may move are decided where every device discards what it draws."""
 
 from __future__ import annotations
 

@@ -141,7 +141,7 @@ namespace detail {
 
 /// The transfer function of sRGB (IEC 61966-2-1), from linear light.
 inline double srgb(double value) {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+  return value <= 0.0031308 ? 12.92 * value : 1 + 1.055 * (std::pow(value, 1 / 2.4) - 1);
 }
 
 /// The codes that bounds allow: a format may round a value to either neighbour.
@@ -461,6 +461,9 @@ inline std::string Verdict::message() const {
 inline Verdict judge(const Bounds& bounds, const Picture& picture, Encoding encoding) {
   detail::check_shape(bounds, picture);
   const std::optional<double> largest = detail::largest_code(picture.data);
+  if (!largest && encoding == Encoding::srgb) {
+    throw JudgeError("the picture has floats, which are linear: only integers are encoded");
+  }
   Verdict verdict;
   for (std::size_t pixel = 0; pixel < bounds.undecided.size(); ++pixel) {
     if (bounds.undecided[pixel]) {

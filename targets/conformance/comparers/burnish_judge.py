@@ -169,6 +169,8 @@ def judge(bounds: Bounds, picture: Picture, encoding: Encoding = Encoding.LINEAR
     """Compare a picture with the bounds. Raises ``JudgeError`` if that is not possible."""
     numbers, largest = _samples(picture)
     _check_shape(bounds, picture, len(numbers))
+    if largest is None and encoding is Encoding.SRGB:
+        raise JudgeError("the picture has floats, which are linear: only integers are encoded")
     compared = outside = 0
     worst: Outlier | None = None
     for pixel, is_undecided in enumerate(bounds.undecided):
@@ -224,7 +226,7 @@ def _codes(lower: float, upper: float, largest: int, is_srgb: bool) -> tuple[int
 
 def _srgb(value: float) -> float:
     """The transfer function of sRGB (IEC 61966-2-1), from linear light."""
-    return 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
+    return 12.92 * value if value <= 0.0031308 else 1 + 1.055 * (value ** (1 / 2.4) - 1)
 
 
 def _distance(value: float, lower: float, upper: float) -> float:

@@ -14,7 +14,7 @@
 //! assert!(verdict.is_good(), "{verdict}");
 //! ```
 //!
-//! On the command line: `rustc -O burnish_judge.rs`, then
+//! On the command line: `rustc --edition 2021 -O burnish_judge.rs`, then
 //! `./burnish_judge FOLDER OUTPUT PICTURE.npy [linear|srgb]`
 
 #![allow(dead_code)] // A test suite may need only a part of this.
@@ -215,6 +215,9 @@ pub fn judge(
 ) -> Result<Verdict, JudgeError> {
     check_shape(bounds, picture)?;
     let largest = picture.data.largest();
+    if largest.is_none() && encoding == Encoding::Srgb {
+        return fail("the picture has floats, which are linear: only integers are encoded");
+    }
     let mut verdict = Verdict {
         compared: 0,
         undecided: 0,
@@ -307,7 +310,7 @@ fn srgb(value: f64) -> f64 {
     if value <= 0.0031308 {
         12.92 * value
     } else {
-        1.055 * value.powf(1.0 / 2.4) - 0.055
+        1.0 + 1.055 * (value.powf(1.0 / 2.4) - 1.0)
     }
 }
 

@@ -176,6 +176,9 @@ export class Verdict {
 export function judge(bounds: Bounds, picture: Picture, encoding: Encoding = "linear"): Verdict {
   checkShape(bounds, picture);
   const largest = largestCode(picture.data);
+  if (largest === undefined && encoding === "srgb") {
+    throw new JudgeError("the picture has floats, which are linear: only integers are encoded");
+  }
   let [compared, outside] = [0, 0];
   let worst: Outlier | undefined;
   for (let pixel = 0; pixel < bounds.undecided.length; pixel++) {
@@ -248,7 +251,7 @@ function codes(lower: number, upper: number, largest: number, isSrgb: boolean): 
 
 /** The transfer function of sRGB (IEC 61966-2-1), from linear light. */
 function srgb(value: number): number {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+  return value <= 0.0031308 ? 12.92 * value : 1 + 1.055 * (value ** (1 / 2.4) - 1);
 }
 
 /** The distance of a value that is outside to the nearer end. */

@@ -40,8 +40,11 @@ def make(
     rows = []
     for number, name in enumerate(wanted):
         corpus = corpus_of(OPERATIONS[name], seed)
-        cases = sum(len(overload.cases) for overload in corpus.overloads)
-        rows.append(OperationRow(name=name, file=f"{name}.json", cases=cases))
+        cases = [case for overload in corpus.overloads for case in overload.cases]
+        guarded = sum(case.guarded for case in cases)
+        rows.append(
+            OperationRow(name=name, file=f"{name}.json", cases=len(cases), guarded=guarded)
+        )
         texts[f"{name}.json"] = _text(corpus)
         tell((number + 1) / len(wanted))
     index = CorpusIndex(

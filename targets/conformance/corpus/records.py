@@ -42,6 +42,8 @@ class OperationRow:
     """Its file, beside the index."""
     cases: Count
     """Number of its cases, of all overloads together."""
+    guarded: Count
+    """Number of those that are ``guarded``."""
 
 
 @frozen(kw_only=True)

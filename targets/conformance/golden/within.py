@@ -65,6 +65,8 @@ class Worst:
     value: float
     lower: float
     upper: float
+    largest: int = 1
+    """The code that stands for 1, in pictures of whole numbers."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -101,6 +103,8 @@ def outputs_of(root: Path) -> list[Output]:
             name = _typed(output, "name", str, where)
             if Path(name).name != name:
                 raise GoldenError(f"{where}: `{name}` is no name of a file")
+            if any((folder, name) == (each.folder, each.name) for each in found):
+                raise GoldenError(f"{where}: the output {name!r} is listed twice")
             found.append(Output(
                 root, _typed(row, "subject", str, where), _typed(row, "case", str, where), folder,
                 name, width, height, _positive(output, "lanes", where, _MOST_LANES),
@@ -169,9 +173,10 @@ def _document(path: Path) -> dict[str, Any]:
         raise GoldenError(f"{path} is not the document of a golden folder")
     version = document.get("version")
     if version != VERSION or isinstance(version, bool):
+        newer = isinstance(version, int) and version > VERSION
+        way = "a newer Burnish reads it" if newer else "write the golden folder again"
         raise GoldenError(
-            f"{path} is of version {json.dumps(version)}, and {VERSION} is read here: "
-            "write the golden folder again"
+            f"{path} is of version {json.dumps(version)}, and {VERSION} is read here: {way}"
         )
     return document
 
@@ -290,7 +295,9 @@ def judged(picture: NDArray[Any], output: Output, encoding: Encoding = "linear")
         int((~undecided).sum()),
         int(undecided.sum()),
         np.asarray(is_out.any(axis=2)),
-        _worst(away, values / scale, low / scale, high / scale) if is_out.any() else None,
+        _worst(away, values / scale, low / scale, high / scale, int(scale))
+        if is_out.any()
+        else None,
     )
 
 
@@ -305,8 +312,7 @@ def _lanes(picture: NDArray[Any], output: Output, encoding: str) -> NDArray[Any]
             "bits, or whole numbers of 8 or 16 bits without a sign"
         )
     if picture.dtype.kind == "f" and encoding != "linear":
-        raise GoldenError("the picture has floats, which are linear: only whole numbers have "
-                          "another encoding")  # fmt: skip
+        raise GoldenError("the picture has floats, which are linear: only integers are encoded")
     lanes = picture[..., None] if picture.ndim == 2 else picture
     if lanes.ndim != 3 or 0 in lanes.shape:
         raise GoldenError(
@@ -341,16 +347,16 @@ def _codes(
 def srgb(linear: Floats) -> Floats:
     """Linear light in 0..1 as it is encoded by sRGB (IEC 61966-2-1)."""
     curve: Floats = np.where(
-        linear <= 0.0031308, linear * 12.92, 1.055 * linear ** (1 / 2.4) - 0.055
+        linear <= 0.0031308, linear * 12.92, 1 + 1.055 * (linear ** (1 / 2.4) - 1)
     )
     return curve
 
 
-def _worst(away: Floats, values: Floats, low: Floats, high: Floats) -> Worst:
+def _worst(away: Floats, values: Floats, low: Floats, high: Floats, largest: int) -> Worst:
     """The first of the numbers that are farthest outside, by rows."""
     at = np.unravel_index(int(away.argmax()), away.shape)
     y, x, lane = map(int, at)
-    return Worst(x, y, lane, float(values[at]), float(low[at]), float(high[at]))
+    return Worst(x, y, lane, float(values[at]), float(low[at]), float(high[at]), largest)
 
 
 def sentence(verdict: Verdict) -> str:
@@ -360,8 +366,12 @@ def sentence(verdict: Verdict) -> str:
     if worst is None:
         return f"within its bounds: {compared}"
     lane = "rgba"[worst.lane]
+    value, lower, upper = (
+        f"{number:.9g}" if worst.largest == 1 else f"{round(number * worst.largest)}"
+        for number in (worst.value, worst.lower, worst.upper)
+    )
     return (
         f"outside of its bounds: {int(verdict.outside.sum())} of {compared}\n"
-        f"  the worst is pixel {worst.x},{worst.y}, lane {worst.lane} ({lane}): {worst.value:.9g} "
-        f"is not within {worst.lower:.9g} and {worst.upper:.9g}"
+        f"  the worst is pixel {worst.x},{worst.y}, lane {worst.lane} ({lane}): {value} "
+        f"is not within {lower} and {upper}"
     )
