@@ -319,6 +319,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
         "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
     ),
+    "What is straight ahead of the eye is neither beside nor above it.": (
+        "std.transforms.look_at: c4(-dot(right, vec3( [eye -> target] )), -dot(above, vec3",
+        "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 

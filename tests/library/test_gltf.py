@@ -180,72 +180,6 @@ def test_the_cutoff(alpha: float, is_drawn: bool) -> None:
     assert (found[3] > 0) == is_drawn
 
 
-@truth("std.gltf.PunctualPoint")
-def test_light_fades_with_the_square_of_the_distance() -> None:
-    near, far = (
-        middle("PunctualPoint", lamp_place=(0, 0, distance), lamp_diffuse_color=(8, 8, 8))[0]
-        for distance in (1, 2)
-    )
-    assert near == pytest.approx(8 * reflected(1, 1, 1, 0), rel=1e-4)
-    assert far == pytest.approx(near / 4, rel=1e-4)
-    ending = middle("PunctualPoint", lamp_place=(0, 0, 2), lamp_diffuse_color=(8, 8, 8),
-                    lamp_reach=4)  # fmt: skip
-    assert ending[0] == pytest.approx(far * (1 - 0.5**4), rel=1e-4)
-    beyond = middle("PunctualPoint", lamp_place=(0, 0, 5), lamp_reach=4)
-    assert beyond[0] == 0
-
-
-@truth("std.gltf.PunctualSpot")
-@pytest.mark.parametrize(
-    ("degrees", "share"),
-    [(0, 1), (20, 1), (40, 0.5), (60, 0), (175, 0)],
-)
-def test_a_cone_fades_between_two_angles(degrees: float, share: float) -> None:
-    """In the middle between both cosines, the square of one half is left."""
-    inner, outer = math.radians(20), math.radians(60)
-    axis = math.radians(degrees)
-    if share == 0.5:
-        axis = math.acos((math.cos(inner) + math.cos(outer)) / 2)
-    found = middle(
-        "PunctualSpot", lamp_place=(0, 0, 2), lamp_diffuse_color=(4, 4, 4), lamp_inner=inner,
-        lamp_outer=outer, lamp_axis=(math.sin(axis), 0, -math.cos(axis)),
-    )  # fmt: skip
-    assert found[0] == pytest.approx(reflected(1, 1, 1, 0) * share**2, rel=1e-4, abs=1e-6)
-
-
-@truth("std.gltf.PunctualPoint")
-def test_no_reach_is_shorter_than_what_a_float_can_square() -> None:
-    """Its square is 1e-30 at least: a shorter one counts as 1e-15."""
-    away = 5e-16
-    found = at_origin("PunctualPoint", "light_arriving()", place=(0.0, 0.0, away), reach=1e-16)
-    assert found == close([(1 - 0.25**2) / away**2] * 3)
-
-
-@truth("std.gltf.PunctualSpot")
-@pytest.mark.parametrize("inner", [30.0, 60.0])
-def test_the_edge_of_a_cone_is_hard_if_the_inner_one_is_not_smaller(inner: float) -> None:
-    """It is as wide as a millionth, in the cosine, so that nothing is divided by zero."""
-    outer = math.cos(math.radians(30))
-    for cosine, share in ((0.9, 1.0), (outer + 5e-7, 0.5), (outer - 1e-9, 0.0), (0.8, 0.0)):
-        found = at_origin(
-            "PunctualSpot", "light_arriving()", place=(0.0, 0.0, 1.0),
-            axis=(math.sqrt(1 - cosine**2), 0.0, -cosine), inner=math.radians(inner),
-            outer=math.radians(30),
-        )  # fmt: skip
-        assert found == pytest.approx([share**2] * 3, rel=1e-6, abs=1e-12)
-
-
-def at_origin(light: str, color: str, **values: Any) -> Floats:
-    """A colour at the origin, under one light; ``light_arriving()`` is what arrives of it."""
-    text = (
-        f"import std.gltf.{{{light}, MetallicRoughness}}\nterm light_arriving() per light ="
-        f" light.diffuse\nmaterial M {{ color = {color} }}\nrig R {{ lamp : {light} }}"
-    )
-    named = {f"lamp.{name}": value for name, value in values.items()}
-    place = {"vertex_position": (0.0, 0.0, 0.0), "object_to_world": columns(np.eye(4))}
-    return shown(text, **place, **named)
-
-
 def value_of(slot: str, **values: Any) -> Floats:
     """A number of the glTF material, whose maps are white if nothing else is given."""
     given: dict[str, Any] = {"vertex_tangent": (1.0, 0.0, 0.0, 1.0)}
@@ -318,6 +252,48 @@ def shaded(
 BASE = np.array((0.8, 0.5, 0.2))
 
 
+@truth("std.gltf.smith", "std.gltf.trowbridge_reitz", "std.gltf.squared")
+@pytest.mark.parametrize(("cosine", "width"), [(0.4, 0.3), (0.95, 0.05), (0.1, 1.0)])
+def test_facets_after_trowbridge_and_reitz(cosine: float, width: float) -> None:
+    """Walter 2007, equations 33 and 34; `smith` is the latter over twice the cosine."""
+    tangent = math.sqrt(1 - cosine**2) / cosine
+    density = width**2 / (math.pi * cosine**4 * (width**2 + tangent**2) ** 2)
+    unmasked = 2 / (1 + math.sqrt(1 + width**2 * tangent**2))
+    call = f"trowbridge_reitz({cosine}, {width}), smith({cosine}, {width}), squared({width})"
+    found = of(call, "M", "import std.gltf.{smith, squared, trowbridge_reitz}")
+    assert found == close((density, unmasked / (2 * cosine), width**2))
+
+
+@truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough")
+@pytest.mark.parametrize("degrees", [20, 60, 80, 86])
+def test_a_surface_seen_and_lit_from_the_side(degrees: float) -> None:
+    """Each map is read where the mesh says; the light comes from the other side."""
+    angle, uv = math.radians(degrees), (0.3, 0.8)
+    eye = np.array((math.sin(angle), 0.0, math.cos(angle)))
+    light = unit((-math.sin(angle), 0.1, math.cos(angle)))
+
+    def painted(*lanes: float) -> Painted:
+        """A map that has these colours there, and others elsewhere."""
+        return Painted(lambda u, v: tuple(lane * u * v / (uv[0] * uv[1]) for lane in lanes))
+
+    text = (
+        "import std.gltf.{MetallicRoughness}\nimport std.lights.{Directional}\n"
+        "material M : MetallicRoughness { }\nrig R { lamp : Directional }"
+    )
+    found = shown(
+        text, vertex_position=(0.0, 0.0, 0.0), vertex_normal=(0.0, 0.0, 1.0), vertex_uv=uv,
+        vertex_tangent=(1.0, 0.0, 0.0, 1.0), object_to_world=columns(np.eye(4)),
+        eye=tuple(map(float, 3 * eye)), front_facing=(True,), ambient_light=(0.3, 0.2, 0.1),
+        base_color_map=painted(*BASE, 1.0), metallic_roughness_map=painted(0.0, 0.6, 0.4, 1.0),
+        normal_map=painted(0.5, 0.5, 1.0, 1.0), occlusion_map=painted(0.7, 0.0, 0.0, 1.0),
+        emissive_map=painted(0.1, 0.2, 0.3, 1.0), emissive=(1.0, 2.0, 3.0),
+        **{"lamp.direction": tuple(map(float, -light))},
+    )  # fmt: skip
+    wanted = shaded(np.array((0.0, 0.0, 1.0)), light, eye, BASE, 0.4, 0.6)
+    wanted += 0.7 * np.array((0.3, 0.2, 0.1)) * BASE * 0.6 + (0.1, 0.4, 0.9)
+    assert found == close(wanted)
+
+
 @truth("std.gltf.MetallicRoughness", "std.gltf.metallic_rough", "std.gltf.leaning")
 @pytest.mark.parametrize(
     ("towards", "roughness", "scale", "blue"),
@@ -353,10 +329,3 @@ def test_a_bent_surface(
     occlusion = 0.5 + 0.5 * occluded / 255
     wanted += occlusion * np.array((0.1, 0.2, 0.4)) * base * (1 - metallic) + (0.2, 0, 1)
     assert np.allclose(found[:3], wanted, rtol=2e-5)
-
-
-@truth("std.gltf.PunctualPoint")
-def test_a_short_reach_ends() -> None:
-    whole = middle("PunctualPoint", lamp_place=(0, 0, 0.25))[0]
-    ending = middle("PunctualPoint", lamp_place=(0, 0, 0.25), lamp_reach=0.5)[0]
-    assert ending == pytest.approx(whole * (1 - 0.5**4), rel=1e-4)

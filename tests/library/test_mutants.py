@@ -34,7 +34,7 @@ def test_planted_errors_are_found() -> None:
         "--seed",
         SEED,
     )
-    done = run(list(map(str, command)), cwd=Path(burnish.__file__).parent.parent)
+    done = run(list(map(str, command)), cwd=Path(burnish.__file__).parent.parent, limit=240)
     assert done.returncode == 0, done.stdout
     assert done.stdout.splitlines()[-1].startswith("all ")
 

@@ -285,16 +285,19 @@ def test_no_picture_has_a_place_beside_the_eye(w: float, is_in: int) -> None:
 
 @truth("std.shadows.share_lit", "std.frames.is_in_picture")
 @pytest.mark.parametrize(
-    ("place", "share"), [((0.2, 0.0, 0.5), 0.0), ((2.0, 0.0, 0.5), 1.0), ((0.0, -1.5, 0.5), 1.0)]
+    ("place", "share"),
+    [((2, 0, 0.5), 0), ((9.99, 0, 0.5), 0), ((10.05, 0, 0.5), 1), ((0, -15, 0.5), 1)],
 )
 def test_all_light_arrives_beside_a_map(place: tuple[float, ...], share: float) -> None:
+    """The map shows ten units to each side."""
     found = shown(
         "import std.shadows.{share_lit}\n"
         "material M { map shadow : depth2d  map shadows : depth2d_array\n"
         "param camera : transform<world, clip>  param at : point<world>\n"
         "color = vec3(share_lit(shadow, camera, at, 0, 1),"
         " share_lit(shadows, 1, camera, at, 0, 1), 0) }",
-        camera=columns(np.eye(4)), at=place, shadow=Compared(-9.0), shadows=Compared(-9.0),
+        camera=columns(np.diag((0.1, 0.1, 1.0, 1.0))), at=place, shadow=Compared(-9.0),
+        shadows=Compared(-9.0),
     )  # fmt: skip
     assert found == close((share, share, 0))
 
@@ -302,13 +305,15 @@ def test_all_light_arrives_beside_a_map(place: tuple[float, ...], share: float) 
 @truth("std.shadows.share_lit")
 @pytest.mark.parametrize("kind", ["depth2d", "depth2d_array"])
 def test_a_place_is_compared_where_the_camera_shows_it(kind: str) -> None:
-    shadow, layer = Compared(), "3, " if kind == "depth2d_array" else ""
-    shown(
+    shadow, layer = Compared(0.59), "3, " if kind == "depth2d_array" else ""
+    found = shown(
         f"import std.shadows.{{share_lit}}\nmaterial M {{ map shadow : {kind}\n"
         "param camera : transform<world, clip>  param at : point<world>\n"
         f"color = vec3(share_lit(shadow, {layer}camera, at, 0.25, 2)) }}",
         camera=columns(seeing((5, 0, 0))), at=(5.2, -0.4, 0.75), shadow=shadow,
     )  # fmt: skip
     asked = np.array(sorted(set(shadow.asked)))
+    assert (asked[:, 0] < shadow.line).mean() == 1 / 3
+    assert found == close([1 / 3] * 3)
     assert asked[:, :2] == close(around(0.6, 0.7, 2.0))
     assert asked[:, -1] == close(np.full(9, 0.5))
