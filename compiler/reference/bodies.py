@@ -70,7 +70,7 @@ def opened(
     else:
         assert node.op == "iterate"
         made = _Iteration(node, operands, frame, xp, spend, stored)
-    return _Tried(made, xp) if isinstance(xp, Decisions) else made
+    return _Tried(made, node, frame, xp) if isinstance(xp, Decisions) else made
 
 
 class _Application(Opened):
@@ -180,6 +180,8 @@ class _Iteration(Opened):
     def _go_on(self, condition: Lane) -> None:
         """Go on with the elements for which a condition holds, or may hold."""
         before = self._goes_on
+        if self._endings is not None:
+            condition = self._endings.decided(before, condition)
         self._goes_on = self._is_next = _all(self._xp, before, condition)
         if self._endings is not None and not isinstance(self._goes_on, bool):
             self._is_next = self._endings.goes_on(before, condition, self._states)
@@ -188,18 +190,19 @@ class _Iteration(Opened):
 class _Tried(Opened):
     """A node with bodies, each of which is evaluated in all cases of its decisions."""
 
-    def __init__(self, node: Opened, decisions: Decisions) -> None:
-        self._node, self._decisions = node, decisions
+    def __init__(self, opened: Opened, node: Node, frame: Frame, decisions: Decisions) -> None:
+        self._opened, self._node, self._frame = opened, node, frame
+        self._decisions = decisions
         self._body: tuple[Node, Frame] | None = None
         """The body of which there are more cases."""
         self._attempts: Attempts
 
     def following(self) -> tuple[Node, Frame] | None:
         if self._body is None:
-            self._decisions.leave()
-            self._body = self._node.following()
+            self._decisions.at(self._node, self._frame)
+            self._body = self._opened.following()
             if self._body is None:
-                self.result = self._node.result
+                self.result = self._opened.result
                 return None
             self._attempts = self._decisions.attempts()
         root, shared = self._body
@@ -211,8 +214,8 @@ class _Tried(Opened):
         known = self._attempts.end(value)
         if known is not None:
             self._body = None
-            self._decisions.leave()
-            self._node.take(known)
+            self._decisions.at(self._node, self._frame)
+            self._opened.take(known)
 
 
 def _all(xp: Namespace, *conditions: Lane) -> Lane:

@@ -158,6 +158,10 @@ class Endings(ABC):
     """The states with which a loop ends, where rounding may decide in what turn that is."""
 
     @abstractmethod
+    def decided(self, before: Lane, condition: Lane) -> Lane:
+        """The condition of a turn, as far as it is decided."""
+
+    @abstractmethod
     def goes_on(self, before: Lane, condition: Lane, states: list[Lanes]) -> Lane:
         """The condition by which the next states are chosen.
 
@@ -197,10 +201,6 @@ class Decisions(ABC):
     @abstractmethod
     def at(self, node: Any, frame: object) -> None:
         """Called before an operation is computed, whose value is kept in this frame."""
-
-    @abstractmethod
-    def leave(self) -> None:
-        """Called before anything else is computed."""
 
     @abstractmethod
     def attempts(self) -> Attempts:

@@ -76,6 +76,7 @@ CONTINUOUS = {
         "sum i in 0..4 : mix(sin(floor(x * exp2(float(i)))),"
         " sin(floor(x * exp2(float(i))) + 1.0), fract(x * exp2(float(i))))"
     ),
+    "the end of a loop": "abs((iterate n from 0.0 up to 12 while n < x : n + 1.0) - x - 0.5)",
     "steps to the nearest place": "iterate t from x + 0.5 up to 6 : t + 2.0 * abs(t - round(t))",
 }
 

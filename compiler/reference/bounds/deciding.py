@@ -19,10 +19,11 @@ from typing import Any
 
 import numpy as np
 
-from ..namespace import Attempts, Decisions
+from ..namespace import Attempts, Decisions, Lane
 from .affine import alone, chosen
 from .bounded import Bounded, as_bounded
 from .functions import Bounds, Errors
+from .loop_ends import LoopEnds
 from .rounding import Array
 
 MOST = 2
@@ -80,9 +81,16 @@ class Deciding(Bounds, Decisions):
         """Take the case of an operation, whose value is kept in a frame."""
         self._case = None if self._is_open(node) else self._cases[id(frame)]
 
-    def leave(self) -> None:
-        """Leave the decisions of what follows open."""
-        self._case = None
+    def endings(self) -> LoopEnds:
+        """The endings of a loop: whether it goes on is a decision, too."""
+        return _DecidedEnds(self)
+
+    def goes_on(self, before: Any, condition: Any) -> Any:
+        """The condition of a loop, which holds or not."""
+        if not isinstance(condition, Bounded) or condition.is_exact:
+            return condition
+        tips = as_bounded(before).high & condition.high & ~condition.low
+        return self._fixed(condition._number, condition, tips, condition.value)
 
     def attempts(self) -> _Attempts:
         """The attempts at one body."""
@@ -94,7 +102,7 @@ class Deciding(Bounds, Decisions):
         """The choice, with a condition that holds or not."""
         if isinstance(condition, Bounded) and not condition.is_exact:
             tips = condition.high & ~condition.low
-            condition = self._fixed(condition, condition, tips, condition.value)
+            condition = self._fixed(condition._number, condition, tips, condition.value)
         return super().where(condition, x, y)
 
     def floor(self, x: Any, /) -> Bounded:
@@ -135,17 +143,27 @@ class Deciding(Bounds, Decisions):
         tips = found.high - found.low == 1
         return self._fixed((name, x._number), found, tips, found.value == found.high)
 
-    def _fixed(self, key: Any, found: Bounded, tips: Array, meant: Array) -> Bounded:
+    def _fixed(self, key: Hashable, found: Bounded, tips: Array, meant: Array) -> Bounded:
         """A lane that has one of its ends where it may tip."""
         if self._case is None or not tips.any():
             return found
-        key = key._number if isinstance(key, Bounded) else key
         fixed, upper = self._case.outcome(key, tips, meant)
         outcome = np.where(upper, found.high, found.low)
         value, low, high = (
             np.where(fixed, outcome, end) for end in (found.value, found.low, found.high)
         )
         return Bounded(value, low, high)
+
+
+class _DecidedEnds(LoopEnds):
+    """The endings of a loop in one case."""
+
+    def __init__(self, decisions: Deciding) -> None:
+        super().__init__()
+        self._decisions = decisions
+
+    def decided(self, before: Lane, condition: Lane) -> Lane:
+        return self._decisions.goes_on(before, condition)
 
 
 class _Attempts(Attempts):

@@ -18,7 +18,7 @@ from .affine import Derivative, Form, curved
 from .blend import blend
 from .bounded import Bounded, as_bounded, exact, negated, widened
 from .choices import certain_choice, of_conditions, of_ends, open_choice
-from .lanes import limited, rounded
+from .lanes import limited, remembered, rounded
 from .loop_ends import LoopEnds
 from .products import products
 from .rounding import ROUNDED_UP, Array, outward
@@ -31,6 +31,9 @@ It gets the builtin's name, and the largest magnitudes of its operand and of its
 """
 
 _TURN = 2.0 * math.pi
+_ONE = np.float64(1.0)
+_COARSE = 2.0**-16
+"""An error of a result of about 1 from which functions are coarse."""
 _BELOW_ONE = 2.0**-24
 """The distance of the last float32 below 1 from 1."""
 _LN2 = math.log(2.0)
@@ -44,6 +47,8 @@ class Bounds(OwnFunctions, OpenLoops):
 
     def __init__(self, errors: Errors) -> None:
         self._errors = errors
+        self._coarse: dict[str, bool] = {}
+        """The functions whose errors are remembered, as far as they were called."""
         self._rounds: Callable[[str], bool] = getattr(errors, "rounds", lambda _name: False)
 
     def endings(self) -> LoopEnds:
@@ -331,7 +336,14 @@ class Bounds(OwnFunctions, OpenLoops):
             return rounded(result)
         # A result just below a power of two has half the step of the power itself.
         largest = result.magnitude * ROUNDED_UP
-        return widened(result, self._errors(name, operand.magnitude, largest))
+        found = widened(result, self._errors(name, operand.magnitude, largest))
+        return remembered(found) if self._is_coarse(name) else found
+
+    def _is_coarse(self, name: str) -> bool:
+        """True if so much of a result may be off that it pays to know what shares the error."""
+        if name not in self._coarse:
+            self._coarse[name] = bool(self._errors(name, _ONE, _ONE) > _COARSE)
+        return self._coarse[name]
 
 
 def _bent(x: Bounded, derivative: Derivative) -> Form | None:

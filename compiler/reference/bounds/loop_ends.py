@@ -28,6 +28,9 @@ class LoopEnds(Endings):
         """True where the program itself ends with such a state."""
         self._states: list[Bounded] = []
 
+    def decided(self, _before: Lane, condition: Lane) -> Lane:
+        return condition
+
     def goes_on(self, before: Lane, condition: Lane, states: list[Lanes]) -> Lane:
         """The condition by which a state goes on: exact, and true where it may."""
         before, condition = as_bounded(before), as_bounded(condition)
