@@ -1,8 +1,4 @@
-<<<<<<< HEAD
 """Edges that rounding may move are decided where every device discards what it draws."""
-=======
-"""Pixels at an edge that rounding may move are decided where all devices discard what they draw."""
->>>>>>> little
 
 from __future__ import annotations
 
