@@ -115,17 +115,6 @@ def test_a_loop_that_rounding_may_end_goes_one_turn_further_at_most() -> None:
     assert (bounds.radius < 1.001 * a).all()
 
 
-@pytest.mark.filterwarnings("ignore::RuntimeWarning")
-def test_the_error_of_a_rough_function_is_shared_by_all_that_use_its_value() -> None:
-    """Vulkan lets a sine be off by 2^-11, of which nothing is left here but the square."""
-    bounds, _worst = _compared("a : float, b : float", "(b / sin(a)) * sin(a) - b")
-    (a,) = _arrays("a", 1)
-    (b,) = _arrays("b", 1)
-    square = (2.0**-11 / np.sin(a)) ** 2
-    assert (bounds.radius < b * (3 * square + 2e-6)).all()
-    assert np.median(bounds.radius) < 1e-5
-
-
 def _compared(given: str, text: str) -> tuple[Bounded, Any]:
     """The bounds of a text with these parameters, and the largest errors of random devices."""
     parameters = "\n".join(f"param {each}" for each in given.split(", "))

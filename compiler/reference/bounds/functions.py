@@ -18,7 +18,7 @@ from .affine import Derivative, Form, curved
 from .blend import blend
 from .bounded import Bounded, as_bounded, exact, negated, widened
 from .choices import certain_choice, of_conditions, of_ends, open_choice
-from .lanes import limited, remembered, rounded
+from .lanes import limited, rounded
 from .loop_ends import LoopEnds
 from .products import products
 from .rounding import ROUNDED_UP, Array, outward
@@ -32,8 +32,8 @@ It gets the builtin's name, and the largest magnitudes of its operand and of its
 
 _TURN = 2.0 * math.pi
 _ONE = np.float64(1.0)
-_COARSE = 2.0**-16
-"""An error of a result of about 1 from which functions are coarse."""
+_ROUGH = 2.0**-16
+"""An error of a result of about 1 from which functions are rough."""
 _BELOW_ONE = 2.0**-24
 """The distance of the last float32 below 1 from 1."""
 _LN2 = math.log(2.0)
@@ -47,8 +47,8 @@ class Bounds(OwnFunctions, OpenLoops):
 
     def __init__(self, errors: Errors) -> None:
         self._errors = errors
-        self._coarse: dict[str, bool] = {}
-        """The functions whose errors are remembered, as far as they were called."""
+        self._rough: dict[str, bool] = {}
+        """The functions that are rough or not, as far as that was asked."""
         self._rounds: Callable[[str], bool] = getattr(errors, "rounds", lambda _name: False)
 
     def endings(self) -> LoopEnds:
@@ -336,14 +336,13 @@ class Bounds(OwnFunctions, OpenLoops):
             return rounded(result)
         # A result just below a power of two has half the step of the power itself.
         largest = result.magnitude * ROUNDED_UP
-        found = widened(result, self._errors(name, operand.magnitude, largest))
-        return remembered(found) if self._is_coarse(name) else found
+        return widened(result, self._errors(name, operand.magnitude, largest))
 
-    def _is_coarse(self, name: str) -> bool:
-        """True if so much of a result may be off that it pays to know what shares the error."""
-        if name not in self._coarse:
-            self._coarse[name] = bool(self._errors(name, _ONE, _ONE) > _COARSE)
-        return self._coarse[name]
+    def is_rough(self, name: str) -> bool:
+        """True if so much of a function's result may be off that it pays to know what shares it."""
+        if name not in self._rough:
+            self._rough[name] = bool(self._errors(name, _ONE, _ONE) > _ROUGH)
+        return self._rough[name]
 
 
 def _bent(x: Bounded, derivative: Derivative) -> Form | None:

@@ -36,6 +36,8 @@ from .watch import Found, Watch
 _COMPARES_NEIGHBOURS = frozenset(name for name, row in BUILTINS.items() if row.uniform_control_flow)
 _GRADS = frozenset({"sample_grad"})
 """Builtins that use neighbours' values, too, if cubes are not projected."""
+_ANGLES = frozenset(("sin", "cos", "asin", "acos", "atan", "atan2"))
+"""Builtins that platforms may promise roughly: the error of each value is then remembered."""
 _ROWS, _COLUMNS = -2, -1
 """The axes of a quad."""
 DERIVATIVE_AXES = {"ddx": _ROWS, "ddy": _COLUMNS}
@@ -96,8 +98,8 @@ class StageEvaluator:
         self._kept = kept
         self.rules = rules
         self._errors = errors or _no_error
-        self._bounds = Bounds(self._errors)
-        self._xp: Namespace = self._bounds if self.has_bounds else np
+        self.bounds = Bounds(self._errors)
+        self._xp: Namespace = self.bounds if self.has_bounds else np
         ((self._position,), self._targets, discards) = (
             tuple(result.value for result in shader.results_of(kind))
             for kind in (CLIP_POSITION, TARGET, DISCARD)
@@ -223,12 +225,16 @@ class _Watch(Watch):
 
     def __init__(self, stages: StageEvaluator, found: Found, shape: tuple[int, ...]) -> None:
         super().__init__(found, shape, stages.rules, rounds=stages.has_bounds)
+        self._bounds = stages.bounds
 
     def __call__(self, node: Node, operands: list[Lanes], value: Lanes) -> Lanes:
         value = super().__call__(node, operands, value)
         builtin = builtin_of(node)
         if builtin in _COMPARES_NEIGHBOURS and self.undecided.any():
             self.undecided |= self.undecided.any(axis=(-2, -1), keepdims=True)
+        if self._rounds and builtin in _ANGLES and not (node.free or node.variables):
+            # In loops, sums of such values would have more errors in each turn.
+            return all_remembered(value) if self._bounds.is_rough(builtin) else value
         if builtin in DERIVATIVE_AXES:
             return tuple(difference_taken(lane, builtin, self._rules) for lane in value)
         return value
