@@ -51,15 +51,20 @@ def vertices(kind: str, spacing: int, edges: Lanes, insides: Lanes, count: int) 
 
 
 def levels(seed: str) -> list[tuple[Lanes, Lanes]]:
-    """The levels of edges, and of insides: of an undivided patch, of one whose edges alone are
-    divided, of one with a hidden edge, and any."""
+    """The levels of edges, and of insides: of an undivided patch, of some of which one edge or one
+    direction alone is divided, of some with a hidden edge, and any."""
     chance = random.Random(seed)
-    some = [
-        (tuple(level(chance) for _ in range(4)), tuple(level(chance) for _ in range(2)))
-        for _ in range(RANDOM)
-    ]
-    return [((1.0,) * 4, (1.0,) * 2), ((3.0, 1.0, 2.5, 4.0), (1.0, 1.0)),
-            ((2.0, 0.0, 2.0, 2.0), (2.0, 2.0)), *some]  # fmt: skip
+    ones, pair = (1.0,) * 4, (1.0,) * 2
+    single = [tuple(3.0 if edge == i else 1.0 for edge in range(4)) for i in range(4)]
+    hidden = [tuple(0.0 if edge == i else 2.0 for edge in range(4)) for i in range(4)]
+    return [
+        (ones, pair), ((0.5,) * 4, (0.5,) * 2), (ones, (3.0, 1.0)), (ones, (1.0, 3.0)),
+        *((edges, pair) for edges in single), *((edges, (2.0, 2.0)) for edges in hidden),
+        *(
+            (tuple(level(chance) for _ in range(4)), tuple(level(chance) for _ in range(2)))
+            for _ in range(RANDOM)
+        ),
+    ]  # fmt: skip
 
 
 @truth(*(f"std.tessellator.{name}" for name in ("triangle_vertex", "quad_vertex", "line_vertex")))
