@@ -97,6 +97,8 @@ def judge(**chosen: Any) -> None:
         burnish judge --comparer rust > tests/burnish_judge.rs
     """
     request = _Request(**chosen)
+    if request.diff is not None and request.diff.suffix.lower() != ".png":
+        raise click.UsageError(f"--diff writes a .png file: `{request.diff}` has another ending")
     try:
         from ..targets.conformance.golden.within import GoldenError
     except ModuleNotFoundError as error:

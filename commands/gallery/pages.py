@@ -19,6 +19,7 @@ from urllib.parse import quote
 from markupsafe import Markup
 
 from ...compiler.diagnostics.display import harmless_lines
+from ...compiler.diagnostics.file_names import DEVICES
 from ...targets.conformance.html_pages import Embedded, environment
 from ...targets.conformance.rows import STATUSES
 from ...targets.runner.routes import Route
@@ -32,14 +33,6 @@ LONGEST_NAME = 100
 """The most bytes of the name of a page, without its ending."""
 MOST_WORDS = 2000
 """The most letters of a file's comment that the search looks at."""
-_DEVICES = (
-    "con",
-    "prn",
-    "aux",
-    "nul",
-    *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
-)
-"""The names that Windows takes for devices, whatever their ending."""
 _WORDS = {"agrees": "agree", "differs": "differ", "proves little": "prove little",
           "overflows": "overflow"}  # fmt: skip
 """The plural of each verdict's word."""
@@ -130,7 +123,7 @@ def _named(files: Sequence[Listed], entries: Mapping[str, Entry]) -> list[_Page]
     Such a name is valid on every system and server: it has only letters of words, is short, and
     differs from others by more than small and capital letters.
     """
-    taken = {"index", *_DEVICES}
+    taken = {"index", *DEVICES}
     numbers: Counter[str] = Counter()
     found = []
     for file in files:

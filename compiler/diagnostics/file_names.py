@@ -8,6 +8,14 @@ from __future__ import annotations
 
 import re
 
+DEVICES = (
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
+)
+"""The names that Windows takes for devices, whatever their ending."""
 _SURROGATE = "[\ud800-\udfff]"
 
 

@@ -84,6 +84,9 @@ def test_what_is_written_instead_compiles() -> None:
         ("a : float3 = normal", "it is `vec3` here"),
         ("color = float3(uv, 0)", "it is `vec3` here"),
         ("a = gl_FragCoord.x", "it is `frag_coord` here"),
+        ("a = viewDir", "it is `to_eye` here"),
+        ("a = lightDir", "it is `light.to_light` here"),
+        ("a = model * vertex_position", "it is `object_to_world` here"),
         ("return color", "a function is one expression"),
         ("static const = 1", "an equation is `name = expression`"),
         ("uniform float x", "a value that the host sets is a parameter"),
@@ -103,4 +106,7 @@ def test_every_keyword_begins_no_member() -> None:
 
 def test_values_are_known_here() -> None:
     for name in VALUES.values():
-        assert burnish.check(f"material M {{ a = {name}  color = #fff }}") == ()
+        text = f"material M {{ a = {name}  color = #fff }}"
+        if name.startswith("light."):
+            text = f"term t() per light = dot(normal, {name})\nmaterial M {{ color = vec3(t()) }}"
+        assert burnish.check(text) == ()

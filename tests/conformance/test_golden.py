@@ -20,6 +20,7 @@ from burnish.compiler.reference.bounds.errors import Errors
 from burnish.targets.conformance.conform import trials_of
 from burnish.targets.conformance.golden.document import Golden
 from burnish.targets.conformance.golden.enclosing import Enclosure, enclosed
+from burnish.targets.conformance.golden.inputs import Files
 from burnish.targets.conformance.golden.names import folder_names
 from burnish.targets.conformance.golden.within import judged, only, outputs_of, read_npy
 from burnish.targets.conformance.golden.writing import NothingToDrawError, golden_part, whole
@@ -250,6 +251,28 @@ def test_names_of_folders_differ_on_every_system() -> None:
         "a", "A-2", "a-b", "a-b-2", "unnamed", "a-3",
     ]  # fmt: skip
     assert folder_names(["Shader"], taken=["shader"]) == ["Shader-2"]
+    assert folder_names(["Con", "nul", "coin"]) == ["Con-2", "nul-2", "coin"]
+
+
+def test_names_of_kept_files_differ_on_every_system() -> None:
+    contents: dict[str, bytes] = {}
+    files = Files("F", contents)
+    names = [("t.A.bin", b"1"), ("t.a.bin", b"2"), ("t.A.bin", b"1"), ("t.A.bin", b"3")]
+    kept = [files.keep(*each) for each in names]
+    assert kept == ["F/t.A.bin", "F/t.a-2.bin", "F/t.A.bin", "F/t.A-3.bin"]
+    assert contents == {"F/t.A.bin": b"1", "F/t.a-2.bin": b"2", "F/t.A-3.bin": b"3"}
+
+
+def test_outputs_whose_names_differ_by_case_have_files_of_their_own() -> None:
+    text = """
+    material M {}
+    pass Both : Forward { target Color : rgba8 = vec4(0.25)  target color : rgba8 = vec4(0.75) }
+    """
+    (shader,) = burnish.compile(text, ALSO, pass_="Both").materials
+    part = golden_part(("it", shader), "M", select(["lavapipe:glsl"]), 0)
+    assert {row.name for row in part.cases[0].outputs} == {"color", "Color-2"}
+    ends = [path.casefold() for path in part.files]
+    assert len(set(ends)) == len(ends)
 
 
 def test_what_no_route_can_express_is_told() -> None:

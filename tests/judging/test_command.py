@@ -129,6 +129,10 @@ def test_a_picture_of_what_is_outside() -> None:
     assert tuple(shown[1, 2]) == (255, 0, 0)
     assert tuple(shown[0, 0]) == (60, 110, 220)
     assert len({tuple(each) for each in shown.reshape(-1, 3).tolist()}) == 3
+    result = invoke("judge", "g", "p.npy", "--diff", "out.jpg")
+    assert result.exit_code == 2
+    assert "--diff writes a .png file: `out.jpg` has another ending" in result.stderr
+    assert not Path("out.jpg").exists()
 
 
 def test_a_folder_of_pictures() -> None:

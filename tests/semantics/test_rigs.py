@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+import burnish
 from burnish.compiler.reference.namespace import Lanes
 
 from .kit import color, shader
@@ -202,3 +203,9 @@ def test_a_material_need_not_know_the_names_of_lights(member: str, expected: lis
 def test_the_library_s_rig_takes_no_name_from_a_material() -> None:
     whole = shader("material Sky { param sun : direction<world> = vec3(0, 1, 0) }")
     assert {"sun", "Daylight.sun.direction"} < {info.leaf.name for info in whole.parameters}
+
+
+def test_a_rig_is_told_what_words_of_other_systems_are_here() -> None:
+    text = "import std.lights.{Spot}\nrig R { l : Spot { penumbra = 0.4 } }\nmaterial M {}"
+    (found,) = burnish.check(text)
+    assert "`inner` and `outer`" in str(found.hint)

@@ -219,5 +219,6 @@ COSINE_OF_VECTOR = warning(
     "B0391",
     "`{function}` gets the cosine of an angle times a length that is not known",
     "The dot product of two directions is the cosine of the angle between them. A vector that is "
-    "longer makes it that many times larger, and a power of it, or an angle, means nothing then.",
+    "longer makes it that many times larger, and a power of it, or an angle, means nothing then. "
+    "If the length is meant, write `vec3(v)`: numbers without a space are not judged.",
 )

@@ -27,6 +27,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import OUTERMOST, Replacement, RigEntry
 from .host_names import Entry, light_name
+from .unread_slots import word_of_light
 
 
 def entries_of(ctx: Context, rig: Symbol, taken: Container[str]) -> list[Entry]:
@@ -144,7 +145,8 @@ def _overrides(
             ctx.report.add(
                 rules.UNKNOWN_NAME, slot.name.span,
                 kind=f"slot of light `{record.name}`", name=slot.name.text,
-                hint=nearest_or_all(slot.name.text, slot.name.span, record.definitions),
+                hint=nearest_or_all(slot.name.text, slot.name.span, record.definitions)
+                or word_of_light(slot.name.text),
             )  # fmt: skip
             continue
         given[slot.name.text] = Definition(slot, rig, OUTERMOST)

@@ -8,6 +8,7 @@ with what was read of a record.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping
 from string import digits
 
@@ -21,6 +22,7 @@ from ..names.modules import Module, Symbol
 from ..state.context import Context
 
 _GLTF = "only a base that has it makes something of it, such as the library's material of glTF"
+_BY_ITSELF = "nothing is made of it by itself: the slot `color` would have to read it"
 _TO_EYE = "what a surface sends to the eye is its slot `color`"
 _COVERS = "how much a surface covers is its slot `alpha`"
 _NO_DEPTH = "a pass draws with the depth of the surface: no text writes another one"
@@ -28,8 +30,12 @@ _NO_CLIP = "a surface is cut at the sides of clip space, or by `discard when` in
 _NO_POINTS = "points have no size of their own: `expand point` makes a square of each"
 _IN_CLIP = "where a vertex is drawn is the slot `clip_position`"
 _DISCARD = "a pass leaves out pixels by `discard when condition`"
+_SIDES = "both sides are drawn, but where `is_hidden` is true: glTF has `is_two_sided` for it"
 _SENT = "what a light sends is its slots `diffuse` and `specular`"
 _FADES = "how a light fades is its slot `falloff`"
+_STANDS = "where a lamp stands is the slot `place` of those that have a place"
+_OPENS = "a cone is the slots `inner` and `outer` of those lights that have one"
+_THROWS = "lights of `std.shadows` throw shadows"
 
 OF_SURFACES: Mapping[str, str] = {
     **dict.fromkeys(("albedo", "basecolor", "diffusecolor", "fragcolor", "outcolor", "surfacecolor",
@@ -43,6 +49,9 @@ OF_SURFACES: Mapping[str, str] = {
     **dict.fromkeys(("glposition", "svposition"), _IN_CLIP),
     **dict.fromkeys(("roughness", "metallic", "metalness", "ao", "occlusion", "emissive",
                      "emission"), _GLTF),
+    **dict.fromkeys(("shininess", "clearcoat", "sheen", "ior", "transmission", "subsurface",
+                     "anisotropy"), _BY_ITSELF),
+    **dict.fromkeys(("doublesided", "twosided"), _SIDES),
 }  # fmt: skip
 """Words of other systems for what a shader writes, in small letters and without underscores, and
 what there is here instead."""
@@ -52,6 +61,10 @@ OF_LIGHTS: Mapping[str, str] = {
                      "radiance", "emission", "multiplier"), _SENT),
     **dict.fromkeys(("attenuation", "range", "radius", "distance", "decay", "linear", "quadratic",
                      "constant"), _FADES),
+    **dict.fromkeys(("position", "pos", "location"), _STANDS),
+    **dict.fromkeys(("angle", "coneangle", "spotangle", "spotsize", "cutoff", "penumbra",
+                     "innerconeangle", "outerconeangle", "innerangle", "outerangle"), _OPENS),
+    **dict.fromkeys(("castshadow", "castshadows", "shadow", "shadows"), _THROWS),
 }  # fmt: skip
 """The same for what a light sends."""
 
@@ -111,14 +124,14 @@ def _kind(record: Record) -> str:
 
 
 def _others(record: Record, owner: Symbol) -> Iterator[str]:
-    """The names that others than one owner declare, without those of the mesh.
+    """The names that others than one owner declare.
 
     One that is abstract, and stays so, is told by itself.
     """
     for name, rows in record.definitions.items():
         member = rows[0].member
         is_theirs = any(row.owner is not owner for row in rows)
-        if is_theirs and not (is_abstract(member) or isinstance(member, ast.Attribute)):
+        if is_theirs and not is_abstract(member):
             yield name
 
 
@@ -205,13 +218,17 @@ def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
 def _is_alike(name: str, meant: str) -> bool:
     """True if a name is nearly another one: that of a slot is right by itself, though unread.
 
-    A number behind a name is no mistake: ``uv1`` stands beside ``uv``.
+    A number behind a name is no mistake: ``uv1`` stands beside ``uv``. Nor is a word before or
+    behind it, as in ``old_position``, which a pass of another file may read.
     """
     from difflib import SequenceMatcher
 
     one, other = _folded(name), _folded(meant)
     if one.rstrip(digits) == other.rstrip(digits):
         return one == other
+    words, fewer = _words(name), _words(meant)
+    if len(words) > len(fewer) and fewer in (words[: len(fewer)], words[-len(fewer) :]):
+        return False
     return sorted(one) == sorted(other) or SequenceMatcher(None, one, other).ratio() >= _ALIKE
 
 
@@ -221,8 +238,18 @@ def _advice(own: Own) -> str:
     return "" if folded in map(_folded, own.others) else own.words.get(folded, "")
 
 
+def _words(name: str) -> list[str]:
+    """The words of a name, which an underscore divides or a capital letter begins."""
+    return [word.casefold() for word in re.findall(r"[A-Z]*[^A-Z_]+|[A-Z]+", name)]
+
+
 def _folded(name: str) -> str:
     return name.replace("_", "").casefold()
+
+
+def word_of_light(name: str) -> str:
+    """What is said of a word of other systems for what a light sends; empty if it is none."""
+    return OF_LIGHTS.get(_folded(name), "")
 
 
 def _warn(ctx: Context, name: ast.Name, hint: Hint) -> None:

@@ -30,14 +30,17 @@ class Files:
     def __init__(self, folder: str, contents: dict[str, bytes]) -> None:
         """``folder`` is that of the subject; ``contents`` gets all files by their paths."""
         self._folder, self._contents = folder, contents
+        self._kept: dict[str, tuple[str, bytes]] = {}
+        """The files by their paths in small letters, which are one for some systems."""
 
     def keep(self, name: str, content: bytes) -> str:
         """Keep a file under a name; if other contents have it, under the next one that is free."""
         stem, dot, ending = name.rpartition(".")
         path, number = f"{self._folder}/{name}", 1
-        while self._contents.setdefault(path, content) != content:
+        while self._kept.setdefault(path.casefold(), (path, content)) != (path, content):
             number += 1
             path = f"{self._folder}/{stem}-{number}{dot}{ending}"
+        self._contents[path] = content
         return path
 
 

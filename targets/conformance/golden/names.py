@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from ....compiler.diagnostics.file_names import DEVICES
+
 _ODD = re.compile(r"[^\w.+-]+")
 _LONGEST = 100
 
@@ -17,7 +19,7 @@ def file_name(text: str) -> str:
 
 def folder_names(texts: Iterable[str], *, taken: Iterable[str] = ()) -> list[str]:
     """A name for each text; no two of them are the same on any system, nor one that is taken."""
-    taken = {name.casefold() for name in taken}
+    taken = {*DEVICES, *(name.casefold() for name in taken)}
     found = []
     for text in texts:
         wanted = name = file_name(text)

@@ -33,7 +33,7 @@ from .document import (
 )
 from .enclosing import Enclosed, Enclosure, enclosed
 from .inputs import FRAME, SHADER, Files, frame_inputs, shader_inputs
-from .names import file_name, folder_names
+from .names import folder_names
 from .viewable import sixteen_bits
 
 
@@ -90,7 +90,7 @@ def golden_part(
                 covered=within.covered,
                 wide=within.wide,
                 routes=tuple(route.name for route in able),
-                outputs=tuple(map(_output, within.outputs)),
+                outputs=tuple(map(_output, _output_names(within), within.outputs)),
                 inputs=_inputs(trial, case, able, files, own),
             )
         )
@@ -118,8 +118,8 @@ def whole(parts: Iterable[GoldenPart], routes: Sequence[Route], seed: int) -> di
 def _arrays(folder: str, found: Enclosure) -> dict[str, bytes]:
     """The files with the bounds of a case."""
     files = {f"{folder}/undecided.npy": _npy(found.undecided.astype("|u1"))}
-    for output in found.outputs:
-        path = f"{folder}/{file_name(output.shown.name)}"
+    for name, output in zip(_output_names(found), found.outputs, strict=True):
+        path = f"{folder}/{name}"
         for end in ("lower", "upper", "reference"):
             files[f"{path}.{end}.npy"] = _npy(getattr(output, end).astype("<f8"))
         files[f"{path}.png"] = sixteen_bits(output.reference)
@@ -170,10 +170,15 @@ def _inputs(
     return frame_inputs(trial, case, profiles, files)
 
 
-def _output(output: Enclosed) -> GoldenOutput:
+def _output_names(found: Enclosure) -> list[str]:
+    """The names of a case's outputs, which are those of their files."""
+    return folder_names(output.shown.name for output in found.outputs)
+
+
+def _output(name: str, output: Enclosed) -> GoldenOutput:
     shown = output.shown
     stored = None if shown.stored is None else _stored(shown.stored)
-    return GoldenOutput(name=file_name(shown.name), lanes=shown.lanes, stored=stored)
+    return GoldenOutput(name=name, lanes=shown.lanes, stored=stored)
 
 
 def _stored(place: Stored) -> StoredRow:
