@@ -35,7 +35,7 @@ def corpus(output: Path, seed: int, only: Sequence[str]) -> None:
     ES) the interval in which the result of a conforming device lies. Numbers are written as their
     bits. A program that reads JSON needs neither a GPU nor Burnish to test itself with it.
 
-    docs/corpus.md has a checker of forty lines; `burnish schema corpus` prints the JSON Schema.
+    docs/corpus.md has a short checker; `burnish schema corpus` prints the JSON Schema.
     All files are written, or none. The same seed makes the same files.
 
     \b

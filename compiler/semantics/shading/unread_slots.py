@@ -18,7 +18,7 @@ from ...diagnostics.fixes import Hint
 from ...diagnostics.nearest import nearest_in, respelt
 from ...syntax import ast
 from ..inheritance.records import Record, is_abstract
-from ..names.modules import Module, Symbol
+from ..names.modules import Module
 from ..state.context import Context
 
 _GLTF = "only a base that has it makes something of it, such as the library's material of glTF"
@@ -98,14 +98,15 @@ def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
     What an imported file declares is an offer, and its names are for that file to check.
     """
     words = _WORDS.get(_kind(record), {})
-    others: dict[Symbol, frozenset[str]] = {}
+    others: dict[int, frozenset[str]] = {}
     for definitions in record.definitions.values():
-        member, owner = definitions[0].member, definitions[0].owner
+        first = definitions[0]
+        member, owner, level = first.member, first.owner, first.level
         is_new = all(definition.owner is owner for definition in definitions)
         if is_new and isinstance(member, _READ) and owner.module is record.symbol.module:
-            if owner not in others:
-                others[owner] = frozenset((*_others(record, owner), *also))
-            yield Own(member.name, others[owner], words)
+            if level not in others:
+                others[level] = frozenset((*_others(record, level), *also))
+            yield Own(member.name, others[level], words)
 
 
 _READ = ast.Slot | ast.Param | ast.Texture | ast.Buffer
@@ -123,14 +124,14 @@ def _kind(record: Record) -> str:
     return declaration.kind if isinstance(declaration, ast.Record | ast.Mixin) else ""
 
 
-def _others(record: Record, owner: Symbol) -> Iterator[str]:
-    """The names that others than one owner declare.
+def _others(record: Record, level: int) -> Iterator[str]:
+    """The names that the ancestors behind one level declare.
 
     One that is abstract, and stays so, is told by itself.
     """
     for name, rows in record.definitions.items():
         member = rows[0].member
-        is_theirs = any(row.owner is not owner for row in rows)
+        is_theirs = rows[-1].level > level
         if is_theirs and not is_abstract(member):
             yield name
 
