@@ -22,7 +22,7 @@ FEW, FEW_OF = 40, 1 / 16
 """As many pixels, or this part of those that are shaded at once, may be wide: they prove enough."""
 TRIED = 32
 """The number of quads that are tried first."""
-PAYS = 0.75
+PAYS = 0.875
 """The others are evaluated if not more than this part of the pixels that were tried stay wide."""
 
 CasesOf = Callable[[Ints, Ints], tuple[list[Lanes], Ints]]
