@@ -42,9 +42,7 @@ def make(
         corpus = corpus_of(OPERATIONS[name], seed)
         cases = [case for overload in corpus.overloads for case in overload.cases]
         guarded = sum(case.guarded for case in cases)
-        rows.append(
-            OperationRow(name=name, file=f"{name}.json", cases=len(cases), guarded=guarded)
-        )
+        rows.append(OperationRow(name=name, file=f"{name}.json", cases=len(cases), guarded=guarded))
         texts[f"{name}.json"] = _text(corpus)
         tell((number + 1) / len(wanted))
     index = CorpusIndex(
