@@ -47,6 +47,13 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     return folded[matches[0]] if matches else None
 
 
+def similarity(one: str, other: str) -> float:
+    """The similarity of two names, from 0 to 1, whatever their letters' case."""
+    from difflib import SequenceMatcher
+
+    return SequenceMatcher(None, one.casefold(), other.casefold()).ratio()
+
+
 def _continues(name: str, other: str) -> bool:
     """True if one of two names is the other with one more letter at its end: `tt` for `t`."""
     return abs(len(name) - len(other)) == 1 and (name.startswith(other) or other.startswith(name))

@@ -5,7 +5,7 @@ other, and what is computed from both is often the same on either side: a noise 
 its cells meet. The hull of both outcomes forgets which of them belong together. So the part of the
 program with these decisions is evaluated once for each combination of their outcomes, and only the
 results are joined. ``StageEvaluator.decided`` does so for pixels whose bounds are wide, and
-``trying.py`` for the bodies of loops and functions by themselves.
+``bodies.py`` for the bodies of loops and functions by themselves.
 
 An outcome belongs to a number that a device has computed once: all that asks for the floor of that
 number gets the same one. Only outcomes are fixed. The number itself keeps its interval.
@@ -13,7 +13,7 @@ number gets the same one. Only outcomes are fixed. The number itself keeps its i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,6 +24,7 @@ from .affine import alone, chosen
 from .bounded import Bounded, as_bounded
 from .functions import Bounds, Errors
 from .loop_ends import LoopEnds
+from .nested import flat, rebuilt
 from .rounding import Array
 
 MOST = 2
@@ -181,7 +182,7 @@ class _Attempts(Attempts):
 
     def end(self, value: Any) -> Any:
         del self._cases[id(self._frame)]
-        self._found.append((self._case, list(_flat(value))))
+        self._found.append((self._case, list(flat(value))))
         self._most = max(self._most, self._case.most)
         number = self._case.number + 1
         if number < 2**self._most:
@@ -191,8 +192,8 @@ class _Attempts(Attempts):
             return value
         cases = [case for case, _ in self._found]
         columns = zip(*(lanes for _, lanes in self._found), strict=True)
-        joined = iter([_joined(cases, [as_bounded(lane) for lane in column]) for column in columns])
-        return _rebuilt(value, joined)
+        joined = iter([_joined(cases, list(column)) for column in columns])
+        return rebuilt(value, joined)
 
 
 def _joined(cases: list[Case], lanes: list[Bounded]) -> Bounded:
@@ -207,17 +208,3 @@ def _joined(cases: list[Case], lanes: list[Bounded]) -> Bounded:
     farther = Bounded(value, low, high).radius
     form = chosen(certain, np.zeros_like(certain), lanes[0].any_form, alone(farther), farther)
     return Bounded(value, low, high, form)
-
-
-def _flat(value: Any) -> Iterator[Any]:
-    if isinstance(value, tuple):
-        for part in value:
-            yield from _flat(part)
-    else:
-        yield value
-
-
-def _rebuilt(value: Any, lanes: Iterator[Bounded]) -> Any:
-    if isinstance(value, tuple):
-        return tuple([_rebuilt(part, lanes) for part in value])
-    return next(lanes)

@@ -8,13 +8,12 @@ that go on, and what a device has that may have ended is kept here until the loo
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..namespace import Endings, Lane, Lanes
 from .affine import alone, chosen
 from .bounded import Bounded, as_bounded, exact
+from .nested import flat, rebuilt
 from .rounding import Array
 
 
@@ -44,10 +43,13 @@ class LoopEnds(Endings):
         if self._ended is None:
             return states
         ended = iter(self._states)
-        return [_mapped(lambda lane: self._either(lane, next(ended)), state) for state in states]
+        return [
+            rebuilt(state, iter([self._either(lane, next(ended)) for lane in flat(state)]))
+            for state in states
+        ]
 
     def _note(self, open_: Array, meant: Array, states: list[Lanes]) -> None:
-        lanes = [lane for state in states for lane in _flat(state)]
+        lanes = [lane for state in states for lane in flat(state)]
         if self._ended is None:
             self._ended, self._meant, self._states = open_, meant, lanes
             return
@@ -57,9 +59,9 @@ class LoopEnds(Endings):
         ]
         self._ended, self._meant = known | open_, self._meant | meant
 
-    def _either(self, lane: Any, ended: Bounded) -> Bounded:
+    def _either(self, lane: Bounded, ended: Bounded) -> Bounded:
         """The lane of a device that has gone on, or that has ended before."""
-        lane, here = as_bounded(lane), self._ended
+        here = self._ended
         assert here is not None
         value = np.where(self._meant, ended.value, lane.value)
         low = np.where(here, np.minimum(ended.low, lane.low), lane.low)
@@ -79,15 +81,3 @@ def _noted(open_: Array, known: Array, meant: Array, before: Bounded, lane: Boun
         np.where(open_, np.where(known, np.maximum(before.high, lane.high), lane.high),
                  before.high),
     )  # fmt: skip
-
-
-def _flat(state: Any) -> list[Bounded]:
-    if isinstance(state, tuple):
-        return [lane for part in state for lane in _flat(part)]
-    return [as_bounded(state)]
-
-
-def _mapped(change: Any, state: Any) -> Any:
-    if isinstance(state, tuple):
-        return tuple([_mapped(change, part) for part in state])
-    return change(state)

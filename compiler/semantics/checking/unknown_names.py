@@ -123,5 +123,6 @@ def unknown_here(
             known = list(known)
             if nearest_in(span.source, name, known) is None:
                 return  # The file that could not be imported may declare it.
-        hint = module.hint(ast.Name(name, span), known) or advice.undeclared(kind, name)
+        kinds = ("fn", "term") if kind == "function" else ()
+        hint = module.hint(ast.Name(name, span), known, kinds) or advice.undeclared(kind, name)
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

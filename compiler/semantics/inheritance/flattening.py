@@ -306,7 +306,7 @@ class Records:
 
     def _report_unknown(self, symbol: Symbol, kind: str, name: ast.Name) -> None:
         if name.text not in symbol.module.missing:
-            hint = symbol.module.hint(name, symbol.module.visible())
+            hint = symbol.module.hint(name, symbol.module.visible(), (kind,))
             self._report.add(rules.UNKNOWN_NAME, name.span, kind=kind, name=name.text, hint=hint)
 
     def _report_mixin_as_base(

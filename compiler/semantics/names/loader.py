@@ -32,7 +32,8 @@ def missing_import_hint(wanted: ast.Import, library: StandardLibrary) -> Hint:
     if wanted.quoted:
         return _add_ending(wanted)
     *folder, name = wanted.path
-    if folder and library.offering(name) == ".".join(folder):
+    offer = library.offers().get(name) if folder else None
+    if offer is not None and offer.path == ".".join(folder):
         declaration = f"{'.'.join(folder)}.{{{name}}}"
         return _instead(f"write `import {declaration}`", wanted, declaration)
     if wanted.path[0] != "std":
@@ -131,7 +132,7 @@ class Loader:
             self._loading[self._without_links(path)] = source.name
         module = Module(
             self._parse(source, self._report), path, prelude=self._library.prelude,
-            offered=self._library.offering,
+            offers=self._library.offers,
         )  # fmt: skip
         self._link(module)
         return module

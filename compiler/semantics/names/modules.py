@@ -6,12 +6,12 @@ module sees its own declarations, those it imports, and everything the library's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ....support.frozen import fresh, frozen, record
-from ...diagnostics.fixes import Hint
-from ...diagnostics.nearest import respelling
+from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
+from ...diagnostics.nearest import nearest_in, respelling, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
@@ -34,6 +34,20 @@ class Symbol:
         return self.declaration.name.text
 
 
+_ALIKE = 0.75
+"""The least similarity of an unknown name and one that the file does not even import."""
+
+
+@frozen
+class Offer:
+    """A declaration of a library file that a file has not imported."""
+
+    path: str
+    """The import path of the library file."""
+    kind: str
+    """The word with which it is declared, such as ``light``; empty for some rare ones."""
+
+
 @record
 class Module:
     """One file with everything it can name; functions may share a name (overloads)."""
@@ -53,8 +67,8 @@ class Module:
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with a function that reports one when used."""
     prelude: Module | None = None
-    offered: Callable[[str], str] = lambda _name: ""
-    """The library file that declares a name, as an import path; empty if none does."""
+    offers: Callable[[], Mapping[str, Offer]] = dict
+    """Finds what the library's files declare, by name: an unknown name may be one of these."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
         """The declarations that ``name`` stands for here; empty if there are none."""
@@ -69,13 +83,22 @@ class Module:
             found = self.prelude.declared.get(name)
         return found or ()
 
-    def hint(self, name: ast.Name, known: Iterable[str]) -> Hint:
-        """The hint for an unknown name: import it, or write the nearest known one."""
-        path = self.offered(name.text)
-        if not path:
-            return respelling(name.text, name.span, known)
-        declaration = f"import {path}.{{{name.text}}}"
-        return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
+    def hint(self, name: ast.Name, known: Iterable[str], kinds: Sequence[str] = ()) -> Hint:
+        """The hint for an unknown name: import it, or write the nearest known one.
+
+        A name of the library that is nearly the same may be meant, too, if it is of these kinds.
+        """
+        offers, written = self.offers(), name.text
+        if written in offers:
+            return _imported(name, written, offers[written].path)
+        fitting = {each for each, offer in offers.items() if offer.kind in kinds}
+        meant = _without_kind(written, fitting)
+        if meant is None:
+            if near := respelling(written, name.span, known):
+                return near
+            found = nearest_in(name.span.source, written, fitting)
+            meant = found if found and similarity(written, found) >= _ALIKE else None
+        return "" if meant is None else _imported(name, meant, offers[meant].path)
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -83,3 +106,22 @@ class Module:
         yield from self.imported
         if self.prelude is not None:
             yield from self.prelude.declared
+
+
+def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
+    """The name that a written one has beside the word ``light``, as in ``DirectionalLight``."""
+    short = written.casefold().replace("_", "").removesuffix("light")
+    return next((each for each in fitting if each.casefold() == short), None)
+
+
+def _imported(name: ast.Name, meant: str, path: str) -> Hint:
+    """A hint to import a name of the library, and to write it if it is misspelt."""
+    declaration = f"import {path}.{{{meant}}}"
+    on_top = inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
+    if meant == name.text:
+        return on_top
+    said = f"did you mean `{meant}`? {on_top.text}"
+    respelt = Edit(name.span, meant)
+    if name.span.text != name.text:
+        return said
+    return FixIt(said, tuple(Fix((*fix.edits, respelt)) for fix in on_top.fixes))

@@ -9,7 +9,7 @@ library. Symbols are compared by identity, so all compiles see the same ones.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -20,7 +20,7 @@ from ...diagnostics.source import Source, Span
 from ...syntax import ast
 from .declarations import declare_all
 from .imports import import_names
-from .modules import Module
+from .modules import Module, Offer
 
 _PRELUDE = "prelude.burnish"
 _NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
@@ -59,7 +59,7 @@ class StandardLibrary:
         self._begun: dict[str, Module] = {}
         """The linked modules, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}
-        self._offers: dict[str, str] | None = None
+        self._offers: dict[str, Offer] | None = None
         prelude = self.module(_PRELUDE)
         assert prelude is not None, "the library has no prelude"
         self.prelude: Module = prelude
@@ -85,25 +85,25 @@ class StandardLibrary:
                 self._modules.update(self._begun)
         return known
 
-    def offering(self, name: str) -> str:
-        """The import path of the library file that declares a name; empty if none does."""
+    def offers(self) -> Mapping[str, Offer]:
+        """What the files of the library declare that can be imported, by name."""
         if self._offers is None:
             self._offers = dict(reversed(list(self._offered())))
-        return self._offers.get(name, "")
+        return self._offers
 
     def import_paths(self) -> list[str]:
         """The import paths of all library files that can be imported."""
         stems = {path.stem for path in self.folder.glob("*.burnish")} - _NOT_IMPORTED
         return sorted(f"std.{stem}" for stem in stems)
 
-    def _offered(self) -> Iterator[tuple[str, str]]:
-        """The names that library files declare, each with the import path of its file."""
+    def _offered(self) -> Iterator[tuple[str, Offer]]:
+        """The names that library files declare."""
         for path in self.import_paths():
             source = self._source(in_library(path.split(".")))
             tree = None if source is None else self._parse(source, Report())
             for declaration in () if tree is None else tree.declarations:
                 if not isinstance(declaration, ast.Import):
-                    yield declaration.name.text, path
+                    yield declaration.name.text, Offer(path, _kind(declaration))
 
     def _linked(self, relative: str) -> Module | None:
         """A module with all its names. Library files import each other hardly deeper than once."""
@@ -131,6 +131,13 @@ class StandardLibrary:
             return None
         self._stamps[path] = _stamp(path)
         return self._read(path, self.report, f"std/{relative}")
+
+
+def _kind(declaration: ast.Declaration) -> str:
+    """The word with which something is declared, as messages call it."""
+    if isinstance(declaration, ast.Mixin):
+        return "mixin"
+    return declaration.kind if isinstance(declaration, ast.Record | ast.Function) else ""
 
 
 def in_library(path: Sequence[str]) -> str:

@@ -75,7 +75,7 @@ def _light(ctx: Context, rig: Symbol, name: ast.Name) -> Record | None:
             return None
         ctx.report.add(
             rules.UNKNOWN_NAME, name.span, kind="light", name=name.text,
-            hint=rig.module.hint(name, lights),
+            hint=rig.module.hint(name, lights, ("light",)),
         )  # fmt: skip
         return None
     if declaration.abstract:

@@ -15,7 +15,7 @@ from string import digits
 from ....support.frozen import cached_property, frozen
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint
-from ...diagnostics.nearest import nearest_in, respelt
+from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ..inheritance.records import Record, is_abstract
 from ..names.modules import Module
@@ -222,15 +222,13 @@ def _is_alike(name: str, meant: str) -> bool:
     A number behind a name is no mistake: ``uv1`` stands beside ``uv``. Nor is a word before or
     behind it, as in ``old_position``, which a pass of another file may read.
     """
-    from difflib import SequenceMatcher
-
     one, other = _folded(name), _folded(meant)
     if one.rstrip(digits) == other.rstrip(digits):
         return one == other
     words, fewer = _words(name), _words(meant)
     if len(words) > len(fewer) and fewer in (words[: len(fewer)], words[-len(fewer) :]):
         return False
-    return sorted(one) == sorted(other) or SequenceMatcher(None, one, other).ratio() >= _ALIKE
+    return sorted(one) == sorted(other) or similarity(one, other) >= _ALIKE
 
 
 def _advice(own: Own) -> str:

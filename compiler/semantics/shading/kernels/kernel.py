@@ -126,11 +126,11 @@ def kernel_shader(
         drawn = [result for each in written for result in each.results]
         check_no_groups(ctx, drawn, "a kernel over images", declaration.name.span)
     check_instance(ctx, instance)
-    warn_of_unread(ctx, record, beside=NamedIn(record.symbol.module))
     read_externs(ctx, module)
     ctx.deferred.report()
     if report.failed:
         return None
+    warn_of_unread(ctx, record, beside=NamedIn(record.symbol.module))
     results = [Result(EXTENT, COMPUTE, ctx.extent)]
     results += [result for each in written for result in each.results]
     made = _lowered(ctx, results, extents)
