@@ -1,4 +1,4 @@
-"""Values of the library's functions for many arguments at once: for tests of formulas and integrals.
+"""Values of the library's functions for many arguments: for tests of formulas and integrals.
 
 A kernel computes an expression for each element, as the reference does, in float64.
 """

@@ -1,4 +1,4 @@
-"""The share of light that smooth surfaces mirror, against optics with angles and complex numbers."""
+"""The share of light that smooth surfaces mirror, against optics with complex numbers."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .many import albedo, directions, singles, values
+from .many import albedo, directions, dots, singles, values
 from .truth import truth
 
 MODULE = "std.reflectances\nimport std.microfacets"
@@ -61,6 +61,14 @@ def test_no_surface_sends_out_more_than_what_arrives(name: str) -> None:
     call = (REFLECTANCES | FACETS)[name]
     found = [albedo(MODULE, call, cosine) for cosine in (1.0, 0.7, 0.4, 0.15)]
     assert max(found) <= BRIGHT.get(name, 1 + 1e-3)
+
+
+@truth("std.microfacets.light_to_half")
+def test_light_and_eye_are_as_far_from_the_middle() -> None:
+    """Half of the angle between both."""
+    light, eye = directions(9), directions(10)
+    found = values(MODULE, "light_to_half(l, normalize(l + e))", l=light, e=eye)
+    assert np.allclose(found, np.cos(np.arccos(dots(light, eye)) / 2), rtol=1e-5)
 
 
 @truth("std.reflectances.eon_reflectance")
