@@ -126,6 +126,7 @@ def test_cloth() -> None:
 # --- matt surfaces -------------------------------------------------------------------------------
 
 ASIDE = dots(TO_LIGHT, TO_EYE) - dots(NORMAL, TO_LIGHT) * dots(NORMAL, TO_EYE)
+HIGHER = np.maximum(dots(NORMAL, TO_LIGHT), dots(NORMAL, TO_EYE))
 MATT = ALBEDO / np.pi
 
 
@@ -133,7 +134,7 @@ MATT = ALBEDO / np.pi
 def test_oren_and_nayar() -> None:
     a = 1 - 0.5 * ROUGHNESS**2 / (ROUGHNESS**2 + 0.33)
     b = 0.45 * ROUGHNESS**2 / (ROUGHNESS**2 + 0.09)
-    wanted = MATT * wide(a + b * over(np.maximum(ASIDE, 0), np.maximum(L, V)))
+    wanted = MATT * wide(a + b * over(np.maximum(ASIDE, 0), HIGHER))
     agree("vec3(oren_nayar_reflectance(k, r, n, l, e))", wanted)
 
 
@@ -160,9 +161,8 @@ def test_oren_and_nayar_by_angles() -> None:
 
 
 def fujii() -> Array:
-    """Portsmouth, Kutz and Hill 2024, equations 8 and 9."""
-    least = np.where(ASIDE > 0, over(ASIDE, np.maximum(L, V)), ASIDE)
-    least = np.where(np.maximum(L, V) > 0, least, np.maximum(ASIDE, 0))
+    """Portsmouth, Kutz and Hill 2024, where the larger cosine counts if that is brighter."""
+    least = np.maximum(ASIDE, over(ASIDE, HIGHER))
     return MATT * wide((1 + ROUGHNESS * least) * fujii_factor())
 
 
