@@ -15,7 +15,7 @@ SHARES, TINTS = numbers(0, 0.95, 2, 3), numbers(0, 1, 3, 3)
 
 def wide(lanes: Array) -> Array:
     """Numbers beside vectors."""
-    return lanes[:, None]
+    return np.asarray(lanes[:, None])
 
 
 def after_schlick(f0: Array, f90: Array | float, cosine: Array | float) -> Array:

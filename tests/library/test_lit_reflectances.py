@@ -41,7 +41,7 @@ def value(call: str, to_light: Floats) -> Floats:
         "n": [NORMAL_IN_WORLD], "l": [to_light], "e": [TO_EYE], "local_l": [axes @ to_light],
         "local_e": [axes @ TO_EYE],
     }  # fmt: skip
-    return values(MODULE, f"vec3({call})", "vec3", **given)[0]
+    return np.asarray(values(MODULE, f"vec3({call})", "vec3", **given)[0])
 
 
 def about(wanted: Any) -> Any:

@@ -31,7 +31,7 @@ GIVEN: dict[str, Array] = {
 def over(a: Any, b: Any) -> Array:
     """A quotient that is 0 where something is divided by 0, as in Burnish."""
     a, b = np.broadcast_arrays(a, b)
-    return np.divide(a, b, out=np.zeros(b.shape), where=b != 0)
+    return np.asarray(np.divide(a, b, out=np.zeros(b.shape), where=b != 0))
 
 
 def agree(call: str, wanted: Array) -> None:
@@ -42,7 +42,7 @@ def agree(call: str, wanted: Array) -> None:
 
 
 def wide(lanes: Any) -> Array:
-    return np.asarray(lanes)[:, None]
+    return np.asarray(np.asarray(lanes)[:, None])
 
 
 def schlick(f0: Any, cosine: Array, f90: Any = 1.0) -> Array:
@@ -64,7 +64,7 @@ def test_facets_of_ggx() -> None:
 
 def lengths(arrows: Array, widths: Array) -> Array:
     """The lengths of directions that are stretched by widths."""
-    return np.sqrt((arrows[:, :2] ** 2 * widths**2).sum(axis=1) + arrows[:, 2] ** 2)
+    return np.asarray(np.sqrt((arrows[:, :2] ** 2 * widths**2).sum(axis=1) + arrows[:, 2] ** 2))
 
 
 @truth("std.microfacets.ggx_reflectance", "std.microfacets.square_length")
@@ -79,7 +79,9 @@ def test_stretched_facets_of_ggx() -> None:
 
 def beckmann_hidden(cosine: Array) -> Array:
     a = over(cosine, WIDTH * np.sqrt(1 - cosine**2))
-    return np.where(a < 1.6, over(1 - 1.259 * a + 0.396 * a**2, 3.535 * a + 2.181 * a**2), 0)
+    return np.asarray(
+        np.where(a < 1.6, over(1 - 1.259 * a + 0.396 * a**2, 3.535 * a + 2.181 * a**2), 0)
+    )
 
 
 @truth("std.microfacets.beckmann_reflectance")
@@ -163,7 +165,7 @@ def test_oren_and_nayar_by_angles() -> None:
 def fujii() -> Array:
     """Portsmouth, Kutz and Hill 2024, where the larger cosine counts if that is brighter."""
     least = np.maximum(ASIDE, over(ASIDE, HIGHER))
-    return MATT * wide((1 + ROUGHNESS * least) * fujii_factor())
+    return np.asarray(MATT * wide((1 + ROUGHNESS * least) * fujii_factor()))
 
 
 def fujii_factor() -> Array:
@@ -186,7 +188,7 @@ def test_eon() -> None:
         flat = 1 - cosine
         powers = 0.0571085289 * flat + 0.491881867 * flat**2
         powers += -0.332181442 * flat**3 + 0.0714429953 * flat**4
-        return fujii_factor() * (1 + ROUGHNESS * powers)
+        return np.asarray(fujii_factor() * (1 + ROUGHNESS * powers))
 
     mean = wide(fujii_factor() * (1 + ROUGHNESS * (2 / 3 - 28 / (15 * np.pi))))
     again = ALBEDO**2 * mean / (1 - ALBEDO * (1 - mean)) / np.pi
@@ -195,7 +197,7 @@ def test_eon() -> None:
 
 
 def edges(f90: Array) -> Array:
-    return schlick(1, L, f90) * schlick(1, V, f90)
+    return np.asarray(schlick(1, L, f90) * schlick(1, V, f90))
 
 
 @truth("std.reflectances.burley_reflectance", "std.reflectances.at_edges")
