@@ -128,7 +128,7 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
             "light.to_light] ) /// Skin and wax,"
         ),
         (
-            "std.reflectances.subsurface: , roughness, normal, [light.to_light, to_eye -> "
+            "std.reflectances.flattened: , roughness, normal, [light.to_light, to_eye -> "
             "to_eye, light.to_light] ) /// Surfaces with"
         ),
         (
@@ -144,7 +144,7 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
             "to_eye, light.to_light] ) /// Metals that ar"
         ),
         (
-            "std.reflectances.sheen: , roughness, normal, [light.to_light, to_eye -> to_eye, "
+            "std.reflectances.cloth_sheen: , roughness, normal, [light.to_light, to_eye -> to_eye, "
             "light.to_light] ) /// Varnish: add i"
         ),
         (

@@ -60,11 +60,11 @@ def agree(term: str, color: Floats, reflectance: str) -> None:
         assert lit(term, to_light) == about(wanted), term
 
 
-@truth("std.reflectances.received")
+@truth("std.reflectances.arriving_share")
 def test_the_share_of_a_light_that_arrives() -> None:
     for to_light in LIGHTS:
         arrow = f"normalize(vec3({', '.join(map(repr, lanes(to_light)))}))"
-        assert lit(f"vec3(received({arrow}))", BEFORE) == close([received(to_light)] * 3)
+        assert lit(f"vec3(arriving_share({arrow}))", BEFORE) == close([received(to_light)] * 3)
 
 
 @truth("std.reflectances.oren_nayar")
@@ -92,9 +92,9 @@ def test_frostbite() -> None:
     agree(f"frostbite({ALBEDO}, 0.5)", MATT, f"frostbite_reflectance({ALBEDO}, 0.5, n, l, e)")
 
 
-@truth("std.reflectances.subsurface")
+@truth("std.reflectances.flattened")
 def test_subsurface() -> None:
-    agree(f"subsurface({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
+    agree(f"flattened({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
 
 
 @truth("std.reflectances.minnaert")
@@ -140,9 +140,9 @@ def test_ashikhmin_and_shirley() -> None:
         assert found == about(wanted)
 
 
-@truth("std.reflectances.sheen")
+@truth("std.reflectances.cloth_sheen")
 def test_sheen() -> None:
-    agree(f"sheen({ALBEDO}, 0.5)", GLOSS, f"sheen_reflectance({ALBEDO}, 0.5, n, l, e)")
+    agree(f"cloth_sheen({ALBEDO}, 0.5)", GLOSS, f"sheen_reflectance({ALBEDO}, 0.5, n, l, e)")
 
 
 @truth("std.reflectances.clear_coat")
@@ -153,12 +153,12 @@ def test_clear_coat() -> None:
 COLOR, OTHER = np.array((0.5, 0.25, 0.75)), np.array((0.125, 0.5, 1))
 
 
-@truth("std.reflectances.wrapped")
+@truth("std.reflectances.wrapped_lambert")
 def test_wrapped() -> None:
     for to_light in LIGHTS:
         cosine = NORMAL_IN_WORLD @ to_light
         wanted = np.clip((cosine + OTHER) / (1 + OTHER) ** 2, 0, 1)
-        assert lit(f"wrapped({ALBEDO}, {TINT})", to_light) == close(COLOR * MATT * wanted)
+        assert lit(f"wrapped_lambert({ALBEDO}, {TINT})", to_light) == close(COLOR * MATT * wanted)
 
 
 @truth("std.reflectances.half_lambert")
@@ -196,7 +196,7 @@ def test_gooch() -> None:
         assert lit(f"gooch({ALBEDO}, {TINT})", to_light) == close(wanted)
 
 
-@truth("std.reflectances.received", "std.reflectances.eon")
+@truth("std.reflectances.arriving_share", "std.reflectances.eon")
 def test_a_white_matt_surface_that_faces_a_light_shows_its_colour() -> None:
     """The unit of lights, which `std.terms.lambert` shares."""
     found = lit("eon(rgb(1, 1, 1), 0)", NORMAL_IN_WORLD)
