@@ -128,7 +128,7 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
             "light.to_light] ) /// Skin and wax,"
         ),
         (
-            "std.reflectances.flattened: , roughness, normal, [light.to_light, to_eye -> "
+            "std.reflectances.subsurface_matt: , roughness, normal, [light.to_light, to_eye -> "
             "to_eye, light.to_light] ) /// Surfaces with"
         ),
         (

@@ -92,9 +92,9 @@ def test_frostbite() -> None:
     agree(f"frostbite({ALBEDO}, 0.5)", MATT, f"frostbite_reflectance({ALBEDO}, 0.5, n, l, e)")
 
 
-@truth("std.reflectances.flattened")
+@truth("std.reflectances.subsurface_matt")
 def test_subsurface() -> None:
-    agree(f"flattened({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
+    agree(f"subsurface_matt({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
 
 
 @truth("std.reflectances.minnaert")
