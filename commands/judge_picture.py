@@ -97,8 +97,6 @@ def judge(**chosen: Any) -> None:
         burnish judge --comparer rust > tests/burnish_judge.rs
     """
     request = _Request(**chosen)
-    if request.diff is not None and request.diff.suffix.lower() != ".png":
-        raise click.UsageError(f"--diff writes a .png file: `{request.diff}` has another ending")
     try:
         from ..targets.conformance.golden.within import GoldenError
     except ModuleNotFoundError as error:
@@ -149,7 +147,7 @@ def _check_diff(request: _Request) -> None:
     if request.diff is None:
         return
     if request.diff.suffix.lower() != ".png":
-        raise click.UsageError(f"--diff writes a PNG file: call it `{request.diff.stem}.png`")
+        raise click.UsageError(f"--diff writes a .png file: `{request.diff}` has another ending")
     if request.diff.resolve() == request.picture.resolve():
         raise click.UsageError("--diff would replace the PICTURE: give it another name")
 
