@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from ..targets.conformance.comparers import COMPARERS, comparer
 from .console import Styled, say
 from .failures import fail, needed
 from .options import format_option
@@ -16,10 +17,6 @@ from .terminal import FAILED, print_output
 
 if TYPE_CHECKING:
     from ..targets.conformance.golden.within import Encoding, Output, Verdict
-
-
-LANGUAGES = ("c++", "python", "rust", "typescript")
-"""The languages that have comparers."""
 
 
 class _Request(NamedTuple):
@@ -38,8 +35,6 @@ class _Request(NamedTuple):
 def _print_comparer(language: str | None) -> None:
     """Print the comparer of a language and exit, if one is wanted."""
     if language is not None:
-        from ..targets.conformance.comparers import comparer
-
         print_output(comparer(language))
         click.get_current_context().exit()
 
@@ -70,7 +65,7 @@ def _print_comparer(language: str | None) -> None:
 )  # fmt: skip
 @format_option
 @click.option(
-    "--comparer", type=click.Choice(LANGUAGES), callback=lambda *given: _print_comparer(given[2]),
+    "--comparer", type=click.Choice(tuple(COMPARERS)), callback=lambda *given: _print_comparer(given[2]),
     is_eager=True, expose_value=False,
     help="Print a file that does the same in another language, to copy into a test suite, and "
     "compare nothing.",
