@@ -32,11 +32,11 @@ class _Request(NamedTuple):
     form: str
 
 
-def _print_comparer(language: str | None) -> None:
+def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str | None) -> None:
     """Print the comparer of a language and exit, if one is wanted."""
     if language is not None:
         print_output(comparer(language))
-        click.get_current_context().exit()
+        ctx.exit()
 
 
 @click.command()
@@ -65,7 +65,7 @@ def _print_comparer(language: str | None) -> None:
 )  # fmt: skip
 @format_option
 @click.option(
-    "--comparer", type=click.Choice(tuple(COMPARERS)), callback=lambda *given: _print_comparer(given[2]),
+    "--comparer", type=click.Choice(tuple(COMPARERS)), callback=_print_comparer,
     is_eager=True, expose_value=False,
     help="Print a file that does the same in another language, to copy into a test suite, and "
     "compare nothing.",
