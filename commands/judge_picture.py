@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from ..targets.conformance.comparers import COMPARERS, comparer
 from .console import Styled, say
 from .failures import fail, needed
 from .options import format_option
@@ -17,6 +16,9 @@ from .terminal import FAILED, print_output
 
 if TYPE_CHECKING:
     from ..targets.conformance.golden.within import Encoding, Output, Verdict
+
+LANGUAGES = ("c++", "python", "rust", "typescript")
+"""The languages that have comparers. Help names them, and loads no table of them for that."""
 
 
 class _Request(NamedTuple):
@@ -35,6 +37,8 @@ class _Request(NamedTuple):
 def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str | None) -> None:
     """Print the comparer of a language and exit, if one is wanted."""
     if language is not None:
+        from ..targets.conformance.comparers import comparer
+
         print_output(comparer(language))
         ctx.exit()
 
@@ -65,7 +69,7 @@ def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str |
 )  # fmt: skip
 @format_option
 @click.option(
-    "--comparer", type=click.Choice(tuple(COMPARERS)), callback=_print_comparer,
+    "--comparer", type=click.Choice(LANGUAGES), callback=_print_comparer,
     is_eager=True, expose_value=False,
     help="Print a file that does the same in another language, to copy into a test suite, and "
     "compare nothing.",

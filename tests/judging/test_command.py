@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
+from burnish.commands.judge_picture import LANGUAGES
 from burnish.targets.conformance.comparers import COMPARERS, comparer
 
 from ..cli.kit import invoke
@@ -214,3 +215,7 @@ def test_a_comparer_is_printed_as_it_stands(language: str) -> None:
     printed = invoke("judge", "--comparer", language)
     assert (printed.exit_code, printed.stderr) == (0, "")
     assert printed.stdout == comparer(language)
+
+
+def test_there_is_a_comparer_for_each_language_that_can_be_named() -> None:
+    assert set(LANGUAGES) == set(COMPARERS)
