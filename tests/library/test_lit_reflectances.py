@@ -50,7 +50,7 @@ def about(wanted: Any) -> Any:
 
 
 def received(to_light: Floats) -> float:
-    return float(np.pi * max(NORMAL_IN_WORLD @ to_light, 0))
+    return float(np.pi * max(float(NORMAL_IN_WORLD @ to_light), 0))
 
 
 def agree(term: str, color: Floats, reflectance: str) -> None:
@@ -94,7 +94,9 @@ def test_frostbite() -> None:
 
 @truth("std.reflectances.subsurface_matt")
 def test_subsurface() -> None:
-    agree(f"subsurface_matt({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
+    agree(
+        f"subsurface_matt({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)"
+    )
 
 
 @truth("std.reflectances.minnaert")
@@ -183,7 +185,7 @@ def test_hair() -> None:
 def test_toon() -> None:
     """In thirds of the cosine: none, half and all of the light."""
     for to_light in (*LIGHTS, unit((0.9, 0.3, -0.5))):
-        cosine = max(NORMAL_IN_WORLD @ to_light, 0)
+        cosine = max(float(NORMAL_IN_WORLD @ to_light), 0)
         wanted = min(np.floor(3 * cosine), 2) / 2
         assert lit(f"toon({ALBEDO}, 3)", to_light) == close(COLOR * MATT * wanted)
 
