@@ -252,5 +252,31 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     "A square is not negative.": (
         "std.microfacets.square_length: (v: vec3) -> float = [dot(v, v) -> abs(dot(v, v))] ",
     ),
+    "A vector is as long in any order of its lanes.": (
+        (
+            "std.microfacets.ggx: (square_length(vec3( [half.xy / widths, half.z -> half.z, "
+            "half.xy / widths] )))) /// (P. Beckman"
+        ),
+        (
+            "std.microfacets.beckmann: -square_length(vec3( [half.xy / (widths * half.z), 0 -> "
+            "0, half.xy / (widths * half.z)] ))) / (pi * widths.x"
+        ),
+        (
+            "std.microfacets.ggx_lambda: = 0.5 * length(vec3( [widths * direction.xy / "
+            "direction.z, 1 -> 1, widths * direction.xy / direction.z] )) - 0.5 /// Hidden"
+        ),
+        (
+            "std.microfacets.beckmann_lambda: ion.z / length(vec3( [widths * direction.xy, 0 -> "
+            "0, widths * direction.xy] ))) fn lambda_of_slo"
+        ),
+        (
+            "std.microfacets.ggx_visibility: z, 0) * length(vec3( [widths * to_eye.xy, to_eye.z "
+            "-> to_eye.z, widths * to_eye.xy] )) + max(to_eye.z, 0"
+        ),
+        (
+            "std.microfacets.ggx_visibility: z, 0) * length(vec3( [widths * to_light.xy, "
+            "to_light.z -> to_light.z, widths * to_light.xy] ))) /// Of Beckmann'"
+        ),
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""

@@ -1,4 +1,4 @@
-"""One unit of light for all surfaces: a white matt one that faces a lamp shows the lamp's colour."""
+"""One unit of light for all surfaces: a white matt one that faces a lamp has the lamp's colour."""
 
 from __future__ import annotations
 
