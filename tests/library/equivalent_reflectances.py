@@ -187,6 +187,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "`pow` of a negative number is 0 anyway.": (
         (
+            "std.microfacets.ashikhmin_reflectance: owers.y + 1)) * pow( [saturate(half.z) -> "
+            "(half.z)] , power) / (8 * pi *"
+        ),
+        (
             "std.reflectances.minnaert_reflectance: 1) / (2 * pi) * pow( [saturate(dot(normal, "
             "to_light)) -> (dot(normal, to_light))] * saturate(dot(norma"
         ),
@@ -276,6 +280,12 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
         (
             "std.microfacets.ggx_visibility: z, 0) * length(vec3( [widths * to_light.xy, "
             "to_light.z -> to_light.z, widths * to_light.xy] ))) /// Of Beckmann'"
+        ),
+    ),
+    "Powers and squares are not negative.": (
+        (
+            "std.microfacets.ashikhmin_reflectance: light, half) power = [dot(powers, half.xy * "
+            "half.xy) -> abs(dot(powers, half.xy * half.xy))] / (half.x * half.x +"
         ),
     ),
 }
