@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import colorsys
+
 import numpy as np
 import pytest
 
@@ -144,6 +146,44 @@ def test_saturation_keeps_luminance() -> None:
     grey = COLORS @ BT709
     assert found == close((grey + amounts * (COLORS.T - grey)).T)
     assert found @ BT709 == close(grey)
+
+
+@truth("std.color.grayscale")
+def test_grey_has_the_same_luminance() -> None:
+    assert values("color", "grayscale(c)", c=COLORS) == close(np.outer(COLORS @ BT709, np.ones(3)))
+
+
+@truth("std.color.vibrance")
+def test_vibrance_spares_what_is_colorful() -> None:
+    """As three.js writes it."""
+    amounts = np.array([0, 0.3, 1, -0.7, 0.5, 0.9, 0.2, -0.1, 0.6])
+    most, mean = COLORS.max(axis=1), COLORS.mean(axis=1)
+    share = ((most - mean) * amounts * -3)[:, None]
+    wanted = COLORS * (1 - share) + most[:, None] * share
+    assert values("color", "vibrance(c, t)", c=COLORS, t=amounts) == close(wanted)
+
+
+@truth("std.color.cdl")
+def test_a_color_decision_list() -> None:
+    slope, offset = spread(9, 0.5, 1.5), spread(9, -0.3, 0.2)[::-1]
+    power, amounts = spread(9, 0.6, 1.8) ** 2, np.linspace(0, 1.6, 9)
+    graded = np.maximum(COLORS * slope + offset, 0) ** power
+    grey = (graded @ BT709)[:, None]
+    found = values(
+        "color", "cdl(c, a, b, d, t)", c=COLORS, a=slope, b=offset, d=power, t=amounts
+    )  # fmt: skip
+    assert found == close(grey + amounts[:, None] * (graded - grey))
+
+
+@truth("std.color.hsv_adjust")
+def test_adjusted_hue_saturation_and_value() -> None:
+    colors, amounts = spread(6), spread(6, 0.2, 1.0)[::-1]
+    wanted = []
+    for color, (turn, factor, light) in zip(colors.tolist(), amounts.tolist(), strict=True):
+        hue, saturation, value = colorsys.rgb_to_hsv(*color)
+        adjusted = colorsys.hsv_to_rgb((hue + turn) % 1, saturation * factor, value * light)
+        wanted.append(adjusted)
+    assert values("color", "hsv_adjust(c, a)", c=colors, a=amounts) == close(wanted)
 
 
 def turned(degrees: float) -> Floats:

@@ -178,6 +178,48 @@ def test_a_difference_is_the_distance_in_oklab() -> None:
     assert found[:, 0] == pytest.approx(wanted, abs=2e-5)
 
 
+# --- CIE L*a*b* ----------------------------------------------------------------------------------
+
+LAB = {
+    (1.0, 0.0, 0.0): (53.24, 80.09, 67.20),
+    (0.0, 1.0, 0.0): (87.73, -86.18, 83.18),
+    (0.0, 0.0, 1.0): (32.30, 79.19, -107.86),
+    (1.0, 1.0, 1.0): (100.0, 0.0, 0.0),
+}
+"""Of sRGB's primaries, as programs print them."""
+DARK = np.array([[0.001, 0.004, 0.0], [0.02, 0.003, 0.008], [-0.01, 0.2, 0.6], [0, 0, 0]])
+
+
+def lab_of(color: Floats) -> Floats:
+    """CIE 15, with its two sides of (6 / 29)³."""
+    t = OF_RGB["xyz"] @ color / xyz(D65)
+    x, y, z = np.where(t > (6 / 29) ** 3, np.cbrt(t), t * (29 / 6) ** 2 / 3 + 4 / 29)
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+
+@truth("std.color.rgb_to_lab", "std.color.lab_root")
+def test_lab_of_colors() -> None:
+    colors, labs = columns_of(LAB)
+    assert values("color", "rgb_to_lab(c)", c=colors) == pytest.approx(labs, abs=0.05)
+    colors = np.concatenate([colors, DARK, spread(4)])
+    wanted = np.array([lab_of(color) for color in colors])
+    assert values("color", "rgb_to_lab(c)", c=colors) == pytest.approx(wanted, abs=1e-6)
+
+
+@truth("std.color.lab_to_rgb")
+def test_linear_light_of_lab() -> None:
+    colors = np.concatenate([list(LAB), DARK, spread(4)])
+    labs = np.array([lab_of(color) for color in colors])
+    assert values("color", "lab_to_rgb(c)", c=labs) == pytest.approx(colors, abs=1e-8)
+
+
+@truth("std.color.lab_root")
+def test_roots_of_lab_meet() -> None:
+    t = np.array([[0.008, 0.009, -0.1], [0, 1, 8]])
+    wanted = np.where(t > (6 / 29) ** 3, np.cbrt(t), t * (29 / 6) ** 2 / 3 + 4 / 29)
+    assert values("color", "lab_root(c)", c=t) == close(wanted)
+
+
 # --- hue, saturation, and value or lightness -----------------------------------------------------
 
 COLORS = np.concatenate(
