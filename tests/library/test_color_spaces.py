@@ -243,6 +243,12 @@ def test_hsv_is_that_of_python() -> None:
     assert found == close(each(colorsys.rgb_to_hsv, COLORS))
 
 
+@truth("std.color.rgb_to_hsv")
+def test_less_than_no_light_has_the_hue_of_none() -> None:
+    found = values("color", "rgb_to_hsv(c)", c=[[-0.5, 0.2, 0.1], [-1, -2, -3]])
+    assert found == close([colorsys.rgb_to_hsv(0, 0.2, 0.1), (0, 0, 0)])
+
+
 @truth("std.color.rgb_to_hsl", "std.color.rgb_to_hue")
 def test_hsl_is_that_of_python() -> None:
     found = values("color", "rgb_to_hsl(c)", c=COLORS)

@@ -17,9 +17,9 @@ from .functions import values
 from .kit import Floats
 
 MODULES = ("blending", "color", "easing", "tone_mapping")
-AWKWARD = (0.0, 1.0, 0.5, -1.0, 2.0, 1e-30, -1e-9, 1e9, -1e9, 0.25, 65504.0)
-LIMITS = {"stops": 64.0, "exponent": 4.0, "power": 4.0}
-"""Arguments that mean powers; their comments limit them."""
+AWKWARD = (0.0, 1.0, 0.5, -1.0, 2.0, 1e-20, -1e-9, 1e9, -1e9, 0.25, 65504.0)
+LIMITS = {"stops": 64.0, "exponent": 4.0, "slope": 16.0, "power": 3.0, "colorfulness": 16.0}
+"""The arguments of powers; their comments limit them."""
 LANES = {"float": 1, "angle": 1, "T": 1, "rgb": 3, "vec3": 3, "rgba": 4, "vec4": 4}
 LARGEST = 3.4e38
 
