@@ -13,7 +13,7 @@ from .functions import spread, values
 from .kit import Floats, close
 from .truth import truth
 
-STEPS = (0.0, 0.1, 0.25, 0.3, 0.5, 0.625, 0.9, 1.0)
+STEPS = (0.0, 0.1, 0.22, 0.25, 0.3, 0.45, 0.5, 0.625, 0.9, 1.0)
 PAIRS = np.array(list(product(STEPS, repeat=2)))
 """Every pair of a base and a blend value; both ends, and both sides of each limit."""
 Mode = Callable[[float, float], float]

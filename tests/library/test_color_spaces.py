@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import colorsys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import pytest
@@ -11,6 +11,8 @@ import pytest
 from .functions import spread, values
 from .kit import Floats, close
 from .truth import truth
+
+Triple = tuple[float, float, float]
 
 # --- displays ------------------------------------------------------------------------------------
 
@@ -121,7 +123,7 @@ OTTOSSON = {
 """Of XYZ: the table of Ottosson's page. Some roots are those of negative numbers."""
 
 
-def columns_of(table: dict[tuple[float, ...], tuple[float, ...]]) -> tuple[Floats, Floats]:
+def columns_of(table: Mapping[Triple, Triple]) -> tuple[Floats, Floats]:
     return np.array(list(table)), np.array(list(table.values()))
 
 

@@ -144,7 +144,7 @@ OUTSET = np.array(
 
 def fitted(x: Floats) -> Floats:
     """Wrensch's polynomial."""
-    return np.polyval([15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.00232], x)
+    return np.asarray(np.polyval([15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.00232], x))
 
 
 def sigmoid(x: Floats) -> Floats:
@@ -167,7 +167,7 @@ def encoded(curve: Callable[[Floats], Floats]) -> Floats:
 
 def decoded(shown: Floats) -> Floats:
     light = np.maximum(shown @ OUTSET.T, 0) ** 2.2
-    return np.clip(light @ np.linalg.inv(OF_RGB["rec2020"]).T, 0, 1)
+    return np.asarray(np.clip(light @ np.linalg.inv(OF_RGB["rec2020"]).T, 0, 1))
 
 
 @truth("std.tone_mapping.agx_encoded", "std.tone_mapping.agx_of_rec2020")
