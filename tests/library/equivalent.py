@@ -323,6 +323,31 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.transforms.look_at: c4(-dot(right, vec3( [eye -> target] )), -dot(above, vec3",
         "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",
     ),
+    "At the limit both sides of the choice are the same.": (
+        "std.blending.hard_light: > rgb = choose(blend [<= -> <] 0.5, multiply(base,",
+        "std.blending.soft_light: rgb = choose( blend [<= -> <] 0.5, base - (1 - 2 *",
+        "std.blending.soft_light: lifted = choose(base [<= -> <] 0.25, ((16 * base -",
+        "std.blending.vivid_light: > rgb = choose(blend [<= -> <] 0.5, color_burn(base",
+        "std.blending.pin_light: > rgb = choose(blend [<= -> <] 0.5, min(base, 2 * b",
+        "std.blending.with_luminosity: t) -> rgb = if least [< -> <=] 0 then wanted + (lif",
+        "std.blending.with_luminosity: least)) else if most [> -> >=] 1 then wanted + (lif",
+    ),
+    "Both colours count alike in `multiply` and `screen`.": (
+        (
+            "std.blending.hard_light: nd <= 0.5, multiply( [base, 2 * blend -> 2 * blend, "
+            "base] ), screen(base, 2 *"
+        ),
+        (
+            "std.blending.hard_light: 2 * blend), screen( [base, 2 * blend - 1 -> 2 * blend -"
+            " 1, base] )) /// The same more"
+        ),
+    ),
+    "What the lower colour shows of the upper one is the same from either side.": (
+        (
+            "std.blending.over: -> rgba = composite( [backdrop, source -> source, backdrop] ,"
+            " source.rgb) /// A"
+        ),
+    ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 

@@ -151,6 +151,7 @@ def test_parts_of_whole_colors() -> None:
     assert values("blending", "colorfulness(a)", a=BASES)[:, 0] == close([*map(sat, BASES)])
     lit = values("blending", "with_luminosity(a, t)", a=BASES, t=wanted)
     assert lit == close([set_lum(c, s) for c, s in pairs])
+    assert values("blending", "luminosity(a)", a=-BASES)[:, 0] == close([*map(lum, -BASES)])
     colored = values("blending", "with_colorfulness(a, t)", a=BASES, t=wanted)
     assert colored == close([set_sat(c, s) for c, s in pairs])
 
