@@ -324,6 +324,8 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",
     ),
     "At the limit both sides of the choice are the same.": (
+        "std.tone_mapping.khronos_neutral: gb) -> rgb = if peak [< -> <=] start then shown els",
+        "std.tone_mapping.khronos_neutral: = light - (if least [< -> <=] 0.08 then least - 6.",
         "std.blending.hard_light: > rgb = choose(blend [<= -> <] 0.5, multiply(base,",
         "std.blending.soft_light: rgb = choose( blend [<= -> <] 0.5, base - (1 - 2 *",
         "std.blending.soft_light: lifted = choose(base [<= -> <] 0.25, ((16 * base -",
@@ -346,6 +348,18 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.blending.over: -> rgba = composite( [backdrop, source -> source, backdrop] ,"
             " source.rgb) /// A"
+        ),
+    ),
+    "A colour and the slope that multiplies it count alike.": (
+        (
+            "std.tone_mapping.agx_look: b = agx_decoded(cdl( [agx_encoded(c), slope -> slope,"
+            " agx_encoded(c)] , vec3(0), vec3(powe"
+        ),
+    ),
+    "What is not bounded is black or white anyway.": (
+        (
+            "std.tone_mapping.reinhard_extended: n(reinhard(c) * (1 + [bounded(c) -> (c)] / "
+            "(white * white)),"
         ),
     ),
 }
