@@ -324,6 +324,14 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",
     ),
     "At the limit both sides of the choice are the same.": (
+        "std.color.lab_to_rgb: share = choose(root [> -> >=] 6.0 / 29, root * roo",
+        "std.easing.ease_out_bounce: rate(t) place = if x [< -> <=] 1 / 2.75 then 0 else",
+        "std.easing.ease_out_bounce: 1.5 / 2.75 else if x [< -> <=] 2.5 / 2.75 then 2.25",
+        "std.easing.ease_out_bounce: .75 then 0 else if x [< -> <=] 2 / 2.75 then 0.75 e",
+        "std.easing.ease_out_bounce: / 2.75 height = if x [< -> <=] 1 / 2.75 then 0 else",
+        "std.easing.ease_out_bounce: then 0.75 else if x [< -> <=] 2.5 / 2.75 then 0.93",
+        "std.easing.both_halves: oat) -> float = if t [< -> <=] 0.5 then 0.5 * half",
+        "std.easing.ease_out_bounce: .75 then 0 else if x [< -> <=] 2 / 2.75 then 1.5 /",
         "std.tone_mapping.khronos_neutral: gb) -> rgb = if peak [< -> <=] start then shown els",
         "std.tone_mapping.khronos_neutral: = light - (if least [< -> <=] 0.08 then least - 6.",
         "std.blending.hard_light: > rgb = choose(blend [<= -> <] 0.5, multiply(base,",
@@ -361,6 +369,20 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "std.tone_mapping.reinhard_extended: n(reinhard(c) * (1 + [bounded(c) -> (c)] / "
             "(white * white)),"
         ),
+    ),
+    "The larger of two numbers is the same in either order.": (
+        (
+            "std.color.blackbody_xyz: ) where { t = clamp( [kelvin, 1667 -> 1667, kelvin] , "
+            "25000) x = cubic("
+        ),
+    ),
+    "Where a bounce lies says which bounce it is, too.": (
+        "std.easing.ease_out_bounce: 75 then 0.75 else if [x -> place] < 2.5 / 2.75 then 0.",
+        "std.easing.ease_out_bounce: 2.75 then 0 else if [x -> place] < 2 / 2.75 then 0.75",
+        "std.easing.ease_out_bounce: 5 / 2.75 height = if [x -> place] < 1 / 2.75 then 0 el",
+    ),
+    "What lies before the first colour of a ramp is that colour, too.": (
+        "std.easing.ramp: oat) -> T = sum i in [1 -> 0] ..N from stops[0] :",
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""

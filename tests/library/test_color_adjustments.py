@@ -69,7 +69,9 @@ def of_spline(kelvin: float) -> Floats:
     return xyz((float(x), float(y)))
 
 
-KELVINS = np.array([900.0, 1667, 1700, 2000, 2221, 2223, 3000, 3999, 4001, 6500, 15000, 25000, 4e4])
+KELVINS = np.array(
+    [900.0, 1667, 1700, 2000, 2221, 2222, 2223, 3000, 3999, 4000, 4001, 6500, 15000, 25000, 4e4]
+)
 
 
 @truth("std.color.blackbody_xyz")
