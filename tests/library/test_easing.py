@@ -173,7 +173,7 @@ def test_triangles_go_forth_and_back() -> None:
     times = np.array([0, 0.25, 0.5, 0.8, 1, 1.1, -0.1, -1.5])
     wave = np.interp(times % 1, [0, 0.5, 1], [0, 1, 0])
     assert shown("triangle_wave(t)", times) == close(wave)
-    assert shown("ping_pong(t, 1.5)", 3 * times) == close(1.5 * wave)
+    assert shown("ping_pong(t, 0.7)", 1.4 * times) == close(0.7 * wave)
     assert shown("tent(t)", times[:4]) == close(wave[:4])
 
 
