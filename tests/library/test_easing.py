@@ -224,3 +224,11 @@ def test_colors_of_ramps_have_places() -> None:
 def test_constant_ramps_have_a_part_for_each_color() -> None:
     parts = np.clip(np.floor(4 * ALONG), 0, 3).astype(int)
     assert values("easing", f"ramp_constant({COLORS}, t)", t=ALONG) == close(STOPS[parts])
+
+
+@truth("std.easing.ramp", "std.easing.ramp_constant")
+@pytest.mark.parametrize("t", [0, 1, 2])
+def test_constant_numbers_may_be_the_ends_of_ramps(t: int) -> None:
+    for ramp in ("ramp", "ramp_constant"):
+        found = values("easing", f"{ramp}({COLORS}, {t}.0) * a", a=[1.0])
+        assert found == close([STOPS[-1 if t else 0]])
