@@ -14,12 +14,15 @@ from .truth import truth
 
 BT709 = np.array([0.2126, 0.7152, 0.0722])
 COLORS = np.concatenate([spread(6, -0.2, 1.4), np.eye(3)])
+LESS_THAN_NOTHING = -spread(9)
+"""Light that other primaries have; what is linear in light is so of this, too."""
 
 
 @truth("std.color.luminance")
 def test_luminance_has_the_weights_of_rec709() -> None:
-    found = values("color", "luminance(c)", c=COLORS)
-    assert found[:, 0] == close(COLORS @ BT709)
+    colors = np.concatenate([COLORS, LESS_THAN_NOTHING])
+    found = values("color", "luminance(c)", c=colors)
+    assert found[:, 0] == close(colors @ BT709)
 
 
 @truth("std.color.contrast_ratio")
@@ -206,9 +209,9 @@ def turned(degrees: float) -> Floats:
 @truth("std.color.hue_rotate")
 def test_hues_turn_as_filters_do() -> None:
     degrees = np.array([0, 30, 90, 180, 250, -40, 400, 77, 123.0])
-    wanted = [turned(turn) @ c for turn, c in zip(degrees.tolist(), COLORS, strict=True)]
-    found = values("color", "hue_rotate(c, t * 1deg)", c=COLORS, t=degrees)
-    assert found == close(wanted)
+    for colors in (COLORS, LESS_THAN_NOTHING):
+        wanted = [turned(turn) @ c for turn, c in zip(degrees.tolist(), colors, strict=True)]
+        assert values("color", "hue_rotate(c, t * 1deg)", c=colors, t=degrees) == close(wanted)
 
 
 @truth("std.color.gamma")

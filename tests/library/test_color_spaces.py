@@ -42,6 +42,8 @@ def test_encoded_numbers_of_linear_light() -> None:
     rows = in_threes(ENCODED)
     found = values("color", "linear_to_srgb(c)", c=linear_of(rows))
     assert found == pytest.approx(rows, abs=1e-6)
+    limit = values("color", "linear_to_srgb(c)", c=np.full((1, 3), 0.0031308))
+    assert limit == close(np.full((1, 3), 12.92 * 0.0031308))
 
 
 # --- primaries -----------------------------------------------------------------------------------
@@ -213,6 +215,10 @@ def test_linear_light_of_lab() -> None:
     colors = np.concatenate([list(LAB), DARK, spread(4)])
     labs = np.array([lab_of(color) for color in colors])
     assert values("color", "lab_to_rgb(c)", c=labs) == pytest.approx(colors, abs=1e-8)
+    near_the_limit = np.array([7.6, 8.36])
+    labs = np.stack([near_the_limit, 0 * near_the_limit, 0 * near_the_limit], axis=1)
+    grey = np.where(near_the_limit > 8, ((near_the_limit + 16) / 116) ** 3, labs[:, 0] * 27 / 24389)
+    assert values("color", "lab_to_rgb(c)", c=labs)[:, 0] == pytest.approx(grey, abs=1e-8)
 
 
 @truth("std.color.lab_root")

@@ -140,8 +140,8 @@ def test_steps_rise_from_edge_to_edge() -> None:
     assert found == close(np.polyval([6, -15, 10, 0, 0, 0], LINEAR))
 
 
-AMOUNTS = np.tile([0.1, 0.4, 0.5, 0.8], 5)
-AT = np.repeat([0, 0.2, 0.5, 0.7, 1], 4)
+AMOUNTS = np.tile([0.1, 0.4, 0.5, 0.8], 7)
+AT = np.repeat([0, 0.2, 0.45, 0.5, 0.55, 0.7, 1], 4)
 
 
 @truth("std.easing.bias")
@@ -208,6 +208,7 @@ def test_ramps_go_through_their_colors() -> None:
     assert values("easing", f"ramp({COLORS}, t)", t=ALONG) == close(between(np.linspace(0, 1, 4)))
     two = values("easing", "ramp([vec3(1, 2, 3), vec3(3, 2, 5)], t)", t=[0, 0.25, 1])
     assert two == close([[1, 2, 3], [1.5, 2, 3.5], [3, 2, 5]])
+    assert shown("ramp([1.0, 3, 2, 7, 4, 6], t)", [0.5, 0.7, 0.9, 1]) == close([4.5, 5.5, 5, 6])
 
 
 @truth("std.easing.ramp")
