@@ -58,6 +58,7 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         ),
     ),
     "The larger of two numbers is the same in either order.": (
+        "std.tone_mapping.bounded: rgb) -> rgb = clamp( [c, 0 -> 0, c] , 65504) /// Never q",
         (
             "std.color.blackbody_xyz: ) where { t = clamp( [kelvin, 1667 -> 1667, kelvin] , "
             "25000) x = cubic("
