@@ -123,8 +123,8 @@ of the library.
 """
 
 
-SYNONYMS_HEAD = """These functions of engines, node editors and collections have other names in the library. Styles do
-not count: `softLight`, `SoftLight` and `soft_light` are one name.
+SYNONYMS_HEAD = """The library has other names for these functions of engines, node editors and
+collections. Styles do not count: `softLight`, `SoftLight` and `soft_light` are one name.
 """
 
 
