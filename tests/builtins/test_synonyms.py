@@ -51,3 +51,9 @@ def test_another_style_is_told_whatever_is_imported(head: str) -> None:
     assert "`linear_to_srgb`? add `import std.color.{linear_to_srgb}`" in str(found.hint)
     (found,) = burnish.check(f"{head}\nmaterial M {{ color = softLight(#fff, #000) }}")
     assert ("add `import" in str(found.hint)) == (not head)
+
+
+def test_an_own_function_in_another_style_is_meant_first() -> None:
+    text = "fn tone_map(c: rgb) -> rgb = c / (1 + c)\nmaterial M { color = toneMap(#fff) }"
+    (found,) = burnish.check(text)
+    assert "did you mean `tone_map`?" in str(found.hint)

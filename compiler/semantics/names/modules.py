@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
-from ...diagnostics.nearest import nearest_in, respelling, respelt, similarity
+from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
@@ -93,20 +93,21 @@ class Module:
         if written in offers:
             return _imported(name, written, offers[written].path)
         fitting = {each: offer.path for each, offer in offers.items() if offer.kind in kinds}
-        meant = _said_elsewhere(written, fitting)
+        near = nearest_in(name.span.source, written, known)
+        meant = () if near and _is_alike(near, written) else _said_elsewhere(written, fitting)
         if len(meant) > 1:
             choice = ", ".join(f"`{each}`" for each in meant)
             return f"`{fitting[meant[0]]}` has {choice}: import what you need"
-        if not meant:
-            if near := respelling(written, name.span, known):
-                return near
-            found = nearest_in(name.span.source, written, fitting)
-            if found is None or similarity(written, found) < _ALIKE:
-                return ""
-            meant = (found,)
-        if self.known(meant[0]):
-            return respelt(written, name.span, meant[0])
-        return _imported(name, meant[0], fitting[meant[0]])
+        if meant:
+            if self.known(meant[0]):
+                return respelt(written, name.span, meant[0])
+            return _imported(name, meant[0], fitting[meant[0]])
+        if near:
+            return respelt(written, name.span, near)
+        found = nearest_in(name.span.source, written, fitting)
+        if found is None or similarity(written, found) < _ALIKE:
+            return ""
+        return _imported(name, found, fitting[found])
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -114,6 +115,13 @@ class Module:
         yield from self.imported
         if self.prelude is not None:
             yield from self.prelude.declared
+
+
+def _is_alike(one: str, other: str) -> bool:
+    """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
+    from ....stdlib.synonyms import folded
+
+    return folded(one) == folded(other)
 
 
 def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> tuple[str, ...]:
