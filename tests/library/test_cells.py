@@ -1,0 +1,182 @@
+"""Cells around points, sums of octaves and what they move, against NumPy."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+import pytest
+
+from .hashed import fractions
+from .kit import Floats
+from .noises import derivative, features, gradient, measured, octaves
+from .sampled import sampled
+from .truth import truth
+
+IMPORTS = "import std.noise"
+AXES = {2: "p.xy", 3: "p.xyz"}
+near = partial(pytest.approx, rel=1e-6, abs=1e-6)
+PLACES = np.random.default_rng(5).uniform(-7, 7, (60, 3))
+
+
+@truth("std.noise.voronoi", "std.noise.Voronoi2", "std.noise.Voronoi3", "std.noise.nearer_feature")
+@truth("std.noise.measured_in", "std.noise.euclidean", "std.noise.manhattan")
+@truth("std.noise.chebyshev", "std.noise.feature", "std.noise.near_cell", "std.noise.to_feature")
+@pytest.mark.parametrize("metric", ["euclidean", "manhattan", "chebyshev"])
+@pytest.mark.parametrize("jitter", [0.2, 0.66])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_cells_are_those_of_the_nearest_points(dimension: int, jitter: float, metric: str) -> None:
+    at = PLACES[:, :dimension]
+    cells, away = features(at, jitter)
+    distances = measured(away, metric)
+    order = np.argsort(distances, axis=0)[:1, :, None]
+    known = f"voronoi({AXES[dimension]}, {jitter}, {metric})"
+    pair = sampled(IMPORTS, f"{known}.f1, {known}.f2, 0, 0", p=PLACES)[:, :2]
+    assert pair == near(np.sort(distances, axis=0)[:2].T)
+    rest = ", 0" * (4 - dimension)
+    found = sampled(IMPORTS, f"{known}.away{rest}", p=PLACES)[:, :dimension]
+    assert found == near(np.take_along_axis(away, order, axis=0)[0])
+    found = sampled(IMPORTS, f"vec{dimension}({known}.cell){rest}", p=PLACES)[:, :dimension]
+    assert np.array_equal(found, np.take_along_axis(cells, order, axis=0)[0])
+
+
+@truth("std.noise.voronoi", "std.noise.worley_noise")
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_points_may_be_anywhere_in_their_cells(dimension: int) -> None:
+    at = PLACES[:, :dimension]
+    distances = np.sort(measured(features(at, 1)[1], "euclidean"), axis=0)
+    place = AXES[dimension]
+    found = sampled(
+        IMPORTS, f"voronoi({place}).f1, voronoi({place}).f2, worley_noise({place}), 0", p=PLACES
+    )
+    assert found[:, :3] == near(distances[[0, 1, 0]].T)
+
+
+@truth("std.noise.voronoi")
+@pytest.mark.parametrize(("dimension", "jitter", "beyond"), [(2, 1.0, 1.5), (3, 0.83, 1.585)])
+def test_no_nearer_point_is_overlooked(dimension: int, jitter: float, beyond: float) -> None:
+    """The nearest point is nearer than any in cells that are not looked at."""
+    farthest = np.sqrt(dimension) * (0.5 + 0.5 * jitter)
+    assert farthest < 1.5 + 0.5 * (1 - jitter) == pytest.approx(beyond)
+    some = np.random.default_rng(6).uniform(-40, 40, (4000, dimension))
+    found = sampled(IMPORTS, f"voronoi({AXES[dimension]}, {jitter}, euclidean).f1, 0, 0, 0", p=some)
+    reach = 2
+    assert found[:, 0] == near(measured(features(some, jitter, reach)[1], "euclidean").min(axis=0))
+
+
+@truth("std.noise.smooth_worley_noise")
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("sharpness", [16.0, 40.0])
+def test_smooth_cells_add_all_points(dimension: int, sharpness: float) -> None:
+    """Quilez 2014, with the sum over all cells."""
+    distances = measured(features(PLACES[:, :dimension], 1)[1], "euclidean")
+    expected = -np.log2(np.exp2(-sharpness * distances).sum(axis=0)) / sharpness
+    noise = f"smooth_worley_noise({AXES[dimension]}, {sharpness}), 0, 0, 0"
+    found = sampled(IMPORTS, noise, p=PLACES)[:, 0]
+    assert found == pytest.approx(expected, abs=3e-4)
+
+
+@truth("std.noise.voronoi_edge", "std.noise.to_border", "std.noise.neighbour")
+@pytest.mark.parametrize("jitter", [0.3, 1.0])
+def test_borders_are_as_far_from_both_points(jitter: float) -> None:
+    """The distance to the border of two points is half that of their distances' squares."""
+    at = np.random.default_rng(7).uniform(-7, 7, (300, 2))
+    away = features(at, jitter, 4)[1]
+    lengths = measured(away, "euclidean")
+    nearest = lengths.argmin(axis=0)
+    first = away[nearest, np.arange(len(at))]
+    apart = measured(away - first, "euclidean")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        borders = (lengths**2 - lengths.min(axis=0) ** 2) / (2 * apart)
+    expected = np.where(apart > 1e-9, borders, 9).min(axis=0)
+    found = sampled(IMPORTS, f"voronoi_edge(p.xy, {jitter}), 0, 0, 0", p=at)[:, 0]
+    assert found == near(expected)
+
+
+# --- sums of octaves -----------------------------------------------------------------------------
+
+SUMS = {
+    "fbm": gradient,
+    "turbulence": lambda p: np.abs(gradient(p)),
+    "ridged": lambda p: (1 - np.abs(gradient(p))) ** 2,
+}
+
+
+@truth("std.noise.fbm", "std.noise.turbulence", "std.noise.ridged", "std.noise.ridge")
+@truth("std.noise.Octaves", "std.noise.next_octave")
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("name", SUMS)
+def test_octaves_are_added(name: str, dimension: int) -> None:
+    at, place = PLACES[:, :dimension], AXES[dimension]
+    found = sampled(
+        IMPORTS,
+        f"{name}({place}, 3, 1.9, 0.6), {name}({place}, 3), {name}({place}, 1), {name}({place}, 0)",
+        p=PLACES,
+    )
+    expected = [
+        octaves(SUMS[name], at, *rest) for rest in [(3, 1.9, 0.6), (3, 2, 0.5), (1, 2, 0.5)]
+    ]
+    assert found[:, :3] == near(np.stack(expected, axis=-1))
+    assert not found[:, 3].any()
+
+
+@truth("std.noise.most_octaves")
+def test_sums_have_twelve_octaves_at_most() -> None:
+    many = np.full((4, 4), 20)
+    found = sampled(IMPORTS, "fbm(p.xy, k.x, 1.5, 0.9), 0, 0, 0", p=PLACES[:4], k=many)[:, 0]
+    assert found == near(octaves(gradient, PLACES[:4, :2], 12, 1.5, 0.9))
+
+
+# --- places that are moved -----------------------------------------------------------------------
+
+SHIFTS = {2: [(0, 0), (5.2, 1.3)], 3: [(0, 0, 0), (5.2, 1.3, 8.4), (1.7, 9.2, 2.8)]}
+
+
+@truth("std.noise.domain_warp")
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_places_are_warped_by_sums(dimension: int) -> None:
+    at = PLACES[:, :dimension]
+    sums = [octaves(gradient, at + shift, 4, 2, 0.5) for shift in SHIFTS[dimension]]
+    expression = f"domain_warp({AXES[dimension]}, 0.7, 4)" + ", 0" * (4 - dimension)
+    found = sampled(IMPORTS, expression, p=PLACES)[:, :dimension]
+    assert found == near(at + 0.7 * np.stack(sums, axis=-1))
+
+
+@truth("std.noise.curl_noise")
+def test_a_flow_in_a_plane_follows_the_lines_of_a_noise() -> None:
+    slope = derivative(gradient, PLACES[:, :2])
+    found = sampled(IMPORTS, "curl_noise(p.xy), 0, 0", p=PLACES)[:, :2]
+    assert found == pytest.approx(np.stack([slope[:, 1], -slope[:, 0]], axis=-1), abs=1e-5)
+
+
+@truth("std.noise.curl_noise")
+def test_a_flow_in_space_is_a_curl() -> None:
+    shifts = np.array([(0, 0, 0), (31.5, -47.25, 12.75), (-23.25, 11.75, 58.5)])
+    a, b, c = (derivative(gradient, PLACES + shift) for shift in shifts)
+    curl = [c[:, 1] - b[:, 2], a[:, 2] - c[:, 0], b[:, 0] - a[:, 1]]
+    found = sampled(IMPORTS, "curl_noise(p.xyz), 0", p=PLACES)[:, :3]
+    assert found == pytest.approx(np.stack(curl, axis=-1), abs=1e-5)
+
+
+@truth("std.noise.curl_noise")
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_flows_have_no_sources(dimension: int) -> None:
+    def flow(p: Floats) -> Floats:
+        expression = f"curl_noise({AXES[dimension]})" + ", 0" * (4 - dimension)
+        return sampled(IMPORTS, expression, p=p)[:, :dimension]
+
+    inside = PLACES[:, :dimension]
+    sources = sum(
+        derivative(lambda p, lane=lane: flow(p)[:, lane], inside)[:, lane]  # type: ignore[misc]
+        for lane in range(dimension)
+    )
+    assert sources == pytest.approx(np.zeros(len(inside)), abs=1e-4)
+
+
+@truth("std.noise.feature")
+def test_features_are_random_places_of_cells() -> None:
+    cells = np.random.default_rng(8).integers(-50, 50, (20, 3))
+    for dimension, cell in ((2, "k.xy"), (3, "k.xyz")):
+        expression = f"feature({cell}, 0.5)" + ", 0" * (4 - dimension)
+        found = sampled(IMPORTS, expression, k=cells)[:, :dimension]
+        assert found == near(0.25 + 0.5 * fractions(cells[:, :dimension]))
