@@ -84,8 +84,19 @@ def derivative(noise: Noise, p: Floats, step: float = 1e-5) -> Floats:
 
 def features(p: Floats, jitter: float, reach: int = 3) -> tuple[Floats, Floats]:
     """Cells around places, and the ways to their feature points, along a new first axis."""
-    steps = np.stack(list(corners(p.shape[-1], -reach, reach + 1)))
-    cells = np.floor(p) + steps[:, None]
+    return _features(p, jitter, np.floor(p), -reach, reach + 1)
+
+
+def near_features(p: Floats, jitter: float) -> tuple[Floats, Floats]:
+    """The same of the cells around the corner that is nearest to a place, four along each axis."""
+    return _features(p, jitter, np.floor(p + 0.5), -2, 2)
+
+
+def _features(
+    p: Floats, jitter: float, around: Floats, low: int, high: int
+) -> tuple[Floats, Floats]:
+    steps = np.stack(list(corners(p.shape[-1], low, high)))
+    cells = around + steps[:, None]
     return cells, cells + 0.5 + jitter * (fractions(cells) - 0.5) - p
 
 
