@@ -87,17 +87,17 @@ def features(p: Floats, jitter: float, reach: int = 3) -> tuple[Floats, Floats]:
     return _features(p, jitter, np.floor(p), -reach, reach + 1)
 
 
-def near_features(p: Floats, jitter: float) -> tuple[Floats, Floats]:
+def near_features(p: Floats, jitter: float, period: Floats | None = None) -> tuple[Floats, Floats]:
     """The same of the cells around the corner that is nearest to a place, four along each axis."""
-    return _features(p, jitter, np.floor(p + 0.5), -2, 2)
+    return _features(p, jitter, np.floor(p + 0.5), -2, 2, period)
 
 
 def _features(
-    p: Floats, jitter: float, around: Floats, low: int, high: int
+    p: Floats, jitter: float, around: Floats, low: int, high: int, period: Floats | None = None
 ) -> tuple[Floats, Floats]:
     steps = np.stack(list(corners(p.shape[-1], low, high)))
     cells = around + steps[:, None]
-    return cells, cells + 0.5 + jitter * (fractions(cells) - 0.5) - p
+    return cells, cells + 0.5 + jitter * (fractions(wrapped(cells, period)) - 0.5) - p
 
 
 def measured(away: Floats, metric: str) -> Floats:

@@ -22,7 +22,7 @@ PLACES = np.random.default_rng(5).uniform(-7, 7, (60, 3))
 @truth("std.noise.voronoi", "std.noise.Voronoi2", "std.noise.Voronoi3", "std.noise.nearer_feature")
 @truth("std.noise.measured_in", "std.noise.euclidean", "std.noise.manhattan")
 @truth("std.noise.chebyshev", "std.noise.feature", "std.noise.near_cell", "std.noise.to_feature")
-@truth("std.noise.worley_noise")
+@truth("std.noise.worley_noise", "std.noise.to_corner")
 @pytest.mark.parametrize("metric", ["euclidean", "manhattan", "chebyshev"])
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_cells_are_those_of_the_nearest_points(dimension: int, metric: str) -> None:
@@ -65,6 +65,20 @@ def test_no_nearer_point_is_overlooked(dimension: int, jitter: float, beyond: fl
         IMPORTS, f"worley_noise({AXES[dimension]}, {jitter}, euclidean), 0, 0, 0", p=some
     )
     assert found[:, 0] == near(measured(features(some, jitter)[1], "euclidean").min(axis=0))
+
+
+@truth("std.noise.tiling_worley_noise")
+@pytest.mark.parametrize(("dimension", "count"), [(2, 6000), (3, 12_000)])
+def test_tiles_of_cells_repeat_after_their_period(dimension: int, count: int) -> None:
+    some = np.random.default_rng(6).uniform(-40, 40, (count, dimension))
+    period = np.array([3, 5, 2])[:dimension]
+    axes = "xyz"[:dimension]
+    found = sampled(
+        IMPORTS, f"tiling_worley_noise(p.{axes}, k.{axes}), 0, 0, 0",
+        p=some, k=np.broadcast_to(period, some.shape),
+    )  # fmt: skip
+    expected = measured(near_features(some, 1, period)[1], "euclidean").min(axis=0)
+    assert found[:, 0] == near(expected)
 
 
 @truth("std.noise.nearer_feature")
