@@ -108,4 +108,4 @@ def measured(away: Floats, metric: str) -> Floats:
 
 def octaves(noise: Noise, p: Floats, count: int, lacunarity: float, gain: float) -> Floats:
     """A sum of octaves of a noise."""
-    return np.sum([gain**i * noise(lacunarity**i * p) for i in range(count)], axis=0)
+    return np.asarray(sum(gain**i * noise(lacunarity**i * p) for i in range(count)), np.float64)

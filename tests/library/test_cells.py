@@ -9,7 +9,7 @@ import pytest
 
 from .hashed import fractions
 from .kit import Floats
-from .noises import derivative, features, gradient, measured, near_features, octaves
+from .noises import Noise, derivative, features, gradient, measured, near_features, octaves
 from .sampled import sampled
 from .truth import truth
 
@@ -133,7 +133,7 @@ def test_borders_are_as_far_from_both_points(jitter: float) -> None:
 
 # --- sums of octaves -----------------------------------------------------------------------------
 
-SUMS = {
+SUMS: dict[str, Noise] = {
     "fbm": gradient,
     "turbulence": lambda p: np.abs(gradient(p)),
     "ridged": lambda p: (1 - np.abs(gradient(p))) ** 2,

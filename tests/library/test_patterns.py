@@ -14,7 +14,7 @@ from burnish.compiler.reference.evaluate import evaluate
 from ..semantics.kit import leaves, shader
 from .hashed import fractions
 from .kit import MESH, Floats
-from .sampled import sampled
+from .sampled import Values, sampled
 from .truth import truth
 
 IMPORTS = "import std.patterns"
@@ -34,7 +34,7 @@ def filtered(expression: str) -> Floats:
     return sampled(IMPORTS, f"{expression}, 0, 0, 0", p=PLACES, q=WIDTHS)[:, 0]
 
 
-def share(axis: int, first: Floats, last: Floats) -> Floats:
+def share(axis: int, first: Values, last: Values) -> Floats:
     """The shares of footprints that lie in each of some intervals along an axis."""
     x, w = PLACES[:, axis, None], USED[:, axis, None]
     inside = np.minimum(x + w / 2, last) - np.maximum(x - w / 2, first)
@@ -87,18 +87,18 @@ def test_a_wall_has_mortar_around_each_brick(offset: float) -> None:
         expected += height * share(0, left, left + 1 - mortar[0]).sum(axis=1)
     wall = f"bricks(p.xy, {offset}, vec2(0.08, 0.2), q.xy)"
     assert filtered(f"{wall}.brick") == near(expected)
-    row = np.floor(PLACES[:, 1])
-    along = PLACES[:, 0] - offset * (row % 2)
-    inside = np.stack([along - np.floor(along), PLACES[:, 1] - row], axis=-1)
+    rows = np.floor(PLACES[:, 1])
+    along = PLACES[:, 0] - offset * (rows % 2)
+    inside = np.stack([along - np.floor(along), PLACES[:, 1] - rows], axis=-1)
     found = sampled(IMPORTS, f"vec2({wall}.cell), {wall}.uv", p=PLACES, q=WIDTHS)
-    assert np.array_equal(found[:, :2], np.stack([np.floor(along), row], axis=-1))
+    assert np.array_equal(found[:, :2], np.stack([np.floor(along), rows], axis=-1))
     assert found[:, 2:] == near(inside)
 
 
 # --- footprints ----------------------------------------------------------------------------------
 
 FORMS = [
-    ("stripes(x.x, 0.7)", "stripes(x.x, 0.7, w.x)"),
+    ("stripes(x.x, 0.5)", "stripes(x.x, 0.5, w.x)"),
     ("checker(x)", "checker(x, w)"),
     ("grid(x, 0.2)", "grid(x, 0.2, w)"),
     ("bricks(x, 0.5, vec2(0.1)).brick", "bricks(x, 0.5, vec2(0.1), w).brick"),
@@ -111,11 +111,12 @@ FORMS = [
 @truth("std.patterns.footprint", "std.patterns.stripes", "std.patterns.checker")
 @truth("std.patterns.grid", "std.patterns.bricks", "std.patterns.dots")
 @truth("std.patterns.hexagon_lines", "std.patterns.truchet_lines")
+@pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(("short", "whole"), FORMS)
-def test_a_footprint_is_the_larger_change_to_a_neighbour(short: str, whole: str) -> None:
-    """In a quad, ``uv`` changes by (-0.3, 0.2) across and by (0.1, -0.4) down."""
-    u = np.array([[[0.75, 0.45], [0.85, 0.55]]])
-    v = np.array([[[0.1, 0.3], [-0.3, -0.1]]])
+def test_a_footprint_is_the_larger_change_to_a_neighbour(short: str, whole: str, sign: int) -> None:
+    """In a quad, ``uv`` changes by (-0.3, 0.2) across and by (0.1, -0.4) down, or the reverse."""
+    u = sign * np.array([[[0.75, 0.45], [0.85, 0.55]]])
+    v = sign * np.array([[[0.1, 0.3], [-0.3, -0.1]]])
     head = "import std.patterns\nmaterial M { x = uv  w = vec2(0.3, 0.4)  color = vec3("
     found = []
     for expression in (short, whole):
@@ -158,12 +159,22 @@ def curve(p: Floats) -> Floats:
 
 @truth("std.patterns.hexagons", "std.patterns.Hexagon")
 def test_hexagons_are_around_the_nearest_middle() -> None:
-    cell, at, edge = hexagon(PLACES)
-    found = sampled(IMPORTS, "vec2(hexagons(p.xy).cell), hexagons(p.xy).at", p=PLACES)
+    some = np.random.default_rng(11).uniform(-6, 6, (400, 2))
+    cell, at, edge = hexagon(some)
+    found = sampled(IMPORTS, "vec2(hexagons(p.xy).cell), hexagons(p.xy).at", p=some)
     assert np.array_equal(found[:, :2], cell)
     assert found[:, 2:] == near(at)
-    assert filtered("hexagons(p.xy).to_edge") == near(edge)
+    found = sampled(IMPORTS, "hexagons(p.xy).to_edge, 0, 0, 0", p=some)
+    assert found[:, 0] == near(edge)
     assert edge.min() >= 0
+
+
+@truth("std.patterns.hexagons")
+def test_halfway_between_two_middles_lies_the_next_hexagon() -> None:
+    """Between the middles of (0, 0) and (1, 1)."""
+    halfway = np.array([[0.25, np.sqrt(0.75) / 2]])
+    found = sampled(IMPORTS, "vec2(hexagons(p.xy).cell), 0, 0", p=halfway)
+    assert found[0, :2].tolist() == [1, 1]
 
 
 @truth("std.patterns.truchet")
