@@ -57,6 +57,14 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "A vector's product with itself is not negative.": (
         (
+            "std.patterns.hexagons: ond) * half is_one = [dot(one, one) -> abs(dot(one, one))] < "
+            "dot(two, two) cell"
+        ),
+        (
+            "std.patterns.hexagons: ne = dot(one, one) < [dot(two, two) -> abs(dot(two, two))] "
+            "cell = if is_one the"
+        ),
+        (
             "std.gltf.PunctualPoint: hen 1 - squared(min( [dot(to_place, to_place) -> "
             "abs(dot(to_place, to_place))] / max(squared(reach)"
         ),
@@ -318,6 +326,21 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     "Before the first row all points are the first one, from which distances count.": (
         "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
         "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
+    ),
+    "A train of pulses has the period 1.": (
+        "std.patterns.bricks: .y - 0.25 * mortar.y [- -> +] 0.5, duty, 0.5 * wid",
+    ),
+    "The factor is 0 or 1, and what is divided by 0 is 0.": (
+        "std.patterns.bricks: = vec2(p.x - offset [* -> /] float(row & 1), p.y)",
+    ),
+    "A vector is as long as one with the same lanes in another order, also seen from (1, 1).": (
+        (
+            "std.patterns.truchet: if turned then vec2( [1 - fract(p.x), fract(p.y) -> "
+            "fract(p.y), 1 - fract(p.x)] ) else fract(p) } //"
+        ),
+    ),
+    "Of 2^24 numbers only one is exactly a half.": (
+        "std.patterns.truchet: te_noise(cell_of(p)) [< -> <=] 0.5 at = if turned t",
     ),
     "What is straight ahead of the eye is neither beside nor above it.": (
         "std.transforms.look_at: c4(-dot(right, vec3( [eye -> target] )), -dot(above, vec3",

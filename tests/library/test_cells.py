@@ -167,7 +167,10 @@ def test_sums_have_twelve_octaves_at_most() -> None:
 
 # --- places that are moved -----------------------------------------------------------------------
 
-SHIFTS = {2: [(0, 0), (5.2, 1.3)], 3: [(0, 0, 0), (5.2, 1.3, 8.4), (1.7, 9.2, 2.8)]}
+SHIFTS: dict[int, list[tuple[float, ...]]] = {
+    2: [(0, 0), (5.2, 1.3)],
+    3: [(0, 0, 0), (5.2, 1.3, 8.4), (1.7, 9.2, 2.8)],
+}
 
 
 @truth("std.noise.domain_warp")
