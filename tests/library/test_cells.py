@@ -41,11 +41,17 @@ def test_cells_are_those_of_the_nearest_points(dimension: int, metric: str) -> N
     assert np.array_equal(found, np.take_along_axis(cells, order, axis=0)[0])
 
 
+def diagonal_places(count: int, dimension: int) -> Floats:
+    """Places towards two corners of the cells that are looked at."""
+    chance = np.random.default_rng(6)
+    along = chance.uniform(0.3, 0.5, (count, dimension)) * chance.choice([-1, 1], (count, 1))
+    return np.asarray(chance.integers(-99, 99, (count, dimension)) + along, np.float64)
+
+
 @truth("std.noise.voronoi", "std.noise.worley_noise", "std.noise.near_cell")
 @pytest.mark.parametrize(("dimension", "count"), [(2, 6000), (3, 12_000)])
 def test_points_may_be_anywhere_in_their_cells(dimension: int, count: int) -> None:
-    """So many places that to some the nearest point is in the last cell that is looked at."""
-    some = np.random.default_rng(6).uniform(-40, 40, (count, dimension))
+    some = diagonal_places(count, dimension)
     distances = np.sort(measured(near_features(some, 1)[1], "euclidean"), axis=0)
     place = AXES[dimension]
     found = sampled(
@@ -70,7 +76,7 @@ def test_no_nearer_point_is_overlooked(dimension: int, jitter: float, beyond: fl
 @truth("std.noise.tiling_worley_noise")
 @pytest.mark.parametrize(("dimension", "count"), [(2, 6000), (3, 12_000)])
 def test_tiles_of_cells_repeat_after_their_period(dimension: int, count: int) -> None:
-    some = np.random.default_rng(6).uniform(-40, 40, (count, dimension))
+    some = diagonal_places(count, dimension)
     period = np.array([3, 5, 2])[:dimension]
     axes = "xyz"[:dimension]
     found = sampled(
