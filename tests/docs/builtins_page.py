@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from burnish.compiler.library import FOLDER, standard_library
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -25,6 +26,7 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.stdlib.builtins.library_names import LIBRARY
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table
@@ -121,6 +123,14 @@ of the library.
 """
 
 
+LIBRARY_HEAD = """The library has what articles and other systems call by these names,
+whatever their case and `_`:
+"""
+
+OTHERS_HEAD = """Types, values, reads and words of other languages:
+"""
+
+
 def _elsewhere() -> Iterator[str]:
     """The tables of names in other languages, and what to write for them."""
     yield ELSEWHERE_HEAD
@@ -132,6 +142,14 @@ def _elsewhere() -> Iterator[str]:
         for (written, reason), names in found.items()
     )
     yield table(("function", "here"), rows)
+    yield LIBRARY_HEAD
+    meant: dict[str, list[str]] = {}
+    for name, here in LIBRARY.items():
+        meant.setdefault(here, []).append(name)
+    offers = standard_library(FOLDER).offers()
+    rows = ((codes(names), f"`{offers[here].path}.{here}`") for here, names in meant.items())
+    yield table(("function", "in the library"), rows)
+    yield OTHERS_HEAD
     others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())
     yield table(("type or value", "here"), others)
     reads = ((f"`.{name}(…)`", f"`{here}`") for name, here in METHODS.items())

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from . import equivalent_noise
+from . import equivalent_cellular
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
     "`nonzero` promises something to the compiler, and changes no value.": (
@@ -59,6 +59,18 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "A vector's product with itself is not negative.": (
         (
+            "std.masks.curvature_of_changes: ec3) -> float = (l * [dot(down, down) -> "
+            "abs(dot(down, down))] - m * dot(across, do"
+        ),
+        (
+            "std.masks.curvature_of_changes: (across, down) + n * [dot(across, across) -> "
+            "abs(dot(across, across))] ) / (2 * dot(area, a"
+        ),
+        (
+            "std.masks.curvature_of_changes: oss, across)) / (2 * [dot(area, area) -> "
+            "abs(dot(area, area))] ) where { area = cro"
+        ),
+        (
             "std.patterns.hexagons: ond) * half is_one = [dot(one, one) -> abs(dot(one, one))] < "
             "dot(two, two) cell"
         ),
@@ -81,6 +93,16 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.tessellation.between: t(edge, both) / max( [dot(edge, edge) -> abs(dot(edge, "
             "edge))] , 1e-12) } // ---- p"
+        ),
+    ),
+    "The order of two vectors does not count for an angle, nor for the length of their product.": (
+        (
+            "std.masks.slope_mask: , high, slope_angle( [normal, up -> up, normal] )) /// How bent "
+            "a su"
+        ),
+        (
+            "std.masks.curvature_of_changes: here { area = cross( [across, down -> down, across] ) "
+            "l = dot(bent_acros"
         ),
     ),
     "The order of lanes does not count for a length.": (
@@ -353,7 +375,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
 
 EQUIVALENT = {
     told: reason
-    for by_reason in (_BY_REASON, equivalent_noise.BY_REASON)
+    for by_reason in (_BY_REASON, equivalent_cellular.BY_REASON)
     for reason, all_told in by_reason.items()
     for told in all_told
 }

@@ -1,4 +1,4 @@
-"""Cells around points, sums of octaves and what they move, against NumPy."""
+"""Cells around points against NumPy."""
 
 from __future__ import annotations
 
@@ -9,20 +9,30 @@ import pytest
 
 from .hashed import fractions
 from .kit import Floats
-from .noises import Noise, derivative, features, gradient, measured, near_features, octaves
+from .noises import features, measured, near_features
 from .sampled import sampled
 from .truth import truth
 
-IMPORTS = "import std.noise"
+IMPORTS = "import std.cellular"
 AXES = {2: "p.xy", 3: "p.xyz"}
 near = partial(pytest.approx, rel=1e-6, abs=1e-6)
 PLACES = np.random.default_rng(5).uniform(-7, 7, (60, 3))
 
 
-@truth("std.noise.voronoi", "std.noise.Voronoi2", "std.noise.Voronoi3", "std.noise.nearer_feature")
-@truth("std.noise.measured_in", "std.noise.euclidean", "std.noise.manhattan")
-@truth("std.noise.chebyshev", "std.noise.feature", "std.noise.near_cell", "std.noise.to_feature")
-@truth("std.noise.worley_noise", "std.noise.to_corner")
+@truth(
+    "std.cellular.voronoi",
+    "std.cellular.Voronoi2",
+    "std.cellular.Voronoi3",
+    "std.cellular.nearer_feature",
+)
+@truth("std.cellular.measured_in", "std.cellular.euclidean", "std.cellular.manhattan")
+@truth(
+    "std.cellular.chebyshev",
+    "std.cellular.feature",
+    "std.cellular.near_cell",
+    "std.cellular.to_feature",
+)
+@truth("std.cellular.worley_noise", "std.cellular.to_corner")
 @pytest.mark.parametrize("metric", ["euclidean", "manhattan", "chebyshev"])
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_cells_are_those_of_the_nearest_points(dimension: int, metric: str) -> None:
@@ -48,7 +58,7 @@ def diagonal_places(count: int, dimension: int) -> Floats:
     return np.asarray(chance.integers(-99, 99, (count, dimension)) + along, np.float64)
 
 
-@truth("std.noise.voronoi", "std.noise.worley_noise", "std.noise.near_cell")
+@truth("std.cellular.voronoi", "std.cellular.worley_noise", "std.cellular.near_cell")
 @pytest.mark.parametrize(("dimension", "count"), [(2, 6000), (3, 12_000)])
 def test_points_may_be_anywhere_in_their_cells(dimension: int, count: int) -> None:
     some = diagonal_places(count, dimension)
@@ -60,7 +70,7 @@ def test_points_may_be_anywhere_in_their_cells(dimension: int, count: int) -> No
     assert found[:, :3] == near(distances[[0, 1, 0]].T)
 
 
-@truth("std.noise.voronoi", "std.noise.worley_noise")
+@truth("std.cellular.voronoi", "std.cellular.worley_noise")
 @pytest.mark.parametrize(("dimension", "jitter", "beyond"), [(2, 1.0, 1.5), (3, 0.83, 1.585)])
 def test_no_nearer_point_is_overlooked(dimension: int, jitter: float, beyond: float) -> None:
     """The nearest point is nearer than any in cells that are not looked at."""
@@ -73,7 +83,7 @@ def test_no_nearer_point_is_overlooked(dimension: int, jitter: float, beyond: fl
     assert found[:, 0] == near(measured(features(some, jitter)[1], "euclidean").min(axis=0))
 
 
-@truth("std.noise.tiling_worley_noise")
+@truth("std.cellular.tiling_worley_noise")
 @pytest.mark.parametrize(("dimension", "count"), [(2, 6000), (3, 12_000)])
 def test_tiles_of_cells_repeat_after_their_period(dimension: int, count: int) -> None:
     some = diagonal_places(count, dimension)
@@ -87,7 +97,7 @@ def test_tiles_of_cells_repeat_after_their_period(dimension: int, count: int) ->
     assert found[:, 0] == near(expected)
 
 
-@truth("std.noise.nearer_feature")
+@truth("std.cellular.nearer_feature")
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_of_points_that_are_as_far_the_first_one_counts(dimension: int) -> None:
     """A corner of a grid of points without jitter has some at the same distance."""
@@ -98,8 +108,8 @@ def test_of_points_that_are_as_far_the_first_one_counts(dimension: int) -> None:
         assert found.tolist() == [first] * dimension
 
 
-@truth("std.noise.smooth_worley_noise", "std.noise.SmoothMinimum")
-@truth("std.noise.with_distance", "std.noise.smooth_distance")
+@truth("std.cellular.smooth_worley_noise", "std.cellular.SmoothMinimum")
+@truth("std.cellular.with_distance", "std.cellular.smooth_distance")
 @pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("sharpness", [2.0, 16.0])
 def test_smooth_cells_add_all_points(dimension: int, sharpness: float) -> None:
@@ -110,7 +120,7 @@ def test_smooth_cells_add_all_points(dimension: int, sharpness: float) -> None:
     assert sampled(IMPORTS, noise, p=PLACES)[:, 0] == near(expected)
 
 
-@truth("std.noise.smooth_worley_noise")
+@truth("std.cellular.smooth_worley_noise")
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_smooth_cells_have_no_visible_steps(dimension: int) -> None:
     """What the cells that are not looked at would add is less than a shade of 8 bits."""
@@ -120,7 +130,7 @@ def test_smooth_cells_have_no_visible_steps(dimension: int) -> None:
     assert np.abs(sampled(IMPORTS, noise, p=PLACES)[:, 0] - expected).max() < 1 / 256
 
 
-@truth("std.noise.voronoi_edge", "std.noise.to_border", "std.noise.neighbour")
+@truth("std.cellular.voronoi_edge", "std.cellular.to_border", "std.cellular.neighbour")
 @pytest.mark.parametrize("jitter", [0.3, 1.0])
 def test_borders_are_as_far_from_both_points(jitter: float) -> None:
     """The distance to the border of two points is half that of their distances' squares."""
@@ -137,90 +147,7 @@ def test_borders_are_as_far_from_both_points(jitter: float) -> None:
     assert found == near(expected)
 
 
-# --- sums of octaves -----------------------------------------------------------------------------
-
-SUMS: dict[str, Noise] = {
-    "fbm": gradient,
-    "turbulence": lambda p: np.abs(gradient(p)),
-    "ridged": lambda p: (1 - np.abs(gradient(p))) ** 2,
-}
-
-
-@truth("std.noise.fbm", "std.noise.turbulence", "std.noise.ridged", "std.noise.ridge")
-@truth("std.noise.Octaves", "std.noise.next_octave")
-@pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("name", SUMS)
-def test_octaves_are_added(name: str, dimension: int) -> None:
-    at, place = PLACES[:, :dimension], AXES[dimension]
-    found = sampled(
-        IMPORTS,
-        f"{name}({place}, 3, 1.9, 0.6), {name}({place}, 3), {name}({place}, 1), {name}({place}, 0)",
-        p=PLACES,
-    )
-    expected = [
-        octaves(SUMS[name], at, *rest) for rest in [(3, 1.9, 0.6), (3, 2, 0.5), (1, 2, 0.5)]
-    ]
-    assert found[:, :3] == near(np.stack(expected, axis=-1))
-    assert not found[:, 3].any()
-
-
-@truth("std.noise.most_octaves")
-def test_sums_have_twelve_octaves_at_most() -> None:
-    many = np.full((4, 4), 20)
-    found = sampled(IMPORTS, "fbm(p.xy, k.x, 1.5, 0.9), 0, 0, 0", p=PLACES[:4], k=many)[:, 0]
-    assert found == near(octaves(gradient, PLACES[:4, :2], 12, 1.5, 0.9))
-
-
-# --- places that are moved -----------------------------------------------------------------------
-
-SHIFTS: dict[int, list[tuple[float, ...]]] = {
-    2: [(0, 0), (5.2, 1.3)],
-    3: [(0, 0, 0), (5.2, 1.3, 8.4), (1.7, 9.2, 2.8)],
-}
-
-
-@truth("std.noise.domain_warp")
-@pytest.mark.parametrize("dimension", [2, 3])
-def test_places_are_warped_by_sums(dimension: int) -> None:
-    at = PLACES[:, :dimension]
-    sums = [octaves(gradient, at + shift, 4, 2, 0.5) for shift in SHIFTS[dimension]]
-    expression = f"domain_warp({AXES[dimension]}, 0.7, 4)" + ", 0" * (4 - dimension)
-    found = sampled(IMPORTS, expression, p=PLACES)[:, :dimension]
-    assert found == near(at + 0.7 * np.stack(sums, axis=-1))
-
-
-@truth("std.noise.curl_noise")
-def test_a_flow_in_a_plane_follows_the_lines_of_a_noise() -> None:
-    slope = derivative(gradient, PLACES[:, :2])
-    found = sampled(IMPORTS, "curl_noise(p.xy), 0, 0", p=PLACES)[:, :2]
-    assert found == pytest.approx(np.stack([slope[:, 1], -slope[:, 0]], axis=-1), abs=1e-5)
-
-
-@truth("std.noise.curl_noise")
-def test_a_flow_in_space_is_a_curl() -> None:
-    shifts = np.array([(0, 0, 0), (31.5, -47.25, 12.75), (-23.25, 11.75, 58.5)])
-    a, b, c = (derivative(gradient, PLACES + shift) for shift in shifts)
-    curl = [c[:, 1] - b[:, 2], a[:, 2] - c[:, 0], b[:, 0] - a[:, 1]]
-    found = sampled(IMPORTS, "curl_noise(p.xyz), 0", p=PLACES)[:, :3]
-    assert found == pytest.approx(np.stack(curl, axis=-1), abs=1e-5)
-
-
-@truth("std.noise.curl_noise")
-@pytest.mark.parametrize("dimension", [2, 3])
-def test_flows_have_no_sources(dimension: int) -> None:
-    def flow(p: Floats) -> Floats:
-        expression = f"curl_noise({AXES[dimension]})" + ", 0" * (4 - dimension)
-        return sampled(IMPORTS, expression, p=p)[:, :dimension]
-
-    steps, inside = 1e-5 * np.eye(dimension), PLACES[:, :dimension]
-    sources = sum(
-        (flow(inside + step)[:, axis] - flow(inside - step)[:, axis]) / 2e-5
-        for axis, step in enumerate(steps)
-    )
-    assert sources == pytest.approx(np.zeros(len(inside)), abs=1e-4)
-
-
-@truth("std.noise.feature")
+@truth("std.cellular.feature")
 def test_features_are_random_places_of_cells() -> None:
     cells = np.random.default_rng(8).integers(-50, 50, (20, 3))
     for dimension, cell in ((2, "k.xy"), (3, "k.xyz")):

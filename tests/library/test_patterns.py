@@ -215,27 +215,11 @@ def test_means_are_those_of_samples(
 
 # --- other coordinates ---------------------------------------------------------------------------
 
-CENTER = np.array((0.3, -0.8))
 
-
-def turned(by: Floats) -> Floats:
-    """Places, turned around the centre, as products of complex numbers."""
-    z = ((PLACES - CENTER) @ (1, 1j)) * np.exp(1j * by)
-    return np.asarray(CENTER + np.stack([z.real, z.imag], axis=-1))
-
-
-@truth("std.patterns.rotated", "std.patterns.twirled")
-def test_places_are_turned_counter_clockwise() -> None:
-    centre = "vec2(0.3, -0.8)"
-    found = sampled(IMPORTS, f"rotated(p.xy, 40deg, {centre}), 0, 0", p=PLACES)[:, :2]
-    assert found == near(turned(np.radians(40.0)))
-    found = sampled(IMPORTS, f"twirled(p.xy, 40deg, {centre}), 0, 0", p=PLACES)[:, :2]
-    assert found == near(turned(np.radians(40) * np.linalg.norm(PLACES - CENTER, axis=1)))
-
-
-@truth("std.patterns.polar_coordinates")
-def test_polar_coordinates_are_a_distance_and_a_part_of_a_turn() -> None:
-    z = (PLACES - CENTER) @ (1, 1j)
-    expected = np.stack([np.abs(z), np.angle(z) / (2 * np.pi) % 1], axis=-1)
-    found = sampled(IMPORTS, "polar_coordinates(p.xy, vec2(0.3, -0.8)), 0, 0", p=PLACES)[:, :2]
-    assert found == near(expected)
+@truth("std.patterns.twirled")
+def test_places_are_turned_more_the_farther_they_are() -> None:
+    """Products of complex numbers."""
+    z = (PLACES - (0.3, -0.8)) @ (1, 1j)
+    z *= np.exp(1j * np.radians(40) * np.abs(z))
+    found = sampled(IMPORTS, "twirled(p.xy, 40deg, vec2(0.3, -0.8)), 0, 0", p=PLACES)[:, :2]
+    assert found == near(np.stack([0.3 + z.real, z.imag - 0.8], axis=-1))

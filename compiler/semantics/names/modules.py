@@ -6,12 +6,12 @@ module sees its own declarations, those it imports, and everything the library's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
-from ...diagnostics.nearest import nearest_in, respelling, similarity
+from ...diagnostics.nearest import nearest_in, respelling, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
@@ -89,15 +89,15 @@ class Module:
         A name of the library that is nearly the same may be meant, too, if it is of these kinds.
         """
         offers, written = self.offers(), name.text
-        if written in offers:
-            return _imported(name, written, offers[written].path)
         fitting = {each for each, offer in offers.items() if offer.kind in kinds}
-        meant = _without_kind(written, fitting)
+        meant = written if written in offers else _called_otherwise(written, fitting)
         if meant is None:
             if near := respelling(written, name.span, known):
                 return near
             found = nearest_in(name.span.source, written, fitting)
             meant = found if found and similarity(written, found) >= _ALIKE else None
+        elif self.known(meant):
+            return respelt(written, name.span, meant)
         return "" if meant is None else _imported(name, meant, offers[meant].path)
 
     def visible(self) -> Iterator[str]:
@@ -108,10 +108,24 @@ class Module:
             yield from self.prelude.declared
 
 
-def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
-    """The name that a written one has beside the word ``light``, as in ``DirectionalLight``."""
-    short = written.casefold().replace("_", "").removesuffix("light")
-    return next((each for each in fitting if each.casefold() == short), None)
+def _called_otherwise(written: str, fitting: Collection[str]) -> str | None:
+    """The name in the library of something that other systems know by another name.
+
+    Beside those of a table these are names with other cases, such as ``curlNoise``, and with the
+    word ``light``, such as ``DirectionalLight``.
+    """
+    from ....stdlib.builtins.library_names import LIBRARY
+
+    letters = _letters(written)
+    if LIBRARY.get(letters) in fitting:
+        return LIBRARY[letters]
+    wanted = (letters, letters.removesuffix("light"))
+    return next((each for each in fitting if _letters(each) in wanted), None)
+
+
+def _letters(name: str) -> str:
+    """A name as ``LIBRARY`` has it: case and ``_`` do not count."""
+    return name.casefold().replace("_", "")
 
 
 def _imported(name: ast.Name, meant: str, path: str) -> Hint:
