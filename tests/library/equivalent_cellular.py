@@ -8,6 +8,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 BY_REASON: Mapping[str, Sequence[str]] = {
+    "Metrics have numbers only to be told apart.": (
+        "std.cellular.chebyshev: an axis. chebyshev = [2 -> 3] /// The length of a",
+    ),
+    "The nearest point adds 1 to the total; `max` promises so to the compiler.": (
+        "std.cellular.smooth_distance: known.least - log2( [max(known.total, 1) -> (known.total)] "
+        ") / sharpness /// `w",
+        "std.cellular.smooth_distance: og2(max(known.total, [1 -> 0] )) / sharpness /// `",
+    ),
+    "Half of a cell to either side is the same place in a cell.": (
+        "std.cellular.to_corner: 2)) - 1.5 - fract(p [- -> +] 0.5) /// The same in",
+        "std.cellular.to_corner: 4)) - 1.5 - fract(p [- -> +] 0.5) /// The way fro",
+    ),
     "The first point that is looked at replaces what there is at first.": (
         "std.cellular.voronoi: known from Voronoi2( [8 -> 7] , 8, ivec2(0), vec2(",
         "std.cellular.voronoi: known from Voronoi2( [8 -> 9] , 8, ivec2(0), vec2(",
