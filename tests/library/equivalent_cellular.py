@@ -21,6 +21,10 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         "std.cellular.to_corner: 4)) - 1.5 - fract(p [- -> +] 0.5) /// The way fro",
     ),
     "The first point that is looked at replaces what there is at first.": (
+        "std.cellular.smooth_worley_noise: from SmoothMinimum( [8 -> 7] , 0) for i in 0..16",
+        "std.cellular.smooth_worley_noise: from SmoothMinimum( [8 -> 9] , 0) for i in 0..16",
+        "std.cellular.smooth_worley_noise: from SmoothMinimum( [8 -> 7] , 0) for i in 0..64",
+        "std.cellular.smooth_worley_noise: from SmoothMinimum( [8 -> 9] , 0) for i in 0..64",
         "std.cellular.voronoi: known from Voronoi2( [8 -> 7] , 8, ivec2(0), vec2(",
         "std.cellular.voronoi: known from Voronoi2( [8 -> 9] , 8, ivec2(0), vec2(",
         "std.cellular.voronoi: own from Voronoi2(8, [8 -> 7] , ivec2(0), vec2(0))",
@@ -80,5 +84,13 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         "std.cellular.voronoi_edge: float = min i in 0.. [24 -> 25] : to_border(known.aw",
         "std.cellular.voronoi_edge: oat = min i in 0..24 [ -> + 1] : to_border(known.aw",
         "std.cellular.voronoi_edge: oat = min i in 0..24 [ -> - 1] : to_border(known.aw",
+    ),
+    "The neighbours are the same in another order.": (
+        "std.cellular.neighbour: t) -> ivec2 = ivec2( [number mod 5, number / 5 -> number / 5, "
+        "number mod 5] ) - 2 where { number",
+    ),
+    "No border lies behind, as no point is nearer than the nearest one.": (
+        "std.cellular.to_border: ar: vec2) -> float = [dot(0.5 * (near + far), "
+        "normalize(far - near)) -> abs(dot(0.5 * (near + far), normalize(far - near)))] ",
     ),
 }
