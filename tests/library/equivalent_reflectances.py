@@ -84,6 +84,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "Light and eye may be exchanged.": (
         (
+            "std.hair.marschner: 0.1), tilt, strand, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] )"
+        ),
+        (
             "std.reflectances.oren_nayar_reflectance: * max(aside(normal, [to_light, to_eye -> "
             "to_eye, to_light] ), 0) / max(nl, nv))"
         ),
@@ -287,6 +291,35 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
             "std.microfacets.ashikhmin_reflectance: light, half) power = [dot(powers, half.xy * "
             "half.xy) -> abs(dot(powers, half.xy * half.xy))] / (half.x * half.x +"
         ),
+    ),
+    "A bell is the same on both sides of its middle.": (
+        (
+            "std.hair.strand_scattering: ec3 ) -> rgb = cone( [sines, -2 * tilt -> -2 * tilt, "
+            "sines] , width) * strand_mi"
+        ),
+        (
+            "std.hair.strand_scattering: ht, to_eye)) + cone( [sines, tilt -> tilt, sines] , 0.5 "
+            "* width) * str"
+        ),
+        (
+            "std.hair.strand_scattering: turn, slant) + cone( [sines, 4 * tilt -> 4 * tilt, "
+            "sines] , 2 * width) * stran"
+        ),
+    ),
+    "The middle one of three numbers is the same in any order.": (
+        (
+            "std.iridescence.iridescent_fresnel: nside) both = clamp( [outer * below, 1e-5 -> "
+            "1e-5, outer * below] , 0.9999) root = sqr"
+        ),
+    ),
+    "Where nearly all light is mirrored by the film, nothing enters it.": (
+        (
+            "std.iridescence.iridescent_fresnel: outer * below, 1e-5, [0.9999 -> 1.249875] ) "
+            "root = sqrt(both)"
+        ),
+    ),
+    "A whole turn changes no wave.": (
+        "std.iridescence.iridescent_fresnel: a period. turn = pi [+ -> -] choose(base < index,",
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
