@@ -84,6 +84,11 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "Light and eye may be exchanged.": (
         (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, "
+            "[saturate(dot(normal,…dot(normal, to_eye)) -> saturate(dot(normal,…al, "
+            "light.to_light))] ) + light.specular *"
+        ),
+        (
             "std.hair.marschner: 0.1), tilt, strand, [light.to_light, to_eye -> to_eye, "
             "light.to_light] )"
         ),
@@ -209,6 +214,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "The length of a cross product is the same the other way round.": (
         (
+            "std.reflectances.hair: ffuse * strand_matt( [strand, light.to_light -> "
+            "light.to_light, strand] ) + tint * light.spe"
+        ),
+        (
             "std.reflectances.strand_matt: loat = length(cross( [strand, to_light -> to_light, "
             "strand] )) /// Mirrored by a"
         ),
@@ -320,6 +329,20 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "A whole turn changes no wave.": (
         "std.iridescence.iridescent_fresnel: a period. turn = pi [+ -> -] choose(base < index,",
+    ),
+    "Light from behind counts nothing: its share is 0.": (
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate -> abs] "
+            "(dot(normal, light.t"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate(dot(normal, "
+            "light.to_light)) -> (dot(normal, light.to_light))] , saturate(dot(norma"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: lbedo, f0, saturate( [dot(normal, "
+            "light.to_light) -> abs(dot(normal, light.to_light))] ), saturate(dot(norm"
+        ),
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
