@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from . import equivalent_colors
 from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
@@ -329,5 +330,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 
-EQUIVALENT = {told: reason for reason, all_told in _BY_REASON.items() for told in all_told}
+EQUIVALENT = {
+    told: reason
+    for by_reason in (_BY_REASON, equivalent_colors.BY_REASON)
+    for reason, all_told in by_reason.items()
+    for told in all_told
+}
 """The changes, each with the reason."""
