@@ -84,6 +84,15 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "Light and eye may be exchanged.": (
         (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, "
+            "[saturate(dot(normal,…dot(normal, to_eye)) -> saturate(dot(normal,…al, "
+            "light.to_light))] ) + light.specular *"
+        ),
+        (
+            "std.hair.marschner: 0.1), tilt, strand, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] )"
+        ),
+        (
             "std.reflectances.oren_nayar_reflectance: * max(aside(normal, [to_light, to_eye -> "
             "to_eye, to_light] ), 0) / max(nl, nv))"
         ),
@@ -205,6 +214,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "The length of a cross product is the same the other way round.": (
         (
+            "std.reflectances.hair: ffuse * strand_matt( [strand, light.to_light -> "
+            "light.to_light, strand] ) + tint * light.spe"
+        ),
+        (
             "std.reflectances.strand_matt: loat = length(cross( [strand, to_light -> to_light, "
             "strand] )) /// Mirrored by a"
         ),
@@ -286,6 +299,49 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
         (
             "std.microfacets.ashikhmin_reflectance: light, half) power = [dot(powers, half.xy * "
             "half.xy) -> abs(dot(powers, half.xy * half.xy))] / (half.x * half.x +"
+        ),
+    ),
+    "A bell is the same on both sides of its middle.": (
+        (
+            "std.hair.strand_scattering: ec3 ) -> rgb = cone( [sines, -2 * tilt -> -2 * tilt, "
+            "sines] , width) * strand_mi"
+        ),
+        (
+            "std.hair.strand_scattering: ht, to_eye)) + cone( [sines, tilt -> tilt, sines] , 0.5 "
+            "* width) * str"
+        ),
+        (
+            "std.hair.strand_scattering: turn, slant) + cone( [sines, 4 * tilt -> 4 * tilt, "
+            "sines] , 2 * width) * stran"
+        ),
+    ),
+    "The middle one of three numbers is the same in any order.": (
+        (
+            "std.iridescence.iridescent_fresnel: nside) both = clamp( [outer * below, 1e-5 -> "
+            "1e-5, outer * below] , 0.9999) root = sqr"
+        ),
+    ),
+    "Where nearly all light is mirrored by the film, nothing enters it.": (
+        (
+            "std.iridescence.iridescent_fresnel: outer * below, 1e-5, [0.9999 -> 1.249875] ) "
+            "root = sqrt(both)"
+        ),
+    ),
+    "A whole turn changes no wave.": (
+        "std.iridescence.iridescent_fresnel: a period. turn = pi [+ -> -] choose(base < index,",
+    ),
+    "Light from behind counts nothing: its share is 0.": (
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate -> abs] "
+            "(dot(normal, light.t"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate(dot(normal, "
+            "light.to_light)) -> (dot(normal, light.to_light))] , saturate(dot(norma"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: lbedo, f0, saturate( [dot(normal, "
+            "light.to_light) -> abs(dot(normal, light.to_light))] ), saturate(dot(norm"
         ),
     ),
 }

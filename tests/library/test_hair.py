@@ -30,9 +30,8 @@ def strands(albedo: Any, roughness: float, tilt: float, light: Array, eye: Array
     """By the angles with the plane across the strand, and the one around it."""
     theta_light, theta_eye = (np.arcsin(each @ STRAND) for each in (light, eye))
     across = [each - np.outer(each @ STRAND, STRAND) for each in (light, eye)]
-    phi = np.arccos(
-        np.clip(dots(*across) / np.prod([np.linalg.norm(a, axis=1) for a in across], axis=0), -1, 1)
-    )
+    apart = np.maximum(np.prod([np.linalg.norm(a, axis=1) for a in across], axis=0), 1e-4)
+    phi = np.arccos(np.clip(dots(*across) / apart, -1, 1))
     theta_d = np.abs(theta_light - theta_eye) / 2
     sines, beta = np.sin(theta_light) + np.sin(theta_eye), roughness**2
     half = np.cos(phi / 2)
@@ -105,6 +104,30 @@ def test_strands_seen_and_lit_along_themselves() -> None:
     for light in along:
         found = sent("rgb(1, 1, 1)", 0.5, 0.035, l=[light], e=along)
         assert np.isfinite(found).all() and (found >= 0).all()
+
+
+@truth("std.hair.strand_scattering")
+def test_strands_lit_nearly_along_themselves() -> None:
+    """The cosines count as 1e-4 at least: the angle around the strand goes to 90 degrees."""
+    side, other = np.array((0.0, 1.0, 0.0)), np.array((-0.8, 0.0, 0.6))
+    light = unit(STRAND + 1e-3 * side)
+    eye = unit(STRAND + 1e-2 * (side / 2 + other * np.sqrt(3) / 2))
+    found = values(
+        MODULE,
+        "vec3(strand_scattering(rgb(1, 1, 1), 1, 0, vec3(0.6, 0, 0.8),"
+        " normalize(vec3(0.6, x, 0.8)), normalize(vec3(0.6, 0, 0.8)"
+        " + 10 * x * (vec3(0, 0.5, 0) + sqrt(0.75) * vec3(-0.8, 0, 0.6)))))",
+        "vec3", x=1e-3,
+    )  # fmt: skip
+    wanted = strands(np.ones(3), 1, 0, light[None], eye[None])
+    assert np.allclose(found, wanted, rtol=3e-4)
+
+
+@truth("std.hair.half_turn")
+def test_half_an_angle_is_one_of_an_angle() -> None:
+    """A cosine may be more than 1 by rounding."""
+    found = values(MODULE, "half_turn(x)", x=[1.5, 1, 0, -1, -1.5])
+    assert found == pytest.approx([1, 1, np.sqrt(0.5), 0, 0])
 
 
 @truth("std.hair.marschner")

@@ -70,8 +70,8 @@ def test_films_are_those_of_gltf() -> None:
 @truth("std.iridescence.iridescent_fresnel")
 def test_films_at_their_limits() -> None:
     """Nearly all is mirrored at a grazing angle; a film that is thick, thin, or on a mirror."""
-    cosine, index = np.array([1.0, 0.4, 0.2, 0.0]), np.array([1.3, 1.8, 1.5, 1.4])
-    f0 = np.array([[1, 0.999, 0.9999], [0.04, 0.5, 1], [0.0, 0.02, 0.04], [0.3, 0.5, 0.7]])
+    cosine, index = np.array([1.0, 0.4, 0.02, 0.0]), np.array([1.3, 1.8, 1.5, 1.4])
+    f0 = np.array([[1, 0.999, 0.9999], [0.04, 1, 1], [0.9, 1, 0.04], [0.3, 0.5, 0.7]])
     for thickness in (0.0, 15.0, 30.0, 31.0, 5000.0):
         thick = np.full(4, thickness)
         found = film(f0, index, thick, cosine)

@@ -11,7 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .kit import NORMAL_IN_WORLD, TO_EYE, Floats, close, lanes, shown, unit
+from .kit import (
+    NORMAL_IN_WORLD,
+    POSITION_IN_WORLD,
+    TO_EYE,
+    Floats,
+    close,
+    lanes,
+    of,
+    shown,
+    unit,
+    written,
+)
 from .many import values
 from .truth import truth
 
@@ -203,3 +214,25 @@ def test_a_white_matt_surface_that_faces_a_light_shows_its_colour() -> None:
     """The unit of lights, which `std.terms.lambert` shares."""
     found = lit("eon(rgb(1, 1, 1), 0)", NORMAL_IN_WORLD)
     assert found == close(MATT)
+
+
+@truth("std.reflectances.on_axes")
+@pytest.mark.parametrize("arrow", [BEFORE, BEHIND])
+def test_a_direction_in_the_axes_of_the_surface(arrow: Floats) -> None:
+    """Before the surface and behind it."""
+    towards = f"(normalize({written(arrow, 'vector<world>')}) as direction<world>)"
+    found = of(f"on_axes({towards}, {AXES})", "M", "import std.reflectances.{on_axes}")
+    assert found == close(np.stack([ALONG, ACROSS, NORMAL_IN_WORLD]) @ arrow)
+
+
+@truth("std.reflectances.ashikhmin_shirley")
+def test_the_back_of_a_varnished_surface_scatters_nothing() -> None:
+    behind = POSITION_IN_WORLD - NORMAL_IN_WORLD + 0.3 * ALONG
+    found = shown(
+        "import std.reflectances\nimport std.lights.{Directional}\nrig R { lamp : Directional }\n"
+        f"material M {{ color = ashikhmin_shirley({ALBEDO}, {TINT}, vec2(3, 9), {AXES}) }}",
+        eye=lanes(behind),
+        **{"lamp.direction": lanes(-BEFORE), "lamp.diffuse_color": lanes(MATT),
+           "lamp.specular_color": (0.0, 0.0, 0.0)},
+    )  # fmt: skip
+    assert found == close((0, 0, 0))
