@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .kit import NORMAL_IN_WORLD, Floats
+from .kit import NORMAL_IN_WORLD, Floats, close
 from .surfaces import (
     AROUND,
     COAT_NORMAL,
@@ -17,6 +17,7 @@ from .surfaces import (
     agree,
     all_bounces,
     angles,
+    drawn,
     f0_of,
     fifth,
     film,
@@ -109,3 +110,9 @@ def gltf(knobs: Knobs, light: Floats) -> Floats:
 @pytest.mark.parametrize("case", GLTF)
 def test_it_looks_as_published(case: str) -> None:
     agree("GltfSurface", gltf, GLTF[case])
+
+
+@truth("std.models.gltf_share")
+def test_a_white_surface_sends_out_all_even_light() -> None:
+    knobs: Knobs = {"metallic": 0.5, "roughness": 0.6, "clearcoat": 0.5, "clearcoat_roughness": 0.4}
+    assert drawn("GltfSurface", knobs, -NORMAL_IN_WORLD) == close(AROUND)

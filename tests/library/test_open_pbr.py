@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .kit import NORMAL_IN_WORLD, TO_EYE, Floats, unit
+from .kit import NORMAL_IN_WORLD, TO_EYE, Floats, close, unit
 from .surfaces import (
     AROUND,
     COAT_NORMAL,
@@ -20,6 +20,7 @@ from .surfaces import (
     all_bounces,
     angles,
     boost,
+    drawn,
     f0_of,
     film,
     fresnel,
@@ -187,3 +188,15 @@ def open_pbr(knobs: Knobs, light: Floats) -> Floats:
 @pytest.mark.parametrize("case", OPEN_PBR)
 def test_it_looks_as_published(case: str) -> None:
     agree("OpenPbr", open_pbr, OPEN_PBR[case])
+
+
+@truth("std.models.open_pbr_share")
+def test_a_white_surface_sends_out_all_even_light() -> None:
+    knobs: Knobs = {
+        "base_color": (1.0, 1.0, 1.0),
+        "base_metalness": 0.5,
+        "coat_weight": 0.5,
+        "coat_darkening": 0.0,
+        "fuzz_weight": 0.5,
+    }
+    assert drawn("OpenPbr", knobs, -NORMAL_IN_WORLD) == close(AROUND)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .kit import Floats
+from .kit import NORMAL_IN_WORLD, Floats, close
 from .surfaces import (
     AROUND,
     GLOSS,
@@ -16,6 +16,7 @@ from .surfaces import (
     agree,
     all_bounces,
     angles,
+    drawn,
     fifth,
     ggx,
     luminous,
@@ -81,3 +82,9 @@ def principled(knobs: Knobs, light: Floats) -> Floats:
 @pytest.mark.parametrize("case", PRINCIPLED)
 def test_it_looks_as_published(case: str) -> None:
     agree("Principled", principled, PRINCIPLED[case])
+
+
+@truth("std.models.principled_share")
+def test_a_white_surface_sends_out_all_even_light() -> None:
+    knobs: Knobs = {"base_color": (1.0, 1.0, 1.0), "metallic": 0.5}
+    assert drawn("Principled", knobs, -NORMAL_IN_WORLD) == close(AROUND)
