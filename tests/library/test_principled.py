@@ -86,5 +86,5 @@ def test_it_looks_as_published(case: str) -> None:
 
 @truth("std.models.principled_share")
 def test_a_white_surface_sends_out_all_even_light() -> None:
-    knobs: Knobs = {"base_color": (1.0, 1.0, 1.0), "metallic": 0.5}
+    knobs: Knobs = {"base_color": (1.0, 1.0, 1.0)}
     assert drawn("Principled", knobs, -NORMAL_IN_WORLD) == close(AROUND)
