@@ -284,7 +284,7 @@ def test_a_slope_is_found_where_the_sight_meets_it() -> None:
         "equirectangular_uv(o), 0", "cylindrical_uv(o, o.x), 0", "octahedral_direction(o.xy)",
         "matcap_uv(o, o), 0", "unpacked_normal(o, 0)", "linear_blend(o, -o)", "slopes_blend(o, o)",
         "reoriented_blend(o, o - vec3(0, 0, 1))", "reoriented_blend(o - vec3(0, 0, 1), o)",
-        "triplanar_weights(o, o.x)", "triplanar_whiteout(o, o, o, o, o)",
+        "triplanar_weights(o, o.x)", "triplanar_whiteout(o, o, o, normalize(o), o)",
         "biplanar_weights(o.xy, 8), 0",
         "hex_tiles(o.xy + 1e9).weights",
     ],

@@ -63,12 +63,14 @@ def test_normals_are_projected_from_three_sides() -> None:
     given = {"x": maps[0], "y": maps[1], "z": maps[2], "n": D, "w": weights}
     for name in ("whiteout", "udn"):
         parts = [weights[:, [i]] * in_plane(maps[i], D, i, name == "udn") for i in range(3)]
-        found = called(ALL, f"triplanar_{name}(x, y, z, n, w)", 3, **given)
+        found = called(ALL, f"triplanar_{name}(x, y, z, normalize(n), w)", 3, **given)
         assert found == near(unit_rows(sum(parts))), name
     parts = [
         weights[:, [i]] * in_plane(2 * seen(P, i)[:, :3] - 1, D, i, is_udn=False) for i in range(3)
     ]
-    found = called(ALL, "triplanar_normal(t, p, n, w)", 3, t=Picture(painted), p=P, n=D, w=weights)
+    found = called(
+        ALL, "triplanar_normal(t, p, normalize(n), w)", 3, t=Picture(painted), p=P, n=D, w=weights
+    )
     assert found == near(unit_rows(sum(parts)))
 
 
@@ -172,7 +174,7 @@ def pcg2d(x: Any, y: Any) -> Floats:
     return np.array([x >> 8, y >> 8]) / 2**24
 
 
-@truth("std.mapping.tile_shift", "std.mapping.vec2_mixed")
+@truth("std.mapping.tile_shift", "std.mapping.stirred")
 def test_corners_are_shifted_by_a_hash() -> None:
     numbers = np.array([0, 1, -1, 7, 1234, -99])
     found = called(ALL, "tile_shift(ivec2(i, j))", 2, i=numbers, j=numbers[::-1])
