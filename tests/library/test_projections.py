@@ -43,6 +43,8 @@ def test_a_texture_is_projected_from_three_sides() -> None:
     expected = sum(weights[:, [i]] * seen(P, i) for i in range(3))
     found = called(ALL, "triplanar(t, p, w)", 4, t=Picture(painted), p=P, w=weights)
     assert found == near(expected)
+    found = called(ALL, "triplanar(t, p, n, 3)", 4, t=Picture(painted), p=P, n=D)
+    assert found == near(expected)
 
 
 def in_plane(tangent: Floats, normal: Floats, axis: int, is_udn: bool) -> Floats:
