@@ -319,6 +319,16 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
         "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
     ),
+    "Half of a circle of numbers, added or taken away, is the same place on it.": (
+        "std.sampling.r2: int(i) * 3242174889u [+ -> -] 0x80000000u), share(",
+        "std.sampling.r2: int(i) * 2447445414u [+ -> -] 0x80000000u)) /// Th",
+    ),
+    "On a diagonal of the square both sides give the same point.": (
+        "std.sampling.concentric_disc: vec2 = if abs(at.x) [> -> >=] abs(at.y) then at.x",
+    ),
+    "The step is even, so that the last bit, which is left out, does not carry.": (
+        "std.sampling.r2: t(i) * 2447445414u + [0x80000000 -> 2147483649] u)) /// The first 24",
+    ),
     "What is straight ahead of the eye is neither beside nor above it.": (
         "std.transforms.look_at: c4(-dot(right, vec3( [eye -> target] )), -dot(above, vec3",
         "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",

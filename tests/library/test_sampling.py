@@ -30,6 +30,11 @@ def test_r2_steps_by_the_plastic_number() -> None:
     steps = np.outer(numbers, [1 / plastic, 1 / plastic**2])
     assert called(ALL, "r2(i)", 2, i=numbers) == near((0.5 + steps) % 1, 1e-4)
     assert called(ALL, "r2(i)", 2, i=numbers[:5]) == near((0.5 + steps[:5]) % 1, 5e-7)
+    # Bit for bit, in units of 2^-32; the last bits count where they carry.
+    many = np.array([*range(0, 300), 123_456_789])
+    units = [round(2**32 / plastic), round(2**32 / plastic**2)]
+    expected = (np.outer(many, units) + 2**31) % 2**32 // 256 / 2**24
+    assert called(ALL, "r2(i)", 2, i=many) == near(expected, 1e-12)
     assert called(ALL, "share(uint(i))", 1, i=np.array([255, 256, -1])) == near(
         [0, 2**-24, 1 - 2**-24], 1e-12
     )
@@ -39,6 +44,9 @@ def test_r2_steps_by_the_plastic_number() -> None:
 def test_a_sunflower() -> None:
     golden = (math.sqrt(5) - 1) / 2
     assert called(ALL, "golden_turn(i)", 1, i=NUMBERS) == near(NUMBERS * golden % 1)
+    many = np.array([0, 255, 123_456_789])
+    expected = many * round(2**32 * golden) % 2**32 // 256 / 2**24
+    assert called(ALL, "golden_turn(i)", 1, i=many) == near(expected, 1e-12)
     found = called(ALL, f"vogel_disc(i, {MANY}, 0.2)", 2, i=NUMBERS)
     radius = np.sqrt((NUMBERS + 0.5) / MANY)
     turn = 2 * np.pi * (NUMBERS * golden + 0.2)
@@ -116,6 +124,9 @@ def test_noise_of_pixels_is_even_over_neighbours() -> None:
     found = called(ALL, "interleaved_gradient_noise(p)", 1, p=pixels).reshape(48, 48)
     whole = 52.9829189 * ((0.06711056 * (x + 0.5) + 0.00583715 * (y + 0.5)) % 1)
     assert found == near(whole % 1, 1e-9)
+    beside = np.array([[-7.5, 2.5], [-1.5, -40.5]])
+    whole = 52.9829189 * (beside @ (0.06711056, 0.00583715) % 1)
+    assert called(ALL, "interleaved_gradient_noise(p)", 1, p=beside) == near(whole % 1, 1e-9)
     # Each 3 by 3 pixels hold about all ninths.
     ninths = np.sort(found[10:13, 20:23].ravel())
     assert ninths == near((np.arange(9) + 0.5) / 9, 0.12)
