@@ -323,6 +323,32 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.sampling.r2: int(i) * 3242174889u [+ -> -] 0x80000000u), share(",
         "std.sampling.r2: int(i) * 2447445414u [+ -> -] 0x80000000u)) /// Th",
     ),
+    "Nearly opposite directions are turned alike by a little more or less than the limit.": (
+        "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 7.5e-07] then vec4(normalize(",
+        (
+            "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 1.2499999999999999e-06] "
+            "then vec4(normalize("
+        ),
+    ),
+    "The formula for each lane is exact as long as this lane is not near 0.": (
+        "std.quaternions.from_matrix: .x + m[1].y + m[2].z [> -> >=] 0 then vec4(m[1].z -",
+        "std.quaternions.from_matrix: else if m[0].x > m[ [1 -> 2] ].y and m[0].x > m[2",
+        "std.quaternions.from_matrix: else if m[1].y > m[ [2 -> 1] ].z then vec4(m[0].y",
+        "std.quaternions.from_matrix: y and m[0].x > m[2]. [z -> x] then vec4(1 + m[0].x",
+        "std.quaternions.from_matrix: 2].z) else if m[0].x [> -> >=] m[1].y and m[0].x >",
+        "std.quaternions.from_matrix: - m[2].y) else if m[ [1 -> 2] ].y > m[2].z then ve",
+        "std.quaternions.from_matrix: + m[2].z) else if m[ [0 -> 1] ].x > m[1].y and m[0",
+        "std.quaternions.from_matrix: [2].y) else if m[1]. [y -> x] > m[2].z then vec4(m",
+    ),
+    "Its magnitude counts alone, whichever sign it has.": (
+        "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
+    ),
+    "Two motions are on the same side of each other.": (
+        (
+            "std.quaternions.blended: s * vec4(1, side_of( [motions[0], motions[1] -> motions[1], "
+            "motions[0]] ), side_of(motions[0"
+        ),
+    ),
     "On a diagonal of the square both sides give the same point.": (
         "std.sampling.concentric_disc: vec2 = if abs(at.x) [> -> >=] abs(at.y) then at.x",
     ),

@@ -103,6 +103,7 @@ def test_turns_around_an_axis() -> None:
 def test_turns_from_one_direction_to_another() -> None:
     a, b = directions(COUNT, 1), directions(COUNT, 2)
     q = called(ALL, "from_directions(a, b)", 4, a=a, b=b)
+    assert np.linalg.norm(q, axis=1) == near(np.ones(COUNT))
     m = matrices(q)
     assert turned(m, a) == near(b)
     # The shortest way leaves what is at a right angle to both.
@@ -141,8 +142,10 @@ def test_blends_go_the_shorter_way(share: float) -> None:
     seen = np.arctan2(share * np.sin(half), 1 - share + share * np.cos(half)) / half
     found = called(ALL, f"rotate(nlerp(q, p, {share}), v)", 3, q=Q, p=P, v=V)
     assert found == near(part_of_way(seen))
-    found = called(ALL, f"slerp(q, r, {share})", 4, q=Q, r=unit_rows(Q + 1e-3 * P))
-    assert np.linalg.norm(found, axis=1) == near(np.ones(COUNT))
+    # Where both are almost alike, the chord is the arc.
+    close_by = unit_rows(Q + 1e-4 * P)
+    found = called(ALL, f"slerp(q, r, {share})", 4, q=Q, r=close_by)
+    assert found == near(unit_rows((1 - share) * Q + share * close_by))
     same_rotation(called(ALL, f"slerp(q, r, {share})", 4, q=Q, r=-Q), Q)
 
 
@@ -165,6 +168,7 @@ def test_dual_quaternions_turn_and_move() -> None:
     assert called(ALL, "rotate(rigid(p, w), v)", 3, p=P, w=W, v=V) == near(once)
     assert called(ALL, "offset_of(rigid(p, w))", 3, p=P, w=W) == near(W)
     assert called(ALL, "rigid(p, w).real", 4, p=P, w=W) == near(P)
+    assert called(ALL, "rigid(p, w).dual", 4, p=P, w=W) == near(0.5 * _dual(P, W))
     twice = "multiply(rigid(q, u), rigid(p, w))"
     expected = turned(matrices(Q), once) + U
     assert called(ALL, f"rotate({twice}, v)", 3, q=Q, p=P, w=W, u=U, v=V) == near(expected)
