@@ -324,7 +324,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.sampling.r2: int(i) * 2447445414u [+ -> -] 0x80000000u)) /// Th",
     ),
     "Nearly opposite directions are turned alike by a little more or less than the limit.": (
-        "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 7.5e-07] then vec4(normalize(",
+        (
+            "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 7.5e-07] then "
+            "vec4(normalize("
+        ),
         (
             "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 1.2499999999999999e-06] "
             "then vec4(normalize("
@@ -338,10 +341,24 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.quaternions.from_matrix: 2].z) else if m[0].x [> -> >=] m[1].y and m[0].x >",
         "std.quaternions.from_matrix: - m[2].y) else if m[ [1 -> 2] ].y > m[2].z then ve",
         "std.quaternions.from_matrix: + m[2].z) else if m[ [0 -> 1] ].x > m[1].y and m[0",
+        "std.quaternions.from_matrix: 1].y and m[0].x > m[ [2 -> 1] ].z then vec4(1 + m[",
         "std.quaternions.from_matrix: [2].y) else if m[1]. [y -> x] > m[2].z then vec4(m",
     ),
     "Its magnitude counts alone, whichever sign it has.": (
         "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
+    ),
+    "Without a step the surface itself is met.": (
+        "std.mapping.parallax_occlusion: tep(0, depths(uv).r, [0 -> 1] ) up to 64 while s.d",
+    ),
+    "Each number but 0 and 1 is the third axis.": (
+        "std.mapping.triplanar: ts.z * t(plane_uv(p, [2 -> 3] )) /// The same by t",
+    ),
+    "Of two axes that are as near, either may be the farthest.": (
+        "std.mapping.biplanar: f n.x <= n.y and n.x [<= -> <] n.z then 0 else if n",
+        "std.mapping.biplanar: ddy(p) most = if n.x [> -> >=] n.y and n.x > n.z th",
+    ),
+    "Opposite directions lie along the same axis.": (
+        "std.quaternions.from_directions: , b) aside = if abs( [a -> b] .x) > abs(a.z) then",
     ),
     "Two motions are on the same side of each other.": (
         (

@@ -92,6 +92,8 @@ def test_texels_have_hard_edges() -> None:
 @truth("std.mapping.equirectangular_uv", "std.mapping.equirectangular_direction")
 def test_panoramas() -> None:
     assert called(ALL, "equirectangular_direction(equirectangular_uv(d))", 3, d=D) == near(D)
+    far = called(ALL, "equirectangular_direction(equirectangular_uv(d))", 3, d=3 * D)
+    assert far == near(D)
     found = called(ALL, "equirectangular_uv(d)", 2, d=3 * AXES)
     # +x, +y, +z, -x, -y, -z; the middle is -z, the right +x, the top +y.
     assert found[[0, 2, 3, 5]] == near([[0.75, 0.5], [1, 0.5], [0.25, 0.5], [0.5, 0.5]])
@@ -268,6 +270,15 @@ def test_a_slope_is_found_where_the_sight_meets_it() -> None:
     way = 0.2 * SIGHT[:, :2] / SIGHT[:, 2:] * (-1, 1)
     share = (0.5 + start @ (0.5, -0.25)) / (1 - way @ (0.5, -0.25))
     assert found == near(start + share[:, None] * way)
+    # What lies deeper than the deepest is as deep as this.
+    pit = Picture(lambda u, _: (2 + 0 * u, 0 * u, 0 * u, 0 * u))
+    found = called(ALL, "parallax_occlusion(t, p, s, 0.2, 64)", 2, t=pit, p=start, s=SIGHT)
+    assert found == near(start + way)
+    # Where the relief is bent, steps come near to it.
+    waves = Picture(lambda u, v: (0.5 + 0.2 * np.sin(9 * u + 7 * v), 0 * u, 0 * u, 0 * u))
+    found = called(ALL, "parallax_occlusion(t, p, s, 0.2, 16)", 2, t=waves, p=start, s=SIGHT)
+    share = np.sum((found - start) * way, axis=1) / np.sum(way * way, axis=1)
+    assert share == near(0.5 + 0.2 * np.sin(found @ (9, 7)), 2e-3)
     # A glancing sight goes no farther than twenty times the depth.
     low = np.array([[math.sqrt(1 - 0.01**2), 0, 0.01]])
     level = Picture(lambda u, _: (1 + 0 * u, 0 * u, 0 * u, 0 * u))

@@ -223,7 +223,8 @@ def test_motions_are_blended() -> None:
 
 
 @truth("std.quaternions.DualSkinned")
-def test_a_vertex_follows_its_bones() -> None:
+@pytest.mark.parametrize("slot", range(4))
+def test_a_vertex_follows_its_bones(slot: int) -> None:
     offsets = scattered(6, 3, 1, 12)
     bones = tuple(
         (tuple(q), tuple(0.5 * dual)) for q, dual in zip(Q[:6], _dual(Q[:6], offsets), strict=True)
@@ -231,11 +232,12 @@ def test_a_vertex_follows_its_bones() -> None:
     found = shown(
         "import std.quaternions.{DualSkinned}\n"
         "material M : Surface + DualSkinned { color = vec3(object_drawn.position) }",
-        vertex_joints=(4, 2, 5, 1), vertex_weights=(0.0, 0.0, 1.0, 0.0), rigid_bones=bones,
+        vertex_joints=(4, 2, 5, 1), vertex_weights=tuple(np.eye(4)[slot]), rigid_bones=bones,
         object_to_world=columns(np.eye(4)),
     )  # fmt: skip
+    bone = (4, 2, 5, 1)[slot]
     whole = np.eye(4)
-    whole[:3, :3], whole[:3, 3] = matrices(Q[5:6])[0], offsets[5]
+    whole[:3, :3], whole[:3, 3] = matrices(Q[bone : bone + 1])[0], offsets[bone]
     assert found == near(moved(whole, PLACE))
 
 
