@@ -157,6 +157,7 @@ def test_an_ellipse_is_right_at_its_edge() -> None:
     expected = [0.6 - 1.4, 0.4 - 0.6, 0.5, -0.6]
     points = np.array([[0.6, 0], [0, 0.4], [0, -1.1], [0, 0]])
     assert of_points("ellipsoid(p, vec2(1.4, 0.6))", points) == near(expected)
+    assert of_points("ellipsoid(p, vec2(0.6, 1.4))", points[3:]) == near([-0.6])
 
 
 # --- in space ------------------------------------------------------------------------------------
