@@ -347,6 +347,9 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     "Its magnitude counts alone, whichever sign it has.": (
         "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
     ),
+    "On the edge itself the distance is 0, on whichever side it counts.": (
+        "std.distances.triangle: oubled_area(c, a, p) [> -> >=] 0 } /// Twice the ar",
+    ),
     "Without a step the surface itself is met.": (
         "std.mapping.parallax_occlusion: tep(0, depths(uv).r, [0 -> 1] ) up to 64 while s.d",
     ),
