@@ -17,9 +17,8 @@ from .terminal import FAILED, print_output
 if TYPE_CHECKING:
     from ..targets.conformance.golden.within import Encoding, Output, Verdict
 
-
 LANGUAGES = ("c++", "python", "rust", "typescript")
-"""The languages that have comparers."""
+"""The languages that have comparers. Help names them, and loads no table of them for that."""
 
 
 class _Request(NamedTuple):
@@ -35,13 +34,13 @@ class _Request(NamedTuple):
     form: str
 
 
-def _print_comparer(language: str | None) -> None:
+def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str | None) -> None:
     """Print the comparer of a language and exit, if one is wanted."""
     if language is not None:
         from ..targets.conformance.comparers import comparer
 
         print_output(comparer(language))
-        click.get_current_context().exit()
+        ctx.exit()
 
 
 @click.command()
@@ -70,7 +69,7 @@ def _print_comparer(language: str | None) -> None:
 )  # fmt: skip
 @format_option
 @click.option(
-    "--comparer", type=click.Choice(LANGUAGES), callback=lambda *given: _print_comparer(given[2]),
+    "--comparer", type=click.Choice(LANGUAGES), callback=_print_comparer,
     is_eager=True, expose_value=False,
     help="Print a file that does the same in another language, to copy into a test suite, and "
     "compare nothing.",
@@ -97,8 +96,6 @@ def judge(**chosen: Any) -> None:
         burnish judge --comparer rust > tests/burnish_judge.rs
     """
     request = _Request(**chosen)
-    if request.diff is not None and request.diff.suffix.lower() != ".png":
-        raise click.UsageError(f"--diff writes a .png file: `{request.diff}` has another ending")
     try:
         from ..targets.conformance.golden.within import GoldenError
     except ModuleNotFoundError as error:
@@ -149,7 +146,7 @@ def _check_diff(request: _Request) -> None:
     if request.diff is None:
         return
     if request.diff.suffix.lower() != ".png":
-        raise click.UsageError(f"--diff writes a PNG file: call it `{request.diff.stem}.png`")
+        raise click.UsageError(f"--diff writes a .png file: `{request.diff}` has another ending")
     if request.diff.resolve() == request.picture.resolve():
         raise click.UsageError("--diff would replace the PICTURE: give it another name")
 

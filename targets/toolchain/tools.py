@@ -36,6 +36,7 @@ from .versions import (
     in_folder_name,
     of_python_package,
     says,
+    says_by_rustup,
     stated,
     written_in,
 )
@@ -187,7 +188,7 @@ TOOLS: tuple[Tool, ...] = (
         name="rustc",
         purpose="compiles the comparer in Rust; only tests need it",
         place=Programs(("rustc",)),
-        version=says("--version", r"rustc (\d+\.\d+\.\d+)"),
+        version=says_by_rustup("--version", r"rustc (\d+\.\d+\.\d+)"),
         source=Debian(("rustc-web", "gcc", "libc6-dev")),
         minimum=(1, 63),  # the one of Debian 12
     ),

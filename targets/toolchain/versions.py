@@ -8,6 +8,7 @@ import os
 import re
 from collections.abc import Callable
 from importlib.metadata import version as installed_version
+from pathlib import Path
 
 from .limits import ASKED
 from .places import Paths
@@ -24,6 +25,21 @@ def says(option: str, pattern: str) -> Version:
 
     def version(paths: Paths) -> str | None:
         return _said([str(paths[0]), option], pattern)
+
+    return version
+
+
+def says_by_rustup(option: str, pattern: str) -> Version:
+    """Read the version from the output of a program in whose place rustup may stand.
+
+    rustup has no compiler where it has no folder, and would make one in the user's home.
+    """
+    plain = says(option, pattern)
+
+    def version(paths: Paths) -> str | None:
+        is_rustup = paths[0].resolve().name == "rustup"
+        folder = Path(os.environ.get("RUSTUP_HOME") or Path.home() / ".rustup")
+        return None if is_rustup and not folder.is_dir() else plain(paths)
 
     return version
 

@@ -178,7 +178,7 @@ def test_a_picture_that_cannot_be_judged_hides_no_other() -> None:
 @pytest.mark.parametrize(
     ("diff", "told"),
     [
-        ("o.jpg", "--diff writes a PNG file: call it `o.png`"),
+        ("o.jpg", "--diff writes a .png file: `o.jpg` has another ending"),
         ("./p.png", "--diff would replace the PICTURE: give it another name"),
     ],
 )

@@ -28,16 +28,16 @@ GLSL = """void main() {
 }
 """
 GLSL_SLIPS = [
-    "6 constant of three digits: '0.31830987' -> '0.318'",
-    "6 not normalised: 'normalize' -> ''",
-    "3 not normalised: ' * inversesqrt(max(dot(v_normal, v_normal), 1.1754944e-38))' -> ''",
-    "8 term left out: ' + side' -> ''",
-    "6 sum overwritten: ' += ' -> ' = '",
-    "5 loop one short: '; i < min(lamps_count, 8); i++' -> '; i < min(lamps_count, 8) - 1; i++'",
-    "5 loop from one: 'for (int i = 0' -> 'for (int i = 1'",
-    "4 cross product turned: 'cross(normal, up)' -> 'cross(up, normal)'",
-    "8 other exponent: 'pow(total, 5.0)' -> 'pow(total, 4.0)'",
-    "9 1 % too bright: 'out_color = vec4(color, 1.0);' -> 'out_color = vec4(color * 1.01, 1.0);'",
+    "6 constant of three digits: 0.31830987 -> 0.318",
+    "6 not normalised: normalize -> nothing",
+    "3 not normalised: * inversesqrt(max(dot(v_normal, v_normal), 1.1754944e-38)) -> nothing",
+    "8 term left out: + side -> nothing",
+    "6 sum overwritten: += -> =",
+    "5 loop one short: ; i < min(lamps_count, 8); i++ -> ; i < min(lamps_count, 8) - 1; i++",
+    "5 loop from one: for (int i = 0 -> for (int i = 1",
+    "4 cross product turned: cross(normal, up) -> cross(up, normal)",
+    "8 other exponent: pow(total, 5.0) -> pow(total, 4.0)",
+    "9 1 % too bright: out_color = vec4(color, 1.0); -> out_color = vec4(color * 1.01, 1.0);",
 ]
 READ = "texture(sampler2D(albedo, albedo_sampler), v_uv)"
 

@@ -90,6 +90,8 @@ class Own:
     """The names that its bases and mixins declare."""
     words: Mapping[str, str]
     """What words of other systems mean in such a record."""
+    is_offered: bool
+    """True if a base or a mixin declares it, from which others may be derived that read it."""
 
 
 def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
@@ -106,7 +108,7 @@ def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
         if is_new and isinstance(member, _READ) and owner.module is record.symbol.module:
             if level not in others:
                 others[level] = frozenset((*_others(record, level), *also))
-            yield Own(member.name, others[level], words)
+            yield Own(member.name, others[level], words, owner is not record.symbol)
 
 
 _READ = ast.Slot | ast.Param | ast.Texture | ast.Buffer
@@ -153,11 +155,13 @@ def warn_of_unread(
     if record.baseless:
         return
     is_closed = _kind(record) in CLOSED and not _is_offer(record)
+    named = NamedIn(record.symbol.module)
     for own in own_members(record, also):
         if any(own.name.text in each for each in read):
             continue  # Most are read, and names are compared slowly.
         hint = _hint(own, elsewhere=all_read_here)
-        if (hint or is_closed) and own.name.text not in beside:
+        is_idle = own.name.text not in (named if own.is_offered else beside)
+        if (hint or (is_closed and not own.is_offered)) and is_idle:
             _warn(ctx, own.name, hint)
 
 
@@ -171,11 +175,11 @@ def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
     idle: list[ast.Name] = []
     named = NamedIn(record.symbol.module)
     for own in own_members(record):
-        if own.name.text in read:
+        if own.name.text in read or (own.is_offered and own.name.text in named):
             continue
         if hint := _hint(own):
             _warn(ctx, own.name, hint)
-        elif own.name.text not in named:  # Else it is the one that reads this that is idle.
+        elif not own.is_offered and own.name.text not in named:  # Else what reads it is idle.
             idle.append(own.name)
     for first in idle[:1]:
         ctx.report.add(rules.WITHOUT_COLOR, first.span, name=first.text, material=record.name)
