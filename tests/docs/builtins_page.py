@@ -25,6 +25,7 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.stdlib.builtins.in_library import IN_LIBRARY
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table
@@ -107,7 +108,7 @@ def builtins_page() -> str:
         lines.append(f"## {title}\n")
         for row in rows:
             lines += _builtin(row)
-    lines += _elsewhere()
+    lines += [*_elsewhere(), *_in_library()]
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -138,6 +139,27 @@ def _elsewhere() -> Iterator[str]:
     yield table(("read of a texture", "here"), reads)
     words = ((f"`{name}`", cell(here)) for name, here in KEYWORDS.items())
     yield table(("statement or declaration", "here"), words)
+
+
+IN_LIBRARY_HEAD = """## Names in other systems of what the library has
+
+What articles, engines and node editors call so is in the standard library under another name.
+Messages about unknown names tell it, with the import, however the name is spelt: `sdBox`, `sd_box`
+and `SDBox` are one.
+"""
+
+
+def _in_library() -> Iterator[str]:
+    """The table of names in other systems, and the declarations of the library for them."""
+    yield IN_LIBRARY_HEAD
+    found: dict[tuple[str, str], list[str]] = {}
+    for name, meant in IN_LIBRARY.items():
+        found.setdefault((f"{meant.path}.{meant.name}", meant.advice), []).append(name)
+    rows = (
+        (codes(names), "; ".join(filter(None, (codes([here]), cell(advice)))))
+        for (here, advice), names in found.items()
+    )
+    yield table(("function", "in the library"), rows)
 
 
 def _builtin(row: Builtin) -> Iterator[str]:

@@ -324,6 +324,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.sampling.r2: int(i) * 2447445414u [+ -> -] 0x80000000u)) /// Th",
     ),
     "Nearly opposite directions are turned alike by a little more or less than the limit.": (
+        "std.quaternions.from_directions: 3) -> vec4 = if both [< -> <=] 1e-6 then vec4(norma",
         (
             "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 7.5e-07] then "
             "vec4(normalize("
@@ -334,18 +335,34 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         ),
     ),
     "The formula for each lane is exact as long as this lane is not near 0.": (
+        "std.quaternions.from_matrix: + m[1].y + m[2].z > [0 -> 1] then vec4(m[1].z - m",
+        "std.quaternions.from_matrix: [2].z) else if m[0]. [x -> y] > m[1].y and m[0].x",
+        "std.quaternions.from_matrix: else if m[0].x > m[ [1 -> 0] ].y and m[0].x > m[2",
+        "std.quaternions.from_matrix: se if m[0].x > m[1]. [y -> x] and m[0].x > m[2].z",
+        "std.quaternions.from_matrix: 0].x > m[1].y and m[ [0 -> 1] ].x > m[2].z then ve",
+        "std.quaternions.from_matrix: x > m[1].y and m[0]. [x -> y] > m[2].z then vec4(1",
+        "std.quaternions.from_matrix: > m[1].y and m[0].x [> -> >=] m[2].z then vec4(1 +",
+        "std.quaternions.from_matrix: 2].y) else if m[1].y [> -> >=] m[2].z then vec4(m[0",
         "std.quaternions.from_matrix: .x + m[1].y + m[2].z [> -> >=] 0 then vec4(m[1].z -",
         "std.quaternions.from_matrix: else if m[0].x > m[ [1 -> 2] ].y and m[0].x > m[2",
-        "std.quaternions.from_matrix: else if m[1].y > m[ [2 -> 1] ].z then vec4(m[0].y",
         "std.quaternions.from_matrix: y and m[0].x > m[2]. [z -> x] then vec4(1 + m[0].x",
         "std.quaternions.from_matrix: 2].z) else if m[0].x [> -> >=] m[1].y and m[0].x >",
-        "std.quaternions.from_matrix: - m[2].y) else if m[ [1 -> 2] ].y > m[2].z then ve",
         "std.quaternions.from_matrix: + m[2].z) else if m[ [0 -> 1] ].x > m[1].y and m[0",
         "std.quaternions.from_matrix: 1].y and m[0].x > m[ [2 -> 1] ].z then vec4(1 + m[",
-        "std.quaternions.from_matrix: [2].y) else if m[1]. [y -> x] > m[2].z then vec4(m",
     ),
     "Its magnitude counts alone, whichever sign it has.": (
+        (
+            "std.quaternions.slerp: here { cosine = abs( [dot(a, b) -> abs(dot(a, b))] ) between = "
+            "acos(cos"
+        ),
+        "std.quaternions.blended: where { w = weights [* -> /] vec4(1, side_of(moti",
         "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
+    ),
+    "Two axes of which either is at an angle to the direction: each may be left out.": (
+        "std.quaternions.from_directions: aside = if abs(a.x) [> -> >=] abs(a.z) then vec3(-",
+    ),
+    "At the limit both ways from one rotation to another are the same.": (
+        "std.quaternions.slerp: -> vec4 = if cosine [> -> >=] 0.9999 then nlerp(a,",
     ),
     "On the edge itself the distance is 0, on whichever side it counts.": (
         "std.distances.triangle: oubled_area(c, a, p) [> -> >=] 0 } /// Twice the ar",
@@ -361,9 +378,18 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.mapping.biplanar: ddy(p) most = if n.x [> -> >=] n.y and n.x > n.z th",
     ),
     "Opposite directions lie along the same axis.": (
+        "std.quaternions.from_directions: = if abs(a.x) > abs( [a -> b] .z) then vec3(-a.y,",
         "std.quaternions.from_directions: , b) aside = if abs( [a -> b] .x) > abs(a.z) then",
     ),
     "Two motions are on the same side of each other.": (
+        (
+            "std.quaternions.blended: otions[1]), side_of( [motions[0], motions[2] -> motions[2], "
+            "motions[0]] ), side_of(motions[0"
+        ),
+        (
+            "std.quaternions.blended: otions[2]), side_of( [motions[0], motions[3] -> motions[3], "
+            "motions[0]] )) } /// -1 for a mo"
+        ),
         (
             "std.quaternions.blended: s * vec4(1, side_of( [motions[0], motions[1] -> motions[1], "
             "motions[0]] ), side_of(motions[0"

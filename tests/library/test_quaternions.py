@@ -63,6 +63,16 @@ def test_quaternions_turn_as_their_matrices() -> None:
     same_rotation(called(ALL, "from_matrix(m)", 4, m=m), Q)
 
 
+@truth("std.quaternions.nearer", "std.quaternions.side_of")
+def test_what_is_as_near_is_left_as_it_is() -> None:
+    motion = "DualQuaternion({}, vec4(0))"
+    to, q = np.eye(4), np.roll(np.eye(4), 1, axis=1)
+    assert called(ALL, "nearer(to, q)", 4, to=to, q=q) == near(q)
+    sides = f"side_of({motion.format('to')}, {motion.format('q')})"
+    assert called(ALL, sides, 1, to=to, q=q) == near(np.ones(4))
+    assert called(ALL, sides, 1, to=to, q=-to) == near(-np.ones(4))
+
+
 HALF_TURNS = np.array(
     [[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0.6, 0.8, 0, 0], [0, 0.6, 0.8, 0]]
 )
@@ -77,6 +87,16 @@ def test_matrices_are_read_by_the_largest_lane(lane: int) -> None:
     q /= np.linalg.norm(q, axis=1, keepdims=True)
     same_rotation(called(ALL, "from_matrix(m)", 4, m=matrices(q)), q, 1e-13)
     same_rotation(called(ALL, "from_matrix(m)", 4, m=matrices(HALF_TURNS)), HALF_TURNS)
+
+
+@truth("std.quaternions.from_matrix")
+@pytest.mark.parametrize("lane", range(4))
+def test_no_lane_that_is_nearly_0_decides(lane: int) -> None:
+    """Whatever the other three are, the lane that matrices are read by is a large one."""
+    q = np.random.default_rng(lane).normal(size=(300, 4))
+    q[:, lane] = 1e-7
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    same_rotation(called(ALL, "from_matrix(m)", 4, m=matrices(q)), q, 1e-13)
 
 
 @truth("std.quaternions.multiply", "std.quaternions.conjugate", "std.quaternions.identity")

@@ -46,6 +46,12 @@ class Offer:
     """The import path of the library file."""
     kind: str
     """The word with which it is declared, such as ``light``; empty for some rare ones."""
+    arguments: tuple[str, ...] = ()
+    """The names of a function's arguments."""
+
+
+Offers = Mapping[str, Sequence[Offer]]
+"""What library files declare, by name; several may have declarations of one name."""
 
 
 @record
@@ -67,7 +73,7 @@ class Module:
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with a function that reports one when used."""
     prelude: Module | None = None
-    offers: Callable[[], Mapping[str, Offer]] = dict
+    offers: Callable[[], Offers] = dict
     """Finds what the library's files declare, by name: an unknown name may be one of these."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
@@ -90,15 +96,33 @@ class Module:
         """
         offers, written = self.offers(), name.text
         if written in offers:
-            return _imported(name, written, offers[written].path)
-        fitting = {each for each, offer in offers.items() if offer.kind in kinds}
+            return _imported(name, written, offers[written][0].path)
+        if called := self._called_elsewhere(name, offers, kinds):
+            return called
+        fitting = {each for each, offered in offers.items() if offered[0].kind in kinds}
         meant = _without_kind(written, fitting)
         if meant is None:
             if near := respelling(written, name.span, known):
                 return near
             found = nearest_in(name.span.source, written, fitting)
             meant = found if found and similarity(written, found) >= _ALIKE else None
-        return "" if meant is None else _imported(name, meant, offers[meant].path)
+        return "" if meant is None else _imported(name, meant, offers[meant][0].path)
+
+    def _called_elsewhere(self, name: ast.Name, offers: Offers, kinds: Sequence[str]) -> Hint:
+        """The hint for a name that another system has for something of the library."""
+        from ....stdlib.builtins.in_library import in_library
+
+        meant = in_library(name.text)
+        offered = () if meant is None else offers.get(meant.name, ())
+        offer = next((each for each in offered if meant and each.path == meant.path), None)
+        if meant is None or offer is None or offer.kind not in kinds:
+            return ""
+        advice = f" ({meant.advice})" if meant.advice else ""
+        said = f"it is `{meant.name}({', '.join(offer.arguments)})` of the library{advice}"
+        is_seen = any(symbol.module.is_standard for symbol in self.known(meant.name))
+        on_top = None if is_seen else _import_on_top(name, meant.name, meant.path)
+        text = said if on_top is None else f"{said}: {on_top.text}"
+        return text if advice else _respelt(name, meant.name, text, on_top)
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -109,19 +133,34 @@ class Module:
 
 
 def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
-    """The name that a written one has beside the word ``light``, as in ``DirectionalLight``."""
+    """The name that a written one is without its case, ``_`` and the word ``light``.
+
+    So are ``smoothUnion``, and ``DirectionalLight``.
+    """
     short = written.casefold().replace("_", "").removesuffix("light")
-    return next((each for each in fitting if each.casefold() == short), None)
+    return next((each for each in fitting if each.casefold().replace("_", "") == short), None)
 
 
 def _imported(name: ast.Name, meant: str, path: str) -> Hint:
     """A hint to import a name of the library, and to write it if it is misspelt."""
-    declaration = f"import {path}.{{{meant}}}"
-    on_top = inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
+    on_top = _import_on_top(name, meant, path)
     if meant == name.text:
         return on_top
-    said = f"did you mean `{meant}`? {on_top.text}"
-    respelt = Edit(name.span, meant)
+    return _respelt(name, meant, f"did you mean `{meant}`? {on_top.text}", on_top)
+
+
+def _import_on_top(name: ast.Name, meant: str, path: str) -> FixIt:
+    """A hint to add the import of a name of the library to the file that has ``name``."""
+    declaration = f"import {path}.{{{meant}}}"
+    return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
+
+
+def _respelt(name: ast.Name, meant: str, said: str, on_top: FixIt | None) -> Hint:
+    """A hint with the edits that write ``meant`` for ``name``, and add its import if it needs one.
+
+    There are no edits where the name is not written in the text as it is.
+    """
     if name.span.text != name.text:
         return said
-    return FixIt(said, tuple(Fix((*fix.edits, respelt)) for fix in on_top.fixes))
+    added = (Fix(()),) if on_top is None else on_top.fixes
+    return FixIt(said, tuple(Fix((*fix.edits, Edit(name.span, meant))) for fix in added))
