@@ -57,6 +57,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "A vector's product with itself is not negative.": (
         (
+            "std.mapping.unpacked_normal: gth * lean, sqrt(1 - [dot(lean, lean) -> abs(dot(lean, "
+            "lean))] ))) where { lean = 2"
+        ),
+        (
             "std.gltf.PunctualPoint: hen 1 - squared(min( [dot(to_place, to_place) -> "
             "abs(dot(to_place, to_place))] / max(squared(reach)"
         ),
@@ -98,6 +102,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         ),
     ),
     "`clamp` finds the middle one of three numbers.": (
+        (
+            "std.mapping.crisp_uv: ec2 = (seam + clamp( [(uv * size - seam) / max(width, 1e-6), "
+            "-0.5 -> -0.5, (uv * size - seam) / max(width, 1e-6)] , 0.5)) / size where"
+        ),
         (
             "std.shadows.ShadowedSpot: (place, axis, clamp( [outer, 1deg -> 1deg, outer] , 80deg), "
             "nearest, m"
@@ -355,7 +363,6 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
             "std.quaternions.slerp: here { cosine = abs( [dot(a, b) -> abs(dot(a, b))] ) between = "
             "acos(cos"
         ),
-        "std.quaternions.blended: where { w = weights [* -> /] vec4(1, side_of(moti",
         "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
     ),
     "Two axes of which either is at an angle to the direction: each may be left out.": (
@@ -366,6 +373,18 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "On the edge itself the distance is 0, on whichever side it counts.": (
         "std.distances.triangle: oubled_area(c, a, p) [> -> >=] 0 } /// Twice the ar",
+    ),
+    "Half a turn forwards and half a turn backwards end at the same place.": (
+        "std.mapping.equirectangular_direction: und = 2 * pi * (uv.x [- -> +] 0.5) } /// Wraps a p",
+    ),
+    "Along the edge on which an octahedron is folded, both halves have the same points.": (
+        "std.mapping.octahedral_uv: 0.5 + 0.5 * (if d.z [< -> <=] 0 then outside_in(fl",
+        "std.mapping.octahedral_direction: alize(vec3(if height [< -> <=] 0 then outside_in(fl",
+    ),
+    "A factor of 1 or -1 is its own reciprocal.": (
+        "std.mapping.reoriented_blend: , 1) turned = detail [* -> /] vec3(-1, -1, 1) } //",
+        "std.mapping.outside_in: = (1 - abs(flat.yx)) [* -> /] choose(flat < 0, vec",
+        "std.quaternions.blended: where { w = weights [* -> /] vec4(1, side_of(moti",
     ),
     "Without a step the surface itself is met.": (
         "std.mapping.parallax_occlusion: tep(0, depths(uv).r, [0 -> 1] ) up to 64 while s.d",

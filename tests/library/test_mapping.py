@@ -76,13 +76,22 @@ def test_texels_have_hard_edges() -> None:
     found = called(ALL, "crisp_uv(p, vec2(8, 1), vec2(0))", 2, p=places)
     inside = np.abs(x - np.round(x)) > 1e-3
     assert found[inside, 0] == near((np.floor(x[inside]) + 0.5) / 8)
-    # By derivatives: u changes by 0.025 and 0.0125 from pixel to pixel, of 8 texels each.
-    u = 0.25 + np.array([[0.01, 0.035], [0.0225, 0.0475]])
-    v = 0.5 + np.array([[0, 0.01], [0.02, 0.03]])
+    # The least width is a millionth of a texel.
+    found = called(ALL, "crisp_uv(p, vec2(1), vec2(0))", 2, p=np.array([[1 + 3e-7, 1 - 2e-7]]))
+    assert found == near([[1.3, 0.8]], 1e-6)
+
+
+@truth("std.mapping.crisp_uv")
+@pytest.mark.parametrize("turn", range(4))
+def test_texels_are_crisp_by_derivatives(turn: int) -> None:
+    """From pixel to pixel u changes by 0.025 and 0.0125, of 8 texels each, in any direction."""
+    u = 0.25 + np.rot90(np.array([[0.01, 0.035], [0.0225, 0.0475]]), 2 * (turn % 2))
+    v = 0.5 + np.rot90(np.array([[0, 0.01], [0.02, 0.03]]), turn)
+    width = "vec2(8 * 0.0375, 4 * 0.03)"
     texels = Picture(lambda u, v: (u, v, 0 * u, 0 * u), size=(8, 4))
     found = called(ALL, "crisp_uv(t, p)", 2, t=texels, p=Quad(np.stack([u, v], axis=-1)))
     given = {"p": np.stack([u.ravel(), v.ravel()], axis=1)}
-    expected = called(ALL, "crisp_uv(p, vec2(8, 4), vec2(8 * 0.0375, 4 * 0.03))", 2, **given)
+    expected = called(ALL, f"crisp_uv(p, vec2(8, 4), {width})", 2, **given)
     assert found.reshape(-1, 2) == near(expected)
 
 
@@ -192,14 +201,18 @@ def test_normals_are_blended() -> None:
 @truth("std.mapping.reoriented_blend")
 def test_details_turn_with_the_base() -> None:
     """The matrix that turns +z to the base around what is at a right angle to both."""
+    back = DETAIL * [1, 1, -1]
     expected = []
-    for base, detail in zip(BASE, DETAIL, strict=True):
+    for base in BASE:
         axis = np.cross((0, 0, 1), base)
         k = np.cross(axis, np.eye(3)).T
-        turn = np.eye(3) + k + k @ k / (1 + base[2])
-        assert turn @ (0, 0, 1) == near(base)
-        expected.append(turn @ detail)
-    assert called(ALL, "reoriented_blend(a, b)", 3, a=BASE, b=DETAIL) == near(np.array(expected))
+        expected.append(np.eye(3) + k + k @ k / (1 + base[2]))
+        assert expected[-1] @ (0, 0, 1) == near(base)
+    for detail in (DETAIL, back):
+        found = called(ALL, "reoriented_blend(a, b)", 3, a=BASE, b=detail)
+        assert found == near(np.einsum("nij,nj->ni", expected, detail))
+        # What a filter has shortened is turned alike.
+        assert called(ALL, "reoriented_blend(a, 0.7 * b)", 3, a=BASE, b=detail) == near(found)
 
 
 @truth("std.mapping.detailed")
@@ -229,6 +242,13 @@ def test_bumps_are_the_normals_of_moved_points() -> None:
         ALL, "bump_from_slopes(normalize(n), a, b, c)", 3, n=n, a=still, b=still, c=change
     )
     assert found == near(n)
+    # Where the sides span hardly anything, nothing is known of the slopes.
+    for area, bent in ((1.1e-18, (-0.6, 0, 0.8)), (1e-18, (0, 0, 1)), (0.9e-18, (0, 0, 1))):
+        found = called(
+            ALL, "bump_from_slopes(normalize(n), a, b, c)", 3, n=np.array([[0, 0, 1]]),
+            a=np.array([[area, 0, 0]]), b=np.array([[0, 1, 0]]), c=np.array([[0.75 * area, 0]]),
+        )  # fmt: skip
+        assert found == near([bent])
     # The same in a quad of pixels.
     i, j = np.meshgrid((0, 1), (0, 1))
     points = i[..., None] * across[0] + j[..., None] * down[0]
