@@ -273,11 +273,13 @@ def test_heights_move_towards_the_eye() -> None:
 
 
 @truth("std.mapping.parallax_occlusion", "std.mapping.ParallaxStep")
-@pytest.mark.parametrize(("layers", "deep"), [(16, 0.55), (4, 0.25), (1, 0.8), (0, 0.8), (8, 0.0)])
+@pytest.mark.parametrize(
+    ("layers", "deep"), [(16, 0.55), (4, 0.25), (1, 0.8), (0, 0.8), (8, 0.0), (8, -0.5)]
+)
 def test_a_flat_bottom_is_found_where_the_sight_meets_it(layers: int, deep: float) -> None:
     bottom = Picture(lambda u, _: (deep + 0 * u, 9 + 0 * u, 9 + 0 * u, 9 + 0 * u))
     found = called(ALL, f"parallax_occlusion(t, p, s, 0.2, {layers})", 2, t=bottom, p=UV, s=SIGHT)
-    way = 0.2 * deep * SIGHT[:, :2] / SIGHT[:, 2:]
+    way = 0.2 * max(deep, 0) * SIGHT[:, :2] / SIGHT[:, 2:]
     assert found == near(UV + way * (-1, 1))
 
 
@@ -299,12 +301,42 @@ def test_a_slope_is_found_where_the_sight_meets_it() -> None:
     found = called(ALL, "parallax_occlusion(t, p, s, 0.2, 16)", 2, t=waves, p=start, s=SIGHT)
     share = np.sum((found - start) * way, axis=1) / np.sum(way * way, axis=1)
     assert share == near(0.5 + 0.2 * np.sin(found @ (9, 7)), 2e-3)
+    # One step takes all between its ends to be straight.
+    for layers in (1, 0):
+        found = called(
+            ALL, f"parallax_occlusion(t, p, s, 0.2, {layers})", 2, t=waves, p=start, s=SIGHT
+        )
+        first, last = (0.5 + 0.2 * np.sin(place @ (9, 7)) for place in (start, start + way))
+        assert found == near(start + (first / (1 + first - last))[:, None] * way)
     # A glancing sight goes no farther than twenty times the depth.
     low = np.array([[math.sqrt(1 - 0.01**2), 0, 0.01]])
     level = Picture(lambda u, _: (1 + 0 * u, 0 * u, 0 * u, 0 * u))
     found = called(ALL, "parallax_occlusion(t, p, s, 0.2, 16)", 2, t=level, p=start[:1], s=low)
     assert found == near(start[:1] - (0.2 * low[0, 0] / 0.05, 0))
     assert all(step == near((0, 0)) for step in level.steps)
+
+
+@truth("std.mapping.parallax_occlusion")
+def test_a_ray_ends_where_it_touches_the_relief() -> None:
+    """A needle as high as the ray is after its first step, in a deep pit."""
+    pit = Picture(lambda u, _: (np.where(np.abs(u + 0.05) < 0.01, 0.25, 0.9), u, u, u))
+    sight = np.array([[math.sqrt(0.5), 0, math.sqrt(0.5)]])
+    place = np.zeros((1, 2))
+    found = called(ALL, "parallax_occlusion(t, p, s, 0.2, 4)", 2, t=pit, p=place, s=sight)
+    assert found == near([[-0.05, 0]])
+
+
+@truth("std.mapping.parallax_occlusion")
+def test_relief_is_read_as_sharply_as_the_surface() -> None:
+    """Reads below the surface take the changes of its coordinate from pixel to pixel."""
+    relief = Picture(lambda u, _: (0.5 + 0 * u, u, u, u))
+    place = Quad(np.array([[[0.1, 0.2], [0.13, 0.21]], [[0.11, 0.25], [0.14, 0.26]]]))
+    sight = Quad(np.broadcast_to([0.0, 0, 1], (2, 2, 3)))
+    called(ALL, "parallax_occlusion(t, p, s, 0.2, 4)", 2, t=relief, p=place, s=sight)
+    steps = np.array([[np.mean(lane) for lane in step] for step in relief.steps])
+    assert len(steps) > 2
+    assert steps[0::2] == near(np.tile([0.03, 0.01], (len(steps) // 2, 1)))
+    assert steps[1::2] == near(np.tile([0.01, 0.05], (len(steps) // 2, 1)))
 
 
 @pytest.mark.parametrize(
