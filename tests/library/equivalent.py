@@ -386,13 +386,25 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.mapping.outside_in: = (1 - abs(flat.yx)) [* -> /] choose(flat < 0, vec",
         "std.quaternions.blended: where { w = weights [* -> /] vec4(1, side_of(moti",
     ),
+    "A period is the same a whole period later, and its time and phase are added.": (
+        "std.mapping.flowed: (t(flow_uv(uv, flow, [time, 0 -> 0, time] )), t(flow_uv(uv, fl",
+        "std.mapping.flowed: w_uv(uv, flow, time, [0 -> 1] )), t(flow_uv(uv, fl",
+    ),
+    "On the diagonal of a cell the triangles of both sides have the same corners that count.": (
+        "std.mapping.hex_tiles: > HexTiles = if rest [< -> <=] 0 then HexTiles(base",
+    ),
     "Without a step the surface itself is met.": (
         "std.mapping.parallax_occlusion: tep(0, depths(uv).r, [0 -> 1] ) up to 64 while s.d",
     ),
     "Each number but 0 and 1 is the third axis.": (
+        "std.mapping.triplanar_normal: 1, 2 * t(plane_uv(p, [2 -> 3] )).xyz - 1, normal,",
         "std.mapping.triplanar: ts.z * t(plane_uv(p, [2 -> 3] )) /// The same by t",
     ),
     "Of two axes that are as near, either may be the farthest.": (
+        "std.mapping.biplanar: if n.x > n.y and n.x [> -> >=] n.z then 0 else if n",
+        "std.mapping.biplanar: z then 0 else if n.y [> -> >=] n.z then 1 else 2 le",
+        "std.mapping.biplanar: lse 2 least = if n.x [<= -> <] n.y and n.x <= n.z t",
+        "std.mapping.biplanar: z then 0 else if n.y [<= -> <] n.z then 1 else 2 ne",
         "std.mapping.biplanar: f n.x <= n.y and n.x [<= -> <] n.z then 0 else if n",
         "std.mapping.biplanar: ddy(p) most = if n.x [> -> >=] n.y and n.x > n.z th",
     ),

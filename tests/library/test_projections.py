@@ -93,8 +93,9 @@ def test_the_two_nearest_sides_are_projected() -> None:
     # Of three that are as near, any two are meant.
     assert found[:-1] == near(expected[:-1])
     assert found[-1] == near(np.clip(found[-1], 0, 2))
-    weights = called(ALL, "biplanar_weights(v, 16)", 2, v=np.array([[1, 0.5], [0.8, 0.6]]))
-    assert weights == near(np.clip((np.array([[1, 0.5], [0.8, 0.6]]) - 0.5773) / 0.4227, 0, 1) ** 2)
+    nearness = np.array([[1, 0.5], [0.8, 0.6], [1.3, 0.2]])
+    weights = called(ALL, "biplanar_weights(v, 16)", 2, v=nearness)
+    assert weights == near(np.clip((nearness - 0.5773) / 0.4227, 0, 1) ** 2)
 
 
 @truth("std.mapping.biplanar")
