@@ -282,6 +282,8 @@ def test_coverage_is_what_a_straight_edge_leaves_of_a_pixel() -> None:
     assert called(ALL, "coverage(a, 0.2)", 1, a=away) == near(expected)
     # Without a width it is a step.
     assert called(ALL, "coverage(a, 0)", 1, a=away) == near([1, 1, 1, 0.5, 0, 0, 0])
+    found = called(ALL, "coverage(a, 0)", 1, a=np.array([-2e-13, 3e-13]))
+    assert found == near([0.7, 0.2], 1e-6)
     # In a quad of pixels: the distance grows by (3, 4) from pixel to pixel, so over 5.
     quad = np.array([[-2.0, 1.0], [2.0, 5.0]])
     shares = 0.5 - quad / 5
