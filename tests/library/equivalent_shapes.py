@@ -150,7 +150,15 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     "The step is even, so that the last bit, which is left out, does not carry.": (
         "std.sampling.r2: t(i) * 2447445414u + [0x80000000 -> 2147483649] u)) /// The first 24",
     ),
+    "Three turns have one sign, whichever of them the others are compared with.": (
+        "std.distances.triangle: = doubled_area(a, b, [c -> p] ) inside = turn * do",
+    ),
     "Neither lengths nor intersections depend on an order.": (
+        (
+            "std.distances.extruded: ere { beyond = vec2( [flat_distance, abs(z) - half_height -> "
+            "abs(z) - half_height, flat_distance] ) } // ---- of dista"
+        ),
+        "std.distances.revolved: ec2 = vec2(length(p. [xz -> zx] ), p.y) /// What ext",
         (
             "std.distances.coverage: e(away, length(vec2( [ddx(away), ddy(away) -> ddy(away), "
             "ddx(away)] ))) /// The same by"
