@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 BY_REASON: Mapping[str, Sequence[str]] = {
     "A vector's product with itself is not negative.": (
         (
-            "std.distances.segment: (dot(p - a, b - a) / [dot(b - a, b - a) -> abs(dot(b - a, b - "
-            "a))] ) * (b - a)) /// All"
+            "std.distances.segment: (dot(p - a, b - a) / [dot(b - a, b - a) -> abs(dot(b - a, b "
+            "- a))] ) * (b - a)) /// All"
         ),
         (
             "std.mapping.unpacked_normal: gth * lean, sqrt(1 - [dot(lean, lean) -> abs(dot(lean, "
@@ -28,6 +28,14 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "std.mapping.crisp_uv: ec2 = (seam + clamp( [(uv * size - seam) / max(width, 1e-6), "
             "-0.5 -> -0.5, (uv * size - seam) / max(width, 1e-6)] , 0.5)) / size where"
         ),
+        (
+            "std.distances.hexagon: folded - vec2(clamp( [folded.x, -corner -> -corner, "
+            "folded.x] , corner), radius) }"
+        ),
+        (
+            "std.distances.pie: olded - end * clamp( [dot(folded, end), 0 -> 0, dot(folded, "
+            "end)] , radius)) } /// A p"
+        ),
     ),
     "Half of a circle of numbers, added or taken away, is the same place on it.": (
         "std.sampling.r2: int(i) * 3242174889u [+ -> -] 0x80000000u), share(",
@@ -40,8 +48,8 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "vec4(normalize("
         ),
         (
-            "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> 1.2499999999999999e-06] "
-            "then vec4(normalize("
+            "std.quaternions.from_directions: -> vec4 = if both < [1e-6 -> "
+            "1.2499999999999999e-06] then vec4(normalize("
         ),
     ),
     "The formula for each lane is exact as long as this lane is not near 0.": (
@@ -62,8 +70,8 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "Its magnitude counts alone, whichever sign it has.": (
         (
-            "std.quaternions.slerp: here { cosine = abs( [dot(a, b) -> abs(dot(a, b))] ) between = "
-            "acos(cos"
+            "std.quaternions.slerp: here { cosine = abs( [dot(a, b) -> abs(dot(a, b))] ) between "
+            "= acos(cos"
         ),
         "std.quaternions.slerp: here { cosine = abs( [dot -> -dot] (a, b)) between = ac",
     ),
@@ -84,6 +92,16 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         "std.distances.triangle: p, b, c), segment(p, [c, a -> a, c] ))) turn = doubled_a",
         "std.distances.capsule: > float = segment(p, [a, b -> b, a] ) - radius /// All t",
         "std.distances.triangle: dge = min(segment(p, [a, b -> b, a] ), min(segment(p, b,",
+        (
+            "std.distances.beside: > float = segment(p, [vec3(0, radius, 0), vec3(0, 0, radius) "
+            "-> vec3(0, 0, radius), vec3(0, radius, 0)] ) /// A point of spa"
+        ),
+        "std.distances.cone: ), foot), segment(q, [foot, tip -> tip, foot] )) } /// A hexagon,",
+        (
+            "std.distances.cone: dge = min(segment(q, [vec2(0), foot -> foot, vec2(0)] ), "
+            "segment(q, foot,"
+        ),
+        "std.distances.star: ge = segment(folded, [tip, notch -> notch, tip] ) } /// A polygon wi",
     ),
     "Only in the middle itself both lengths are 0.": (
         "std.distances.ellipsoid: t, N>) -> float = if [slope -> scaled] > 0 then scaled * (s",
@@ -102,6 +120,7 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         "std.mapping.reoriented_blend: , 1) turned = detail [* -> /] vec3(-1, -1, 1) } //",
         "std.mapping.outside_in: = (1 - abs(flat.yx)) [* -> /] choose(flat < 0, vec",
         "std.quaternions.blended: where { w = weights [* -> /] vec4(1, side_of(moti",
+        "std.distances.hexagon: oat = length(beyond) [* -> /] sign(beyond.y) where",
     ),
     "A period is the same a whole period later, and its time and phase are added.": (
         "std.mapping.flowed: t(flow_uv(uv, flow, [time, 0.5 -> 0.5, time] ) + 0.5), flow_share",
@@ -132,16 +151,16 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "Two motions are on the same side of each other.": (
         (
-            "std.quaternions.blended: otions[1]), side_of( [motions[0], motions[2] -> motions[2], "
-            "motions[0]] ), side_of(motions[0"
+            "std.quaternions.blended: otions[1]), side_of( [motions[0], motions[2] -> "
+            "motions[2], motions[0]] ), side_of(motions[0"
         ),
         (
-            "std.quaternions.blended: otions[2]), side_of( [motions[0], motions[3] -> motions[3], "
-            "motions[0]] )) } /// -1 for a mo"
+            "std.quaternions.blended: otions[2]), side_of( [motions[0], motions[3] -> "
+            "motions[3], motions[0]] )) } /// -1 for a mo"
         ),
         (
-            "std.quaternions.blended: s * vec4(1, side_of( [motions[0], motions[1] -> motions[1], "
-            "motions[0]] ), side_of(motions[0"
+            "std.quaternions.blended: s * vec4(1, side_of( [motions[0], motions[1] -> "
+            "motions[1], motions[0]] ), side_of(motions[0"
         ),
     ),
     "On a diagonal of the square both sides give the same point.": (
@@ -152,11 +171,13 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "Three turns have one sign, whichever of them the others are compared with.": (
         "std.distances.triangle: = doubled_area(a, b, [c -> p] ) inside = turn * do",
+        "std.distances.triangle: , b, p) > 0 and turn [* -> /] doubled_area(b, c, p",
+        "std.distances.triangle: b, c) inside = turn [* -> /] doubled_area(a, b, p",
     ),
     "Neither lengths nor intersections depend on an order.": (
         (
-            "std.distances.extruded: ere { beyond = vec2( [flat_distance, abs(z) - half_height -> "
-            "abs(z) - half_height, flat_distance] ) } // ---- of dista"
+            "std.distances.extruded: ere { beyond = vec2( [flat_distance, abs(z) - half_height "
+            "-> abs(z) - half_height, flat_distance] ) } // ---- of dista"
         ),
         "std.distances.revolved: ec2 = vec2(length(p. [xz -> zx] ), p.y) /// What ext",
         (
@@ -164,9 +185,28 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "ddx(away)] ))) /// The same by"
         ),
         (
-            "std.distances.smooth_difference: smooth_intersection( [a, -b -> -b, a] , k) "
-            "/// The depth o"
+            "std.distances.smooth_difference: smooth_intersection( [a, -b -> -b, a] , k) /// The "
+            "depth o"
         ),
+        (
+            "std.distances.cross_shape: nd.y) within = vec2( [extent.y - folded.x, -out -> -out, "
+            "extent.y - folded.x] ) } /// A slice of a"
+        ),
+    ),
+    "On a limit itself both sides have the same distance.": (
+        "std.distances.arc: if end.y * folded.x [> -> >=] end.x * folded.y the",
+        "std.distances.cone: d_area(foot, tip, q) [> -> >=] 0 then -edge else ed",
+        "std.distances.cone: t) -> float = if q.y [> -> >=] 0 and doubled_area(f",
+        "std.distances.cross_shape: 2) -> float = if out [> -> >=] 0 then length(max(be",
+        "std.distances.heart: 738 else if folded.x [> -> >=] folded.y then side e",
+        "std.distances.heart: folded.x + folded.y [> -> >=] 1 then distance(fold",
+        "std.distances.octahedron: > float = if 3 * q.x [< -> <=] out then beside(q, r",
+        "std.distances.octahedron: ius) else if 3 * q.y [< -> <=] out then beside(q.yz",
+        "std.distances.octahedron: ius) else if 3 * q.z [< -> <=] out then beside(q.zx",
+        "std.distances.pie: if end.y * folded.x [> -> >=] end.x * folded.y the",
+        "std.distances.star: (tip, notch, folded) [< -> <=] 0 then -edge else ed",
+        "std.distances.triangle: oubled_area(a, b, p) [> -> >=] 0 and turn * doubled",
+        "std.distances.triangle: oubled_area(b, c, p) [> -> >=] 0 and turn * doubled",
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
