@@ -25,7 +25,7 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
-from burnish.stdlib.builtins.in_library import IN_LIBRARY
+from burnish.stdlib.synonyms import SYNONYMS, Meant
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table
@@ -108,7 +108,7 @@ def builtins_page() -> str:
         lines.append(f"## {title}\n")
         for row in rows:
             lines += _builtin(row)
-    lines += [*_elsewhere(), *_in_library()]
+    lines += _elsewhere()
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -119,6 +119,11 @@ under the same name, or in this table. Messages about unknown names take their a
 too. Here `x`, `y`, `z` are floats, `n` and `m` ints, `u` and `k` uints, `v` and `w` `vec3`s, `p`
 and `q` `vec4`s, `c` a `bvec3`, `a` and `b` `mat3`s, `albedo` a texture. `fwidth(x)` is a function
 of the library.
+"""
+
+
+SYNONYMS_HEAD = """The library has other names for these functions of engines, node editors and
+collections. Styles do not count: `softLight`, `SoftLight` and `soft_light` are one name.
 """
 
 
@@ -133,6 +138,8 @@ def _elsewhere() -> Iterator[str]:
         for (written, reason), names in found.items()
     )
     yield table(("function", "here"), rows)
+    yield SYNONYMS_HEAD
+    yield table(("function", "in the library"), _synonyms())
     others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())
     yield table(("type or value", "here"), others)
     reads = ((f"`.{name}(…)`", f"`{here}`") for name, here in METHODS.items())
@@ -141,25 +148,14 @@ def _elsewhere() -> Iterator[str]:
     yield table(("statement or declaration", "here"), words)
 
 
-IN_LIBRARY_HEAD = """## Names in other systems of what the library has
-
-What articles, engines and node editors call so is in the standard library under another name.
-Messages about unknown names tell it, with the import, however the name is spelt: `sdBox`, `sd_box`
-and `SDBox` are one.
-"""
-
-
-def _in_library() -> Iterator[str]:
-    """The table of names in other systems, and the declarations of the library for them."""
-    yield IN_LIBRARY_HEAD
-    found: dict[tuple[str, str], list[str]] = {}
-    for name, meant in IN_LIBRARY.items():
-        found.setdefault((f"{meant.path}.{meant.name}", meant.advice), []).append(name)
-    rows = (
-        (codes(names), "; ".join(filter(None, (codes([here]), cell(advice)))))
-        for (here, advice), names in found.items()
-    )
-    yield table(("function", "in the library"), rows)
+def _synonyms() -> Iterator[tuple[str, str]]:
+    """The functions of other systems, by those of the library."""
+    found: dict[Meant, list[str]] = {}
+    for name, meant in SYNONYMS.items():
+        found.setdefault(meant, []).append(name)
+    for meant, names in found.items():
+        here = codes(f"{meant.path}.{each}" for each in meant.names)
+        yield codes(names), "; ".join(filter(None, (here, cell(meant.advice))))
 
 
 def _builtin(row: Builtin) -> Iterator[str]:

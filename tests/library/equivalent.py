@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from . import equivalent_shapes
+from . import equivalent_colors, equivalent_shapes
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
     "`nonzero` promises something to the compiler, and changes no value.": (
@@ -330,7 +330,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
 
 EQUIVALENT = {
     told: reason
-    for by_reason in (_BY_REASON, equivalent_shapes.BY_REASON)
+    for by_reason in (_BY_REASON, equivalent_colors.BY_REASON, equivalent_shapes.BY_REASON)
     for reason, all_told in by_reason.items()
     for told in all_told
 }

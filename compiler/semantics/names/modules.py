@@ -8,12 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
-from ...diagnostics.nearest import nearest_in, respelling, similarity
+from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
+
+if TYPE_CHECKING:
+    from ....stdlib.synonyms import Meant
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
@@ -46,8 +50,6 @@ class Offer:
     """The import path of the library file."""
     kind: str
     """The word with which it is declared, such as ``light``; empty for some rare ones."""
-    arguments: tuple[str, ...] = ()
-    """The names of a function's arguments."""
 
 
 Offers = Mapping[str, Sequence[Offer]]
@@ -92,37 +94,44 @@ class Module:
     def hint(self, name: ast.Name, known: Iterable[str], kinds: Sequence[str] = ()) -> Hint:
         """The hint for an unknown name: import it, or write the nearest known one.
 
-        A name of the library that is nearly the same may be meant, too, if it is of these kinds.
+        A name of the library that is nearly the same, or that other systems call so, may be meant,
+        too, if it is of these kinds.
         """
         offers, written = self.offers(), name.text
         if written in offers:
-            return _imported(name, written, offers[written][0].path)
-        if called := self._called_elsewhere(name, offers, kinds):
-            return called
-        fitting = {each for each, offered in offers.items() if offered[0].kind in kinds}
-        meant = _without_kind(written, fitting)
-        if meant is None:
-            if near := respelling(written, name.span, known):
-                return near
-            found = nearest_in(name.span.source, written, fitting)
-            meant = found if found and similarity(written, found) >= _ALIKE else None
-        return "" if meant is None else _imported(name, meant, offers[meant][0].path)
-
-    def _called_elsewhere(self, name: ast.Name, offers: Offers, kinds: Sequence[str]) -> Hint:
-        """The hint for a name that another system has for something of the library."""
-        from ....stdlib.builtins.in_library import in_library
-
-        meant = in_library(name.text)
-        offered = () if meant is None else offers.get(meant.name, ())
-        offer = next((each for each in offered if meant and each.path == meant.path), None)
-        if meant is None or offer is None or offer.kind not in kinds:
+            return _imports(name, [offer.path for offer in offers[written]])
+        fitting = {
+            each: offer.path
+            for each, offered in offers.items()
+            for offer in reversed(offered)
+            if offer.kind in kinds
+        }
+        near = nearest_in(name.span.source, written, known)
+        if near is None or not _is_alike(near, written):
+            meant = _said_elsewhere(written, fitting)
+            if meant is not None and _offered(meant, offers, kinds):
+                return self._meant(name, meant)
+        if near:
+            return respelt(written, name.span, near)
+        found = nearest_in(name.span.source, written, fitting)
+        if found is None or similarity(written, found) < _ALIKE:
             return ""
-        advice = f" ({meant.advice})" if meant.advice else ""
-        said = f"it is `{meant.name}({', '.join(offer.arguments)})` of the library{advice}"
-        is_seen = any(symbol.module.is_standard for symbol in self.known(meant.name))
-        on_top = None if is_seen else _import_on_top(name, meant.name, meant.path)
-        text = said if on_top is None else f"{said}: {on_top.text}"
-        return text if advice else _respelt(name, meant.name, text, on_top)
+        return _imported(name, found, fitting[found])
+
+    def _meant(self, name: ast.Name, meant: Meant) -> Hint:
+        """The hint for a name that means something of the library, or one of several."""
+        if len(meant.names) > 1:
+            choice = ", ".join(f"`{each}`" for each in meant.names)
+            return f"`{meant.path}` has {choice}: import what you need"
+        (one,) = meant.names
+        stem = meant.path.rpartition(".")[2]
+        modules = (symbol.module for symbol in self.known(one))
+        is_seen = any(each.is_standard and each.path and each.path.stem == stem for each in modules)
+        if not meant.advice:
+            seen = respelt(name.text, name.span, one)
+            return seen if is_seen else _imported(name, one, meant.path)
+        said = f"did you mean `{one}`, where {meant.advice}?"
+        return said if is_seen else f"{said} {_import_on_top(name, one, meant.path).text}"
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -132,21 +141,40 @@ class Module:
             yield from self.prelude.declared
 
 
-def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
-    """The name that a written one is without its case, ``_`` and the word ``light``.
+def _is_alike(one: str, other: str) -> bool:
+    """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
+    from ....stdlib.synonyms import folded
 
-    So are ``smoothUnion``, and ``DirectionalLight``.
+    return folded(one) == folded(other)
+
+
+def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
+    """What the library has for a name of another system; one of several names may be meant.
+
+    It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
+    ``DirectionalLight``; or is another one, as ``luma``.
     """
-    short = written.casefold().replace("_", "").removesuffix("light")
-    return next((each for each in fitting if each.casefold().replace("_", "") == short), None)
+    from ....stdlib.synonyms import BY_FOLDED, Meant, folded
+
+    plain = folded(written)
+    alike = (plain, plain.removesuffix("light"))
+    found = min((each for each in fitting if folded(each) in alike), default=None)
+    return BY_FOLDED.get(plain) if found is None else Meant(fitting[found], (found,))
 
 
-def _imported(name: ast.Name, meant: str, path: str) -> Hint:
-    """A hint to import a name of the library, and to write it if it is misspelt."""
-    on_top = _import_on_top(name, meant, path)
-    if meant == name.text:
-        return on_top
-    return _respelt(name, meant, f"did you mean `{meant}`? {on_top.text}", on_top)
+def _offered(meant: Meant, offers: Offers, kinds: Sequence[str]) -> bool:
+    """True if all that may be meant is there, and of these kinds."""
+    return all(
+        any(offer.path == meant.path and offer.kind in kinds for offer in offers.get(each, ()))
+        for each in meant.names
+    )
+
+
+def _imports(name: ast.Name, paths: Iterable[str]) -> Hint:
+    """A hint to import a name from the file of the library that has it, or from one of several."""
+    ways = [_import_on_top(name, name.text, path) for path in dict.fromkeys(paths)]
+    said = " or ".join(way.text.removeprefix("add ") for way in ways)
+    return FixIt(f"add {said}", tuple(fix for way in ways for fix in way.fixes))
 
 
 def _import_on_top(name: ast.Name, meant: str, path: str) -> FixIt:
@@ -155,12 +183,11 @@ def _import_on_top(name: ast.Name, meant: str, path: str) -> FixIt:
     return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
 
 
-def _respelt(name: ast.Name, meant: str, said: str, on_top: FixIt | None) -> Hint:
-    """A hint with the edits that write ``meant`` for ``name``, and add its import if it needs one.
-
-    There are no edits where the name is not written in the text as it is.
-    """
+def _imported(name: ast.Name, meant: str, path: str) -> Hint:
+    """A hint to write a name of the library for one that is not, and to import it."""
+    on_top = _import_on_top(name, meant, path)
+    said = f"did you mean `{meant}`? {on_top.text}"
     if name.span.text != name.text:
         return said
-    added = (Fix(()),) if on_top is None else on_top.fixes
-    return FixIt(said, tuple(Fix((*fix.edits, Edit(name.span, meant))) for fix in added))
+    respelt = Edit(name.span, meant)
+    return FixIt(said, tuple(Fix((*fix.edits, respelt)) for fix in on_top.fixes))

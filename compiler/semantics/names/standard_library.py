@@ -105,7 +105,7 @@ class StandardLibrary:
             tree = None if source is None else self._parse(source, Report())
             for declaration in () if tree is None else tree.declarations:
                 if not isinstance(declaration, ast.Import):
-                    yield declaration.name.text, _offer(path, declaration)
+                    yield declaration.name.text, Offer(path, _kind(declaration))
 
     def _linked(self, relative: str) -> Module | None:
         """A module with all its names. Library files import each other hardly deeper than once."""
@@ -133,12 +133,6 @@ class StandardLibrary:
             return None
         self._stamps[path] = _stamp(path)
         return self._read(path, self.report, f"std/{relative}")
-
-
-def _offer(path: str, declaration: ast.Declaration) -> Offer:
-    """A declaration of the library file with an import path, as messages speak of it."""
-    arguments = declaration.arguments if isinstance(declaration, ast.Function) else ()
-    return Offer(path, _kind(declaration), tuple(each.name.text for each in arguments))
 
 
 def _kind(declaration: ast.Declaration) -> str:
