@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
 MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
+STUDIO = "studio"
+"""The light from all around that is computed unless another is asked for."""
 BACKGROUND = "#1b1d21"
 """The colour behind a mesh."""
 
@@ -52,6 +54,11 @@ instances_option = click.option(
 scene_option = click.option(
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
+)  # fmt: skip
+environment_option = click.option(
+    "--environment", metavar="WHAT", default=STUDIO, show_default=True,
+    help="The light from all around: `studio`, `sky`, `none`, or the file of a panorama "
+    "(.hdr, .exr, .png …).",
 )  # fmt: skip
 mesh_option = click.option(
     "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,

@@ -18,6 +18,7 @@ from .options import (
     budget_option,
     check_device,
     device_option,
+    environment_option,
     file_argument,
     hoist_option,
     instances_option,
@@ -85,6 +86,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @budget_option
 @mesh_option
 @scene_option
+@environment_option
 @instances_option
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,

@@ -24,6 +24,7 @@ from .hosts import (
     tell_unused_lamps,
 )
 from .kernels import feed, kernels_of
+from .surroundings import surround, tell_surroundings
 
 if TYPE_CHECKING:
     from ..api.entry_points import CompiledFrame, CompiledMaterial
@@ -53,6 +54,8 @@ class RenderRequest(NamedTuple):
     mesh: str
     scene: Path | None
     """A file whose objects frames draw."""
+    environment: str
+    """The light from all around: a word or a file."""
     instances: int
     """The number of instances to draw if the material distinguishes them."""
     size: tuple[int, int]
@@ -278,8 +281,10 @@ def _set_all(
     """Set all values, also those that nobody has named; ends the command if one is missing."""
     from ..targets.runner.frames.step_draws import StepDraws
 
+    surround(hosts, request.environment)
     set_values([*hosts, *(kernel.instance for kernel in kernels)], request.values)
     singles = [each for host in hosts if is_single(host.frame) for each in host.instances]
+    tell_surroundings(hosts, request.environment, (name for name, _ in request.values))
     set_pictures(singles, request.size)
     tell_unmade(singles)
     feeding = feed(kernels, singles, dict(request.again))

@@ -14,6 +14,7 @@ from ..console import say
 from ..failures import errors_as_messages, fail, needed
 from ..options import (
     budget_option,
+    environment_option,
     hoist_option,
     instances_option,
     mesh_option,
@@ -30,6 +31,7 @@ from .request import ViewRequest
 @click.argument("file", metavar="FILE|FOLDER", type=click.Path(path_type=Path))
 @mesh_option
 @scene_option
+@environment_option
 @instances_option
 @values_option
 @budget_option

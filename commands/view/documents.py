@@ -31,6 +31,7 @@ from ..hosts import (
 )
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
+from ..surroundings import surround
 from .keeping import Keeping, Shelf
 from .pictures import Pictures, Wanted
 from .request import Choice, ViewRequest
@@ -99,6 +100,7 @@ class Documents:
         """The files besides sources that are drawn, as far as they exist."""
         named = (text.removeprefix("srgb:") for _name, text in self._request.values)
         paths = [Path(part) for text in named for part in text.split(",")]
+        paths.append(Path(self._request.environment))
         scene = self._request.scene
         return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}
 
@@ -260,6 +262,7 @@ class Documents:
         mesh = chosen.mesh or request.mesh
         host = FrameHost(frame, scenery_of(frame, mesh, request.instances, request.scene), _SIZE)
         kernels = self._kernels(host, chosen) if is_single(frame) else []
+        surround([host], request.environment)
         set_values([host, *(kernel.instance for kernel in kernels)], request.values)
         given = dict(self._give(host, chosen.pictures))
         if is_single(frame):

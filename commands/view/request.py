@@ -13,6 +13,8 @@ class ViewRequest(NamedTuple):
     """A file or a folder."""
     mesh: str
     scene: Path | None
+    environment: str
+    """The light from all around: a word or a file."""
     instances: int
     values: tuple[tuple[str, str], ...]
     material: str | None
