@@ -19,9 +19,11 @@ from .options import (
     check_device,
     device_option,
     environment_option,
+    eye_option,
     file_argument,
     hoist_option,
     instances_option,
+    look_at_option,
     mesh_option,
     native_stages_option,
     pairs,
@@ -29,6 +31,7 @@ from .options import (
     rig_option,
     scene_option,
     search_option,
+    turn_option,
     values_option,
 )
 from .subjects import EVERYTHING, LARGEST, Color, RenderRequest, Subject
@@ -75,8 +78,9 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @click.command()
 @file_argument
 @click.option(
-    "-o", "--output", metavar="PICTURE", required=True, type=click.Path(path_type=Path),
-    help="The file to write: .png, .jpg or another image format; .exr and .hdr keep the numbers.",
+    "-o", "--output", metavar="PICTURE", type=click.Path(path_type=Path),
+    help="The file to write: .png, .jpg or another image format; .exr and .hdr keep the numbers. "
+    "By default it is called like FILE, and lies in the current folder: `plastic.png`.",
 )  # fmt: skip
 @click.option(
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
@@ -87,6 +91,9 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @mesh_option
 @scene_option
 @environment_option
+@eye_option
+@look_at_option
+@turn_option
 @instances_option
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
@@ -122,7 +129,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @search_option
 @hoist_option
 @native_stages_option
-def render(**chosen: Any) -> None:
+def render(file: Path, output: Path | None, **chosen: Any) -> None:
     """Draw the materials or the frames of FILE.
 
     The reference, which needs no GPU, defines what the picture must be. Other routes draw the
@@ -165,9 +172,17 @@ def render(**chosen: Any) -> None:
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
-    request = RenderRequest(**chosen)
+    request = RenderRequest(file=file, output=output or _usual_output(file), **chosen)
     with errors_as_messages():
         _render(request)
+
+
+def _usual_output(file: Path) -> Path:
+    """The picture of a file for which the command line names none: `plastic.png`."""
+    from ..targets.runner.frames.plan_files import is_plan
+
+    stem = file.name.removesuffix("".join(file.suffixes[-2:])) if is_plan(file) else file.stem
+    return Path(f"{stem}.png")
 
 
 def _render(request: RenderRequest) -> None:

@@ -53,9 +53,13 @@ class RenderRequest(NamedTuple):
     device: str
     mesh: str
     scene: Path | None
-    """A file whose objects frames draw."""
+    """A file whose objects are drawn."""
     environment: str
     """The light from all around: a word or a file."""
+    eye: tuple[float, float, float] | None
+    look_at: tuple[float, float, float] | None
+    turn: tuple[float, float]
+    """The angles by which the camera turns, in radians: to the right and upwards."""
     instances: int
     """The number of instances to draw if the material distinguishes them."""
     size: tuple[int, int]
@@ -216,11 +220,6 @@ def _single_frames(materials: Materials, request: RenderRequest) -> Frames:
     from ..targets.runner.frames.single import single_frame
     from ..targets.runner.kernels import is_drawn, is_over_buffers
 
-    if request.scene is not None and materials:
-        raise click.UsageError(
-            f"--scene is for frames, and {request.file} declares none, such as "
-            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
-        )
     pictures = [pair for pair in materials if not is_over_buffers(pair[1].reflection)]
     drawn = [pair for pair in pictures if is_drawn(pair[1].reflection)]
     if pictures and not drawn:
@@ -266,8 +265,7 @@ def _host(frame: PlannedFrame, request: RenderRequest) -> FrameHost:
     """The frame with a scene."""
     from ..targets.runner.frames.host import FrameHost
 
-    scenery = scenery_of(frame, request.mesh, request.instances, request.scene)
-    host = FrameHost(frame, scenery, request.size)
+    host = FrameHost(frame, scenery_of(frame, request), request.size)
     tell_unused_lamps(host)
     return host
 

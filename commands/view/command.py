@@ -15,13 +15,16 @@ from ..failures import errors_as_messages, fail, needed
 from ..options import (
     budget_option,
     environment_option,
+    eye_option,
     hoist_option,
     instances_option,
+    look_at_option,
     mesh_option,
     pass_option,
     rig_option,
     scene_option,
     search_option,
+    turn_option,
     values_option,
 )
 from .request import ViewRequest
@@ -32,6 +35,9 @@ from .request import ViewRequest
 @mesh_option
 @scene_option
 @environment_option
+@eye_option
+@look_at_option
+@turn_option
 @instances_option
 @values_option
 @budget_option

@@ -260,7 +260,7 @@ class Documents:
 
         request = self._request
         mesh = chosen.mesh or request.mesh
-        host = FrameHost(frame, scenery_of(frame, mesh, request.instances, request.scene), _SIZE)
+        host = FrameHost(frame, scenery_of(frame, request, mesh), _SIZE)
         kernels = self._kernels(host, chosen) if is_single(frame) else []
         surround([host], request.environment)
         set_values([host, *(kernel.instance for kernel in kernels)], request.values)

@@ -15,6 +15,10 @@ class ViewRequest(NamedTuple):
     scene: Path | None
     environment: str
     """The light from all around: a word or a file."""
+    eye: tuple[float, float, float] | None
+    look_at: tuple[float, float, float] | None
+    turn: tuple[float, float]
+    """The angles by which the camera turns, in radians: to the right and upwards."""
     instances: int
     values: tuple[tuple[str, str], ...]
     material: str | None
