@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from .console import remark
+from .failures import drawing_errors
 from .options import point_of
 
 if TYPE_CHECKING:
@@ -58,8 +59,12 @@ class SceneRequest(Protocol):
         """The angles by which the camera turns, in radians."""
 
     @property
+    def wished(self) -> Sequence[tuple[str, str]]:
+        """The values that the comment of the file asks for, by name, as texts."""
+
+    @property
     def values(self) -> Sequence[tuple[str, str]]:
-        """Values by name, as texts."""
+        """The values of the command line, which win."""
 
 
 def scenery_of(frame: PlannedFrame, request: SceneRequest, mesh: str | None = None) -> Scenery:
@@ -73,8 +78,8 @@ def scenery_of(frame: PlannedFrame, request: SceneRequest, mesh: str | None = No
     from ..targets.runner.frames.subjects import SingleFrame
 
     mesh = mesh or request.mesh
-    viewpoint = Viewpoint(request.eye or _eye_set(frame, request.values), request.look_at,
-                          request.turn)  # fmt: skip
+    eye = request.eye or _eye_set(frame, (*request.wished, *request.values))
+    viewpoint = Viewpoint(eye, request.look_at, request.turn)
     if request.scene is None and isinstance(frame, SingleFrame):
         return _single_scenery(frame, mesh, request.instances, viewpoint)
     return _scenery_of_frame(frame, mesh, request.scene).seen_from(viewpoint)
@@ -144,6 +149,24 @@ def set_values(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[st
         if len(unknown) == len(owners):
             # The shortest message suggests a similar name; the others list all names.
             raise min(unknown, key=lambda error: len(str(error)))
+
+
+def set_wished(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[str, str]]) -> None:
+    """Set the values that a file's comment asks for, where they exist and can be set.
+
+    The comment may be about another of the file's materials, and its pictures may be elsewhere.
+    """
+    from ..targets.runner.instances.values import UnknownParameterError
+
+    for name, text in values:
+        for owner in owners:
+            try:
+                owner.set_text(name, text)
+            except UnknownParameterError:
+                continue
+            except drawing_errors() as error:
+                remark("note", f"the comment of the file sets `{name}`, and that failed: {error}")
+                break
 
 
 def set_pictures(instances: Iterable[Instance], size: tuple[int, int]) -> None:

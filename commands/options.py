@@ -100,6 +100,10 @@ def _turn(_context: click.Context, _option: click.Parameter, given: str) -> tupl
     return right, up
 
 
+plain_option = click.option(
+    "--plain", is_flag=True,
+    help="Draw with declared values only, whatever the comment of FILE asks for.",
+)  # fmt: skip
 eye_option = click.option(
     "--eye", metavar="X,Y,Z", callback=_place,
     help="The place of the camera; --set eye=X,Y,Z does the same.",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..compiler.budget import allowed, raised
+from .as_asked import named_options, wishes
 from .console import remark, say
 from .failures import errors_as_messages, fail
 from .options import (
@@ -28,6 +29,7 @@ from .options import (
     native_stages_option,
     pairs,
     pass_option,
+    plain_option,
     rig_option,
     scene_option,
     search_option,
@@ -100,6 +102,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     help="Pixels of the picture, or of each picture on a sheet.",
 )  # fmt: skip
 @values_option
+@plain_option
 @click.option(
     "--steps", metavar="N", default=1, show_default=True, type=click.IntRange(1, 100_000),
     help="The number of times that kernels run; --again passes results to the next run.",
@@ -173,8 +176,12 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
     request = RenderRequest(file=file, output=output or _usual_output(file), **chosen)
+    context = click.get_current_context()
+    wished = wishes(request, named_options(context), max(request.size), context.command)
+    if wished.note:
+        remark("note", wished.note)
     with errors_as_messages():
-        _render(request)
+        _render(request._replace(**wished.options))
 
 
 def _usual_output(file: Path) -> Path:

@@ -20,6 +20,7 @@ from .hosts import (
     scenery_of,
     set_pictures,
     set_values,
+    set_wished,
     tell_unmade,
     tell_unused_lamps,
 )
@@ -79,6 +80,10 @@ class RenderRequest(NamedTuple):
     """Buffers, and the results that replace them from step to step."""
     frames: int
     """The number of times that a frame is drawn."""
+    plain: bool
+    """True if the comment of the file has no say."""
+    wished: tuple[tuple[str, str], ...] = ()
+    """The values that the comment of the file asks for."""
 
     @property
     def draws_everything(self) -> bool:
@@ -280,9 +285,12 @@ def _set_all(
     from ..targets.runner.frames.step_draws import StepDraws
 
     surround(hosts, request.environment)
-    set_values([*hosts, *(kernel.instance for kernel in kernels)], request.values)
+    owners = [*hosts, *(kernel.instance for kernel in kernels)]
+    set_wished(owners, request.wished)
+    set_values(owners, request.values)
     singles = [each for host in hosts if is_single(host.frame) for each in host.instances]
-    tell_surroundings(hosts, request.environment, (name for name, _ in request.values))
+    tell_surroundings(hosts, request.environment,
+                      (name for name, _ in (*request.wished, *request.values)))  # fmt: skip
     set_pictures(singles, request.size)
     tell_unmade(singles)
     feeding = feed(kernels, singles, dict(request.again))

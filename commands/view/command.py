@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from ..as_asked import named_options
 from ..console import say
 from ..failures import errors_as_messages, fail, needed
 from ..options import (
@@ -21,6 +22,7 @@ from ..options import (
     look_at_option,
     mesh_option,
     pass_option,
+    plain_option,
     rig_option,
     scene_option,
     search_option,
@@ -40,6 +42,7 @@ from .request import ViewRequest
 @turn_option
 @instances_option
 @values_option
+@plain_option
 @budget_option
 @click.option(
     "--material", metavar="NAME", help="The material, kernel or frame to begin with.",
@@ -74,7 +77,7 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
-    request = ViewRequest(**chosen)
+    request = ViewRequest(**chosen, named=named_options(click.get_current_context()))
     if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
     with errors_as_messages():

@@ -26,6 +26,12 @@ class ViewRequest(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+    plain: bool
+    """True if comments of files have no say."""
+    named: frozenset[str] = frozenset()
+    """The names of the options that the command line has."""
+    wished: tuple[tuple[str, str], ...] = ()
+    """The values that the comment of the file asks for."""
 
 
 class Choice(NamedTuple):

@@ -37,6 +37,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         pass_=options.get("pass_"),
         search_path=(),
         hoist=True,
+        plain=options.get("plain", False),
     )
     keeping = Keeping()
     documents = Documents(request, file.name, Pictures(keeping), Documents.shelf(keeping))
