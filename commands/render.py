@@ -44,6 +44,8 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
+TONES = ("none", "reinhard", "aces")
+"""The words for ways to bring bright light onto a screen."""
 OF_A_PIXEL = 600
 """The approximate bytes that the reference needs for each pixel of a plain picture."""
 LARGEST_SHEET = 2**27
@@ -114,6 +116,14 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @click.option(
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="The colour behind the mesh.",
+)  # fmt: skip
+@click.option(
+    "--exposure", metavar="STOPS", default=0.0, show_default=True, type=click.FloatRange(-32, 32),
+    help="Brighten the picture; each stop doubles the light. Files of numbers keep these.",
+)  # fmt: skip
+@click.option(
+    "--tone", type=click.Choice(TONES), default=TONES[0], show_default=True,
+    help="The tone mapping that brings bright light onto a screen.",
 )  # fmt: skip
 @click.option(
     "--frames", metavar="N", default=1, show_default=True, type=click.IntRange(1, 10_000),

@@ -67,6 +67,10 @@ class RenderRequest(NamedTuple):
     values: tuple[tuple[str, str], ...]
     background: Color
     """The colour behind the mesh, in linear light."""
+    exposure: float
+    """The stops by which the picture is brightened."""
+    tone: str
+    """The name of a tone mapping."""
     target: str | None
     material: str | None
     rig: str | None

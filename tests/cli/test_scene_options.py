@@ -7,6 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from burnish.commands.render import TONES
+from burnish.targets.runner.pictures import CURVES
+
 from ..scenes.kit import triangle
 from .kit import invoke, tree
 from .test_render import draw, middle
@@ -114,3 +117,26 @@ def test_light_from_everywhere_is_the_mean_of_the_studio(tmp_path: Path) -> None
     assert middle(draw(EVERYWHERE, tmp_path)) == (148, 147, 146)
     assert middle(draw(EVERYWHERE, tmp_path, "--environment", "none")) == (89, 89, 89)
     assert middle(draw(EVERYWHERE, tmp_path, "--set", "ambient_light=0,1,0")) == (0, 255, 0)
+
+
+@pytest.mark.parametrize(
+    ("color", "options", "shown"),
+    [
+        ("vec3(0.25)", ("--exposure", 1), 188),
+        ("vec3(2)", ("--exposure", -2), 188),
+        ("vec3(2)", (), 255),
+        ("vec3(1)", ("--tone", "reinhard"), 188),
+        ("vec3(1)", ("--tone", "aces"), 232),
+        ("vec3(0.5)", ("--tone", "reinhard", "--exposure", 1), 188),
+    ],
+)
+def test_exposure_and_tone_mapping(
+    color: str, options: tuple[object, ...], shown: int, tmp_path: Path
+) -> None:
+    """188 is half of the light in sRGB; ACES at 1 is 2.54 / 3.16."""
+    found = draw(f"material Even {{ color = {color} }}", tmp_path, *options)
+    assert middle(found) == (shown, shown, shown)
+
+
+def test_the_tone_mappings_of_the_options_are_those_that_exist() -> None:
+    assert tuple(CURVES) == TONES
