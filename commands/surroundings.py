@@ -65,13 +65,12 @@ def _owners(host: FrameHost) -> Iterator[tuple[HostValues, frozenset[str]]]:
 
 
 def _surround(values: HostValues, found: Environment, taken: frozenset[str]) -> None:
-    from ..compiler.reflection.roles import scene_names
+    from ..targets.runner.scene import takes_mean_radiance
 
     for texture in _cubes(values, taken):
         values.set(texture.name, found.texture)
-    meanings = scene_names()["surroundings"]
     for row in values.declared.parameters:
-        if row.library in meanings and row.name not in taken:
+        if takes_mean_radiance(row) and row.name not in taken:
             values.set(row.name, found.mean)
 
 
