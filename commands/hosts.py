@@ -14,10 +14,12 @@ from .failures import drawing_errors
 from .options import point_of
 
 if TYPE_CHECKING:
+    from ..compiler.documents.plan import FramePlan
     from ..targets.runner.cameras import Viewpoint
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.scenery import Scenery
     from ..targets.runner.frames.subjects import PlannedFrame, SingleFrame
+    from ..targets.runner.instances.declared import Declared
     from ..targets.runner.instances.instance import Instance
 
 
@@ -92,7 +94,8 @@ def _eye_set(frame: PlannedFrame, values: Iterable[tuple[str, str]]) -> Point | 
     """
     from ..targets.runner.scene import value_roles
 
-    declared = (frame.plan, *(shader.reflection for shader in frame.shaders))
+    of_shaders = [shader.reflection for shader in frame.shaders]
+    declared: list[Declared | FramePlan] = [frame.plan, *of_shaders]
     eyes = {name for each in declared for name, role in value_roles(each).items() if role == "eye"}
     places = [point_of(text) for name, text in values if name in eyes]
     return places[-1] if places else None

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from ..api.entry_points import CompiledFrame, CompiledMaterial
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.subjects import PlannedFrame
+    from ..targets.runner.instances.instance import Instance
     from ..targets.runner.kernel_results import Kernel
     from ..targets.runner.routes import Route
 
@@ -289,7 +290,7 @@ def _set_all(
     from ..targets.runner.frames.step_draws import StepDraws
 
     surround(hosts, request.environment)
-    owners = [*hosts, *(kernel.instance for kernel in kernels)]
+    owners: list[FrameHost | Instance] = [*hosts, *(kernel.instance for kernel in kernels)]
     set_wished(owners, request.wished)
     set_values(owners, request.values)
     singles = [each for host in hosts if is_single(host.frame) for each in host.instances]

@@ -43,6 +43,7 @@ from .uploads import MOST_BYTES
 if TYPE_CHECKING:
     from ...targets.runner.frames.host import FrameHost
     from ...targets.runner.frames.subjects import FrameSubject
+    from ...targets.runner.instances.instance import Instance
     from ...targets.runner.kernel_results import Kernel
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
@@ -279,7 +280,7 @@ class Documents:
         host = FrameHost(frame, scenery_of(frame, request, mesh), _SIZE)
         kernels = self._kernels(host, chosen) if is_single(frame) else []
         surround([host], request.environment)
-        owners = [host, *(kernel.instance for kernel in kernels)]
+        owners: list[FrameHost | Instance] = [host, *(kernel.instance for kernel in kernels)]
         set_wished(owners, request.wished)
         set_values(owners, request.values)
         given = dict(self._give(host, chosen.pictures))
