@@ -68,11 +68,12 @@ def wishes(request: Request, named: frozenset[str], size: int, command: click.Co
 
     Pictures have ``size`` pixels on a side. ``command`` is ``burnish render``.
     """
-    if request.plain or request.scene is not None:
-        return Wishes({}, "")
     file = request.file
+    source = "" if request.plain or request.scene is not None else _beginning(file)
+    if not source:
+        return Wishes({}, "")
     root = file.parent.resolve()
-    found = asked(_beginning(file), file.name, root, size, command)
+    found = asked(source, file.name, root, size, command)
     left_out = {*named, "values"} | (_CHOOSING if named & _CHOOSING else set())
     options = {name: value for name, value in found.options.items() if name not in left_out}
     given = {name for name, _text in request.values}
