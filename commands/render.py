@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..compiler.budget import allowed, raised
-from .as_asked import named_options, wishes
 from .console import remark, say
 from .failures import errors_as_messages, fail
 from .options import (
@@ -149,7 +148,9 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
     emitted shaders with real compilers and drivers. Pictures of several materials, frames, outputs,
     rigs or routes are put side by side on a sheet.
 
-    The command sets up a scene with a camera and lights; --set changes it. Values are written as
+    The command sets up a scene with a camera, lights and a studio around them; --set changes it. If
+    the first comment of FILE has a command that draws it, its options hold here, too, unless this
+    command line has them. Values are written as
 
     \b
         power=32                     a number; also 40deg, true
@@ -168,8 +169,8 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
 
     A file that declares frames shows their outputs: pictures of the whole frame, with a model of
     each material. For frames that evolve, --frames draws several: as numbered pictures, or as one
-    that moves if the output ends in .gif or .webp. With --scene, a frame draws the objects of
-    a glTF file, each with the material that is called as in that file, or with the only one. Its
+    that moves if the output ends in .gif or .webp. With --scene, the objects of a glTF file
+    are drawn, each with the material that is called as in that file, or with the only one. Its
     numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
     rig, and its first camera sees it all.
 
@@ -185,6 +186,8 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
+    from .as_asked import named_options, wishes
+
     request = RenderRequest(file=file, output=output or _usual_output(file), **chosen)
     context = click.get_current_context()
     wished = wishes(request, named_options(context), max(request.size), context.command)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..compiler.documents.drawing import TextureRow
 from .console import remark
 from .options import STUDIO
 
@@ -76,6 +75,8 @@ def _surround(values: HostValues, found: Environment, taken: frozenset[str]) -> 
 
 def _cubes(values: HostValues, taken: frozenset[str]) -> Iterator[TextureDeclaration]:
     """The cube maps of colours that a shader reads and the host binds, and no step of a light."""
+    from ..compiler.documents.drawing import TextureRow
+
     for row in values.declared.textures:
         is_light = (row.dimension, row.sample, row.intent) == ("cube", "float", "color")
         is_missing = isinstance(row, TextureRow) and (row.brought or not row.stages)

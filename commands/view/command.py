@@ -10,7 +10,6 @@ from typing import Any
 
 import click
 
-from ..as_asked import named_options
 from ..console import say
 from ..failures import errors_as_messages, fail, needed
 from ..options import (
@@ -77,6 +76,8 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
+    from ..as_asked import named_options
+
     request = ViewRequest(**chosen, named=named_options(click.get_current_context()))
     if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
