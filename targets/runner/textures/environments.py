@@ -33,7 +33,7 @@ NOTHING = "none"
 
 
 class Environment(NamedTuple):
-    """Light from all directions."""
+    """The radiance from all directions."""
 
     name: str
     """The word or the file that asked for it."""
