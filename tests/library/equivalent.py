@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from . import equivalent_cellular, equivalent_colors
+from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
+    **OF_REFLECTANCES,
     "`nonzero` promises something to the compiler, and changes no value.": (
         (
             "std.lights.Point: ce : vector<world> = [nonzero(place - position) -> (place - "
