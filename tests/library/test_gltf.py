@@ -232,7 +232,7 @@ def test_colours_of_vertices_multiply_the_base() -> None:
 
 
 def everywhere(base: Floats, metallic: float) -> Floats:
-    """The share of even light that is mirrored at a right angle, and what is scattered of the rest."""
+    """What is mirrored of even light at a right angle, and what is scattered of the rest."""
     mirrored = 0.04 * (1 - metallic) + metallic * base
     return np.asarray(mirrored + (1 - mirrored) * base * (1 - metallic))
 
