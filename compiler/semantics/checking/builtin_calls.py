@@ -9,9 +9,10 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.operations import OF_GROUPS
-from ...ir.types import FLOAT
+from ...ir.types import FLOAT, INT, VEC3
 from ...syntax import ast
 from ...syntax.quoting import shortened
+from ..hints.color_bytes import warn_of_bytes
 from ..hints.cosines import OF_COSINES, warn_of_length
 from ..state.context import Context
 from ..state.scope import Failure, Scope
@@ -19,6 +20,12 @@ from ..types import overloads
 from ..types.coercion import coerce
 from .combinations import checked
 from .operands import no_signature
+
+_NUMBER_AT = {"clamp": 0, "smoothstep": 1, "mix": 0, "sin": 0, "cos": 0, "tan": 0}
+"""The rows of ``argument_order.CHECKED``, and the argument that is a number if the order is wrong.
+
+That module is loaded for such calls only.
+"""
 
 
 def builtin_call(
@@ -37,17 +44,23 @@ def builtin_call(
     found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
     if found is None:
         return no_signature(ctx, name, operands, span, shown, written)
-    fitted = []
+    fitted: list[Node] = []
     for operand, type_ in zip(operands, found.operands, strict=True):
         # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
         lane = coerce(ctx.tree, operand, type_, broadcast=True)
         if lane is None:  # A negative literal is no `uint`.
             return no_signature(ctx, name, operands, span, shown, written)
+        if lane.type == VEC3 and operand.type == INT and written:
+            warn_of_bytes(ctx, written[len(fitted)].span)
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
     ctx.progress.joins_groups |= name in OF_GROUPS
     if name in OF_COSINES:
         warn_of_length(ctx, node, span)
+    if name in _NUMBER_AT and written and isinstance(written[_NUMBER_AT[name]], ast.Number):
+        from ..hints.argument_order import warn_of_order
+
+        warn_of_order(ctx, name, operands, span, written)
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:
         error = ctx.report.finding(

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ....support.frozen import fresh, frozen, record
-from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
+from ...diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ...diagnostics.nearest import nearest_in, respelling, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
@@ -100,6 +100,21 @@ class Module:
             meant = found if found and similarity(written, found) >= _ALIKE else None
         return "" if meant is None else _imported(name, meant, offers[meant].path)
 
+    def instead(self, name: ast.Name, meant: Sequence[str]) -> Hint:
+        """The hint for a name that other systems have for something of the library.
+
+        ``meant`` are the names here, the likeliest first; empty if the library has none of them.
+        """
+        offers = self.offers()
+        known = [each for each in meant if self.known(each) or each in offers]
+        if not known:
+            return ""
+        said = f"did you mean {' or '.join(f'`{each}`' for each in known)}?"
+        first = known[0]
+        if self.known(first):
+            return fix_it(said, (name.span, first)) if name.span.text == name.text else said
+        return _imported(name, first, offers[first].path, said)
+
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
         yield from self.declared
@@ -114,13 +129,16 @@ def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
     return next((each for each in fitting if each.casefold() == short), None)
 
 
-def _imported(name: ast.Name, meant: str, path: str) -> Hint:
-    """A hint to import a name of the library, and to write it if it is misspelt."""
+def _imported(name: ast.Name, meant: str, path: str, asked: str = "") -> Hint:
+    """A hint to import a name of the library, and to write it if it is misspelt.
+
+    ``asked`` is the question in front, where several names may be meant.
+    """
     declaration = f"import {path}.{{{meant}}}"
     on_top = inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
     if meant == name.text:
         return on_top
-    said = f"did you mean `{meant}`? {on_top.text}"
+    said = f"{asked or f'did you mean `{meant}`?'} {on_top.text}"
     respelt = Edit(name.span, meant)
     if name.span.text != name.text:
         return said
