@@ -1,6 +1,6 @@
 """What hints say with names of the library, of which the compiler itself knows none.
 
-They are told to who writes a slot, a term or a value of the host as other systems have it.
+They are told to who writes a slot, an operator or a value of the host as other systems have it.
 """
 
 from __future__ import annotations
@@ -93,19 +93,6 @@ HOSTED: Mapping[str, str] = MappingProxyType(
     }
 )  # fmt: skip
 """Values that hosts of other languages set by themselves, and the parameter for such a value."""
-
-TERMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {
-        **dict.fromkeys(("diffuse", "diffusebrdf", "diffusebsdf", "lambertian", "lambertdiffuse"),
-                        ("lambert",)),
-        **dict.fromkeys(("specular", "specularbrdf", "glossy", "highlight", "phongspecular"),
-                        ("phong", "blinn_phong")),
-        **dict.fromkeys(("blinn", "blinnphongspecular"), ("blinn_phong",)),
-        **dict.fromkeys(("ambientlight",), ("ambient",)),
-    }
-)  # fmt: skip
-"""What lighting is called elsewhere, in small letters and without underscores, and the terms of the
-library that are it, the likeliest first."""
 
 CHAINED: Mapping[str, str] = MappingProxyType(
     {

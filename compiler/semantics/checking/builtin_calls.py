@@ -12,20 +12,14 @@ from ...ir.operations import OF_GROUPS
 from ...ir.types import FLOAT, INT, VEC3
 from ...syntax import ast
 from ...syntax.quoting import shortened
-from ..hints.color_bytes import warn_of_bytes
 from ..hints.cosines import OF_COSINES, warn_of_length
+from ..hints.meant_numbers import CHECKED, warn_of_bytes, warn_of_order
 from ..state.context import Context
 from ..state.scope import Failure, Scope
 from ..types import overloads
 from ..types.coercion import coerce
 from .combinations import checked
 from .operands import no_signature
-
-_NUMBER_AT = {"clamp": 0, "smoothstep": 1, "mix": 0, "sin": 0, "cos": 0, "tan": 0}
-"""The rows of ``argument_order.CHECKED``, and the argument that is a number if the order is wrong.
-
-That module is loaded for such calls only.
-"""
 
 
 def builtin_call(
@@ -57,9 +51,7 @@ def builtin_call(
     ctx.progress.joins_groups |= name in OF_GROUPS
     if name in OF_COSINES:
         warn_of_length(ctx, node, span)
-    if name in _NUMBER_AT and written and isinstance(written[_NUMBER_AT[name]], ast.Number):
-        from ..hints.argument_order import warn_of_order
-
+    if name in CHECKED:
         warn_of_order(ctx, name, operands, span, written)
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:

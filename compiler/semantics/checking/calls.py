@@ -223,7 +223,7 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
             hint = FixIt(said, (Fix((alone,)), Fix((product,))))
         ctx.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
-    if hint := _elsewhere(name, e, scope) or _term(name, e, scope):
+    if hint := _elsewhere(name, e, scope):
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     unknown_here(ctx, "function", name, span, _callables(scope), scope.module)
@@ -257,15 +257,6 @@ def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
     return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
-
-
-def _term(name: str, e: ast.Call, scope: Scope) -> Hint:
-    """The hint for lighting that other systems have under another name than the library."""
-    from ....stdlib.builtins.foreign_words import TERMS
-
-    meant = TERMS.get(name.replace("_", "").casefold(), ())
-    assert e.callee is not None
-    return scope.module.instead(ast.Name(name, e.callee.span), meant) if meant else ""
 
 
 _SAME = r"(\w+)\((\w+(?:, \w+)*)\)"

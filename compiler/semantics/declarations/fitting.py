@@ -9,7 +9,7 @@ from ...ir.node import Node
 from ...ir.types import Type, scalar_kind
 from ...syntax import ast
 from ..hints import advice
-from ..hints.color_bytes import warn_of_bytes
+from ..hints.meant_numbers import warn_of_bytes
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope

@@ -1,23 +1,49 @@
-"""Warns of calls of builtins whose arguments have the types, and are not what is meant.
+"""Warns of numbers that have the types that are wanted, and do not say what is meant.
 
-``clamp(0, 1, x)`` is written for ``clamp(x, 0, 1)``, and ``sin(90)`` for ``sin(90deg)``: the type
-rules cannot object, as all of these are numbers.
+A colour is written as its bytes, ``0xff8000`` or ``rgb(255, 128, 0)``, which mean amounts of light,
+of which a screen shows the largest as white. ``clamp(0, 1, x)`` is written for ``clamp(x, 0, 1)``,
+and ``sin(90)`` for ``sin(90deg)``. The type rules cannot object to any of it.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from math import tau
 from types import MappingProxyType
 
 from ...diagnostics import rules
-from ...diagnostics.fixes import fix_it
+from ...diagnostics.fixes import fix_it, write
 from ...diagnostics.source import Span
 from ...ir.meaning import COLORS
 from ...ir.node import Node
 from ...syntax import ast
 from ...syntax.quoting import shortened
 from ..state.context import Context
+
+_HEX = re.compile(r"0[xX]([0-9a-fA-F]{6})")
+_LANES = re.compile(r"(?:rgb|vec3)\(\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*\)")
+_BRIGHT = 128
+"""The least whole number that is taken for a byte, if all lanes are such numbers: lights may well
+be a hundred times as bright as white."""
+
+
+def warn_of_bytes(ctx: Context, span: Span) -> None:
+    """Warn if what is written where a colour is wanted is nothing but its bytes."""
+    if found := _HEX.fullmatch(span.text):
+        _warn(ctx, span, found[1])
+    elif found := _LANES.fullmatch(span.text):
+        lanes = [int(text) for text in found.groups()]
+        if _BRIGHT <= max(lanes) <= 255:
+            _warn(ctx, span, "".join(f"{lane:02x}" for lane in lanes))
+
+
+def _warn(ctx: Context, span: Span, digits: str) -> None:
+    hint = write(span, f"#{digits}")
+    ctx.report.add(rules.BYTES_OF_COLOR, span, written=span.text, hint=hint)
+
+
+# --- arguments ---------------------------------------------------------------------------------
 
 Written = Sequence[ast.Expression]
 _STEP, _LEAST, _MOST = 5, 10, 720
