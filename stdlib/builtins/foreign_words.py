@@ -75,6 +75,22 @@ SLOTS: Mapping[str, Mapping[str, str]] = MappingProxyType(
 )
 """The words of other systems for each kind of record; a pass may have any slot of the surface."""
 
+_COLORS = ("diffuse_color", "peak")
+OF_LAMPS: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        **dict.fromkeys(("position", "pos", "location", "origin", "translation"), ("place",)),
+        **dict.fromkeys(("direction", "dir", "target", "forward", "aim"), ("direction", "axis")),
+        **dict.fromkeys(("color", "colour", "intensity", "brightness", "power", "strength"),
+                        _COLORS),
+        **dict.fromkeys(("angle", "cone", "coneangle", "spotangle", "cutoff", "outerangle"),
+                        ("outer",)),
+        **dict.fromkeys(("innerangle", "penumbra", "innercone"), ("inner",)),
+        **dict.fromkeys(("range", "radius", "distance"), ("reach", "farthest")),
+    }
+)  # fmt: skip
+"""Words of other systems for the parameters of a light, folded likewise, and the names here, of
+which the first that a light has is meant."""
+
 _TIME = "time : float per frame = 0"
 _RESOLUTION = "resolution : vec2 per view = vec2(512, 512)"
 _MOUSE = "mouse : vec2 per frame = vec2(0, 0)"
