@@ -43,7 +43,7 @@ class EquationAdvice(TokenView):
             return ""
         if name.text in DECLARATIONS:
             return ""
-        if name.text == "return":
+        if name.text == "return" and self.value_end(index) > index + 1:
             value, end = self.quoted(index, self.value_end(index)), self.value_end(index)
             said = f"there are no statements: a surface shows its slot, `color = {value}`"
             return self.replace(said, start, end - 1, f"color = {self.written(index, end)}")
