@@ -20,8 +20,8 @@ _ASSIGNED = frozenset(("is", "be"))
 """Words that stand for ``=`` where somebody writes as they speak."""
 _SURFACES = frozenset(("shader", "Shader", "surface", "class", "Material", "shader_type"))
 """Words that other languages declare a surface with."""
-_TEXTURES = frozenset(("texture", "sampler", "image", "tex", "map"))
-"""Words that other languages declare a texture with, and the one of Burnish."""
+_TEXTURES = frozenset(("texture", "image", "tex"))
+"""Words that other languages declare a texture with."""
 _LITERALS: Mapping[str, str] = MappingProxyType(
     {"NUMBER": "float", "COLOR": "rgb", "true": "bool", "false": "bool"}
 )
