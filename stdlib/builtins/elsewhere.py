@@ -344,7 +344,7 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             "like",
         ),
         **dict.fromkeys(
-            ("IN", "In", "OUT", "input", "output", "vin", "varyings", "attributes"),
+            ("IN", "In", "OUT", "input", "vin", "varyings", "attributes"),
             "the inputs of a surface are read by their names alone: `uv`, `normal`, `position`",
         ),
         **dict.fromkeys(
