@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from .equivalent_lights import OF_LIGHTS
 from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
+    **OF_LIGHTS,
     **OF_REFLECTANCES,
     "`nonzero` promises something to the compiler, and changes no value.": (
         (
