@@ -12,6 +12,16 @@ OF_LIGHTS: Mapping[str, Sequence[str]] = {
     "An edge from a corner to itself has no arc.": (
         ("std.area_lights.polygon_light: vec3(0)) for i in 0 [ -> - 1] ..N : with_edge(edge"),
     ),
+    "An edge of which nothing is above the horizon has no length where it crosses it.": (
+        (
+            "std.area_lights.with_edge: dges( edges.arcs + ( [if is_down and ends_… "
+            "crossing else last) -> (arc(if is_down then…crossing else last))] ), if "
+            "ends_down and"
+        ),
+    ),
+    "Both sides of the choice are the same at its border, but for a millionth.": (
+        ("std.area_lights.angle_over_sine: -> float = if cosine [>= -> >] 0 then sharp_over_si"),
+    ),
     "What is made positive has no sign.": (
         ("std.area_lights.with_edge: < 0 crossing = abs( [dot -> -dot] (up, first)) * last"),
         ("std.area_lights.with_edge: irst)) * last + abs( [dot -> -dot] (up, last)) * first"),

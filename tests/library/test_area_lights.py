@@ -82,15 +82,27 @@ def mirrored(width: float, to_eye: Floats, steps: int = 300) -> tuple[Floats, Fl
 # --- polygons ------------------------------------------------------------------------------------
 
 
-@truth("std.area_lights.arc")
+@truth(
+    "std.area_lights.arc", "std.area_lights.angle_over_sine", "std.area_lights.sharp_over_sine"
+)  # fmt: skip
 def test_an_arc_turns_around_its_axis() -> None:
     first, last = directions(1), directions(2)
     axes = np.cross(first, last)
     angles = np.arccos(np.clip(dots(first, last), -1, 1)) / np.linalg.norm(axes, axis=1)
     lengths = numbers(0.5, 3, 3)[:, None]
     found = values(MODULE, "arc(a, b)", "vec3", a=singles(first * lengths), b=last)
-    assert np.allclose(found, axes * angles[:, None], rtol=1e-4)
+    assert np.allclose(found, axes * angles[:, None], rtol=2e-6, atol=1e-6)
     assert not values(MODULE, "arc(a, 2 * a)", "vec3", a=[[0.0, 0.0, 3.0]]).any()
+
+
+@truth("std.area_lights.angle_over_sine", "std.area_lights.sharp_over_sine")
+def test_an_angle_over_its_sine() -> None:
+    cosine = numbers(-0.999, 0.999, 6)
+    found = values(MODULE, "angle_over_sine(c)", c=cosine)
+    assert np.allclose(found, np.arccos(cosine) / np.sqrt(1 - cosine**2), rtol=2e-6)
+    assert values(MODULE, "angle_over_sine(c)", c=[1.0, 0.0]) == pytest.approx(
+        [1, np.pi / 2], rel=2e-6
+    )
 
 
 PANELS = {
