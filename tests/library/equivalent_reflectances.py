@@ -84,6 +84,15 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "Light and eye may be exchanged.": (
         (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, "
+            "[saturate(dot(normal,…dot(normal, to_eye)) -> saturate(dot(normal,…al, "
+            "light.to_light))] ) + light.specular *"
+        ),
+        (
+            "std.hair.marschner: 0.1), tilt, strand, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] )"
+        ),
+        (
             "std.reflectances.oren_nayar_reflectance: * max(aside(normal, [to_light, to_eye -> "
             "to_eye, to_light] ), 0) / max(nl, nv))"
         ),
@@ -187,6 +196,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "`pow` of a negative number is 0 anyway.": (
         (
+            "std.microfacets.ashikhmin_reflectance: owers.y + 1)) * pow( [saturate(half.z) -> "
+            "(half.z)] , power) / (8 * pi *"
+        ),
+        (
             "std.reflectances.minnaert_reflectance: 1) / (2 * pi) * pow( [saturate(dot(normal, "
             "to_light)) -> (dot(normal, to_light))] * saturate(dot(norma"
         ),
@@ -200,6 +213,10 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
         ),
     ),
     "The length of a cross product is the same the other way round.": (
+        (
+            "std.reflectances.hair: ffuse * strand_matt( [strand, light.to_light -> "
+            "light.to_light, strand] ) + tint * light.spe"
+        ),
         (
             "std.reflectances.strand_matt: loat = length(cross( [strand, to_light -> to_light, "
             "strand] )) /// Mirrored by a"
@@ -251,6 +268,81 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "A square is not negative.": (
         "std.microfacets.square_length: (v: vec3) -> float = [dot(v, v) -> abs(dot(v, v))] ",
+    ),
+    "A vector is as long in any order of its lanes.": (
+        (
+            "std.microfacets.ggx: (square_length(vec3( [half.xy / widths, half.z -> half.z, "
+            "half.xy / widths] )))) /// (P. Beckman"
+        ),
+        (
+            "std.microfacets.beckmann: -square_length(vec3( [half.xy / (widths * half.z), 0 -> "
+            "0, half.xy / (widths * half.z)] ))) / (pi * widths.x"
+        ),
+        (
+            "std.microfacets.ggx_lambda: = 0.5 * length(vec3( [widths * direction.xy / "
+            "direction.z, 1 -> 1, widths * direction.xy / direction.z] )) - 0.5 /// Hidden"
+        ),
+        (
+            "std.microfacets.beckmann_lambda: ion.z / length(vec3( [widths * direction.xy, 0 -> "
+            "0, widths * direction.xy] ))) fn lambda_of_slo"
+        ),
+        (
+            "std.microfacets.ggx_visibility: z, 0) * length(vec3( [widths * to_eye.xy, to_eye.z "
+            "-> to_eye.z, widths * to_eye.xy] )) + max(to_eye.z, 0"
+        ),
+        (
+            "std.microfacets.ggx_visibility: z, 0) * length(vec3( [widths * to_light.xy, "
+            "to_light.z -> to_light.z, widths * to_light.xy] ))) /// Of Beckmann'"
+        ),
+    ),
+    "Powers and squares are not negative.": (
+        (
+            "std.microfacets.ashikhmin_reflectance: light, half) power = [dot(powers, half.xy * "
+            "half.xy) -> abs(dot(powers, half.xy * half.xy))] / (half.x * half.x +"
+        ),
+    ),
+    "A bell is the same on both sides of its middle.": (
+        (
+            "std.hair.strand_scattering: ec3 ) -> rgb = cone( [sines, -2 * tilt -> -2 * tilt, "
+            "sines] , width) * strand_mi"
+        ),
+        (
+            "std.hair.strand_scattering: ht, to_eye)) + cone( [sines, tilt -> tilt, sines] , 0.5 "
+            "* width) * str"
+        ),
+        (
+            "std.hair.strand_scattering: turn, slant) + cone( [sines, 4 * tilt -> 4 * tilt, "
+            "sines] , 2 * width) * stran"
+        ),
+    ),
+    "The middle one of three numbers is the same in any order.": (
+        (
+            "std.iridescence.iridescent_fresnel: nside) both = clamp( [outer * below, 1e-5 -> "
+            "1e-5, outer * below] , 0.9999) root = sqr"
+        ),
+    ),
+    "Where nearly all light is mirrored by the film, nothing enters it.": (
+        (
+            "std.iridescence.iridescent_fresnel: outer * below, 1e-5, [0.9999 -> 1.249875] ) "
+            "root = sqrt(both)"
+        ),
+    ),
+    "A whole turn changes no wave.": (
+        "std.iridescence.iridescent_fresnel: a period. turn = pi [+ -> -] choose(base < index,",
+    ),
+    "Light from behind counts nothing: its share is 0.": (
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate -> abs] "
+            "(dot(normal, light.t"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, [saturate(dot(normal, "
+            "light.to_light)) -> (dot(normal, light.to_light))] , saturate(dot(norma"
+        ),
+        (
+            "std.reflectances.ashikhmin_shirley: lbedo, f0, saturate( [dot(normal, "
+            "light.to_light) -> abs(dot(normal, light.to_light))] ), saturate(dot(norm"
+        ),
     ),
 }
 """The reasons, each with the changes as ``Change.told`` says them."""

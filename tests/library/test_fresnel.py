@@ -122,7 +122,7 @@ def test_metals_by_their_colours() -> None:
     assert np.allclose(index, high + TINTS * (low - high), rtol=1e-9)
     given = {"f0": SHARES, "n": index}
     extinction = values(MODULE, "metal_extinction(f0, n)", "vec3", **given)
-    assert np.allclose(of_metal(index, extinction, np.float64(1)), SHARES, atol=1e-6)
+    assert np.allclose(of_metal(index, extinction, np.ones((1, 1))), SHARES, atol=1e-6)
 
 
 def of_film(film: Array, ior: Array, thickness: Array, length: Array, cosine: Array) -> Array:
@@ -148,8 +148,7 @@ def test_thin_films() -> None:
         MODULE, "thin_film(film, ior, thickness, lengths, lh)", "vec3", film=film, ior=ior,
         thickness=thickness, lengths=lengths, lh=COSINES,
     )  # fmt: skip
-    wide_ones = [wide(each) for each in (film, ior, thickness)]
-    wanted = of_film(*wide_ones, lengths, wide(COSINES))
+    wanted = of_film(wide(film), wide(ior), wide(thickness), lengths, wide(COSINES))
     assert np.allclose(found, wanted, rtol=1e-7)
 
 

@@ -11,7 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .kit import NORMAL_IN_WORLD, TO_EYE, Floats, close, lanes, shown, unit
+from .kit import (
+    NORMAL_IN_WORLD,
+    POSITION_IN_WORLD,
+    TO_EYE,
+    Floats,
+    close,
+    lanes,
+    of,
+    shown,
+    unit,
+    written,
+)
 from .many import values
 from .truth import truth
 
@@ -50,7 +61,7 @@ def about(wanted: Any) -> Any:
 
 
 def received(to_light: Floats) -> float:
-    return float(np.pi * max(NORMAL_IN_WORLD @ to_light, 0))
+    return float(np.pi * max(float(NORMAL_IN_WORLD @ to_light), 0))
 
 
 def agree(term: str, color: Floats, reflectance: str) -> None:
@@ -94,7 +105,9 @@ def test_frostbite() -> None:
 
 @truth("std.reflectances.subsurface_matt")
 def test_subsurface() -> None:
-    agree(f"subsurface_matt({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)")
+    agree(
+        f"subsurface_matt({ALBEDO}, 0.5)", MATT, f"subsurface_reflectance({ALBEDO}, 0.5, n, l, e)"
+    )
 
 
 @truth("std.reflectances.minnaert")
@@ -183,7 +196,7 @@ def test_hair() -> None:
 def test_toon() -> None:
     """In thirds of the cosine: none, half and all of the light."""
     for to_light in (*LIGHTS, unit((0.9, 0.3, -0.5))):
-        cosine = max(NORMAL_IN_WORLD @ to_light, 0)
+        cosine = max(float(NORMAL_IN_WORLD @ to_light), 0)
         wanted = min(np.floor(3 * cosine), 2) / 2
         assert lit(f"toon({ALBEDO}, 3)", to_light) == close(COLOR * MATT * wanted)
 
@@ -201,3 +214,25 @@ def test_a_white_matt_surface_that_faces_a_light_shows_its_colour() -> None:
     """The unit of lights, which `std.terms.lambert` shares."""
     found = lit("eon(rgb(1, 1, 1), 0)", NORMAL_IN_WORLD)
     assert found == close(MATT)
+
+
+@truth("std.reflectances.on_axes")
+@pytest.mark.parametrize("arrow", [BEFORE, BEHIND])
+def test_a_direction_in_the_axes_of_the_surface(arrow: Floats) -> None:
+    """Before the surface and behind it."""
+    towards = f"(normalize({written(arrow, 'vector<world>')}) as direction<world>)"
+    found = of(f"on_axes({towards}, {AXES})", "M", "import std.reflectances.{on_axes}")
+    assert found == close(np.stack([ALONG, ACROSS, NORMAL_IN_WORLD]) @ arrow)
+
+
+@truth("std.reflectances.ashikhmin_shirley")
+def test_the_back_of_a_varnished_surface_scatters_nothing() -> None:
+    behind = POSITION_IN_WORLD - NORMAL_IN_WORLD + 0.3 * ALONG
+    found = shown(
+        "import std.reflectances\nimport std.lights.{Directional}\nrig R { lamp : Directional }\n"
+        f"material M {{ color = ashikhmin_shirley({ALBEDO}, {TINT}, vec2(3, 9), {AXES}) }}",
+        eye=lanes(behind),
+        **{"lamp.direction": lanes(-BEFORE), "lamp.diffuse_color": lanes(MATT),
+           "lamp.specular_color": (0.0, 0.0, 0.0)},
+    )  # fmt: skip
+    assert found == close((0, 0, 0))
