@@ -92,7 +92,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         ),
         (
             "std.lights.FocusedSpot: to_light)), focus) / [dot(to_place, to_place) -> "
-            "abs(dot(to_place, to_place))] }"
+            "abs(dot(to_place, to_place))] } /// The sky above"
         ),
         (
             "std.tessellation.between: t(edge, both) / max( [dot(edge, edge) -> abs(dot(edge, "

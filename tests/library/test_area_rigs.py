@@ -140,6 +140,22 @@ def test_surfaces_inside_of_a_light() -> None:
         assert 0.9 < found[0] < 1.02
 
 
+@truth("std.area_lights.Tube")
+def test_a_tube_close_by_is_seen_wider_than_it_is() -> None:
+    """Up to where rays touch it."""
+    text = (
+        "import std.area_lights\nimport std.terms.{lambert}\nrig R { lamp : Tube }\n"
+        "material M { color = lambert(vec3(1)) }"
+    )
+    given = {"place": lanes(POSITION_IN_WORLD + NORMAL_IN_WORLD), "along": lanes(SIDE),
+             "size": 2.0, "radius": 0.9}  # fmt: skip
+    half = 0.9 / np.sqrt(1 - 0.9**2)
+    hits = panel_hits(False, NORMAL_IN_WORLD, SIDE, half * AHEAD)
+    wanted = arriving(hits, NORMAL_IN_WORLD) @ NORMAL_IN_WORLD
+    found = shown(text, **{f"lamp.{name}": value for name, value in given.items()})
+    assert found == pytest.approx([wanted] * 3, abs=2e-3)
+
+
 @truth("std.area_lights.area_cook_torrance", "std.area_lights.AreaLight")
 @pytest.mark.parametrize("name", ["panel", "ball"])
 def test_highlights_have_the_shape_of_a_light(name: str) -> None:
