@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from burnish import PictureError, Texture
+from burnish.targets.runner.textures.files import picture_given
 from burnish.targets.runner.textures.photometric import read_candelas
 
 HEADER = "IESNA:LM-63-2002\n[MANUFAC] someone\nTILT=NONE\n"
@@ -119,3 +120,8 @@ def test_textures_are_made_of_such_files(tmp_path: Path) -> None:
     assert (texture.width, texture.height) == (361, 181)
     first = np.frombuffer(texture.levels[0], np.float32)
     assert first.reshape(181, 361, -1)[:2, 0, 0] == pytest.approx([100, 100 - 50 / 90])
+
+
+def test_bytes_that_a_page_sends_are_read_by_the_name_of_their_file() -> None:
+    found = picture_given(lamp(), "lamp.ies", "2d", "float")
+    assert (found == table(lamp())).all()
