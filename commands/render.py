@@ -135,7 +135,8 @@ def render(**chosen: Any) -> None:
         torch.axis=0,-1,0            a part of a light, or of a structure
         lamps.count=2                how many lights of an array are switched on
         'lamps[0].place=0,2,1'       a part of one light of an array
-        albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
+        albedo=bricks.png            a texture: of colours or of numbers, as it is declared;
+                                     srgb:bricks.png or linear:bricks.png says it here
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
         sky=panorama.hdr             or a cube of one picture of all directions, in floats
         lamps=lamps.json             the elements of a buffer

@@ -19,6 +19,7 @@ from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
 from ...compiler.documents.writing import to_json
+from ...targets.runner.textures.kinds import without_prefix
 from ..console import remark, say, show
 from ..failures import drawing_errors
 from ..hosts import (
@@ -97,7 +98,7 @@ class Documents:
     @property
     def others(self) -> set[Path]:
         """The files besides sources that are drawn, as far as they exist."""
-        named = (text.removeprefix("srgb:") for _name, text in self._request.values)
+        named = (without_prefix(text) for _name, text in self._request.values)
         paths = [Path(part) for text in named for part in text.split(",")]
         scene = self._request.scene
         return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}

@@ -113,6 +113,11 @@ def test_what_becomes_a_colour_is_one(members: str, intent: str) -> None:
     assert row.intent == intent
 
 
+def test_a_default_says_that_a_map_holds_normals() -> None:
+    (row,) = reflection("texture2d = flat_normal", "t(uv).rgb").textures
+    assert row.intent == "data"
+
+
 def test_functions_hand_colours_on() -> None:
     source = """
         fn twice(t: texture2d, uv: vec2) -> vec4 = t(uv) + t(uv * 2)
@@ -133,6 +138,48 @@ def test_a_declaration_has_the_last_word(intent: str) -> None:
     (row,), (sampler,) = found.textures, found.samplers
     assert row.intent == intent
     assert to_json(sampler.state) == {**STATES["texture2d"], "wrap": "clamp-to-edge"}
+
+
+def test_a_map_that_holds_colours_says_so() -> None:
+    for type_ in ("texture2d", "texture2d_array", "texture3d", "texture_cube"):
+        for content in ("rgb", "rgba"):
+            (row,) = reflection(f"{type_} of {content}", "vec3(0)").textures
+            assert (row.type, row.intent) == (type_, "color")
+
+
+def test_texels_of_a_map_that_holds_colours_are_colours() -> None:
+    """They are no vectors, and what is gathered or counted of them is no colour."""
+    with pytest.raises(burnish.CompileError, match="expected vector<world>, found rgb"):
+        reflection("texture2d of rgb", "vec3((t(uv).rgb as vector<world>))")
+    with pytest.raises(burnish.CompileError, match="`rgb` and `normal<world>`"):
+        reflection("texture2d of rgb", "t.load(ivec2(0)).rgb * normal")
+    for numbers in ("t.gather(uv, 0).xyz", "vec3(vec2(t.size()), 0)", "vec3(t(uv).xyz)"):
+        reflection("texture2d of rgb", f"vec3(({numbers} as vector<world>))")
+
+
+def test_functions_take_maps_that_hold_colours() -> None:
+    """What a function reads of a ``texture2d`` are bare numbers, which fit everywhere."""
+    source = """
+        fn twice(t: texture2d, uv: vec2) -> vec4 = t(uv) + t(uv * 2)
+        fn once<T: textures>(t: T) -> vec4 = t.load(ivec2(0))
+        material M {
+            map paint : texture2d of rgb
+            map plain : texture2d
+            color = (twice(paint, uv).rgb + once(paint).rgb) * plain(uv).r
+        }
+    """
+    (material,) = burnish.compile(source, ("wgsl",))
+    found = {row.name: row.intent for row in material.reflection.textures}
+    assert found == {"paint": "color", "plain": "data"}
+
+
+def test_the_words_of_a_map_do_not_change_its_text() -> None:
+    def text(declared: str) -> str:
+        source = f"material M {{ map t : {declared}  color = t(uv).rgb }}"
+        (material,) = burnish.compile(source, ("wgsl",))
+        return material["wgsl"].fragment
+
+    assert text("texture2d of rgb") == text("texture2d") == text("texture2d of rgba")
 
 
 def test_a_kernel_says_what_it_reads() -> None:
@@ -174,3 +221,9 @@ def test_only_textures_of_colours_have_an_intent() -> None:
         reflection("depth2d", "vec3(t(uv, 0.5))", "with { intent = data }")
     with pytest.raises(burnish.CompileError, match="unknown value for `intent` `colour`"):
         reflection("texture2d", "t(uv).rgb", "with { intent = colour }")
+    with pytest.raises(burnish.CompileError, match="`of rgb` does not apply to `depth2d`"):
+        reflection("depth2d of rgb", "vec3(t(uv, 0.5))")
+    with pytest.raises(burnish.CompileError, match="`intent` does not apply to `texture2d of rgb`"):
+        reflection("texture2d of rgb", "t(uv).rgb", "with { intent = data }")
+    with pytest.raises(burnish.CompileError, match="unknown content of a texture `srgb`"):
+        reflection("texture2d of srgb", "t(uv).rgb")

@@ -149,7 +149,8 @@ SETTING_WITHOUT_USE = error(
     "B0352",
     "`{name}` does not apply to `{type}`",
     "Cubes do not wrap, only depths are compared, depths are read at level 0, and whole numbers "
-    "are not filtered. Depths and whole numbers are always data.",
+    "are not filtered. Depths and whole numbers are always data, and a texture `of rgb` is always "
+    "colours.",
 )
 MEMBER_COUNT = error(
     "B0380",

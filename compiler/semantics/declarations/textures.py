@@ -10,6 +10,8 @@ from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
 from ...ir import default_textures
 from ...ir.leaves import Texture
+from ...ir.meaning import COLORS as COLOR_MEANINGS
+from ...ir.meaning import RGBA
 from ...ir.shader import TextureInfo
 from ...ir.types import Array, Intent, TextureType
 from ...syntax import ast
@@ -98,15 +100,44 @@ def texture_of(
         default = member.default.text
         if default not in kind.defaults:
             unknown_word(ctx, "texture default", member.default, kind.defaults)
-    said = _settings(ctx, member, kind, declared.text)
-    written = said.pop("intent", None)
+    holds_colors = _says_colors(ctx, member, kind, declared.text)
+    words, text = kind.words, declared.text
+    if holds_colors:
+        assert member.content is not None
+        words, text = kind.settings, f"{text} of {member.content.text}"
+    said = _settings(ctx, member, words, text)
+    written = "color" if holds_colors else said.pop("intent", None)
     intent = next((each for each in kind.intents if each == written), None)
     state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
-    found = Texture(name, declared.type, group, owner, default, tuple(sorted(state.items())))
+    found = Texture(
+        name, declared.type, group, owner, default, tuple(sorted(state.items())),
+        RGBA if holds_colors else None,
+    )  # fmt: skip
     is_brought = member.brought is not None
     return TextureInfo(
         found, declared.text, member.doc, member.name.span, is_brought=is_brought, intent=intent
     )
+
+
+def _says_colors(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> bool:
+    """True for a ``map`` that holds colours by its declaration: ``texture2d of rgb``.
+
+    Reports anything else that is written behind ``of``.
+    """
+    if member.content is None:
+        return False
+    if not kind.intents:
+        name = f"of {member.content.text}"
+        ctx.report.add(rules.SETTING_WITHOUT_USE, member.content.span, name=name, type=type_)
+    elif member.content.text not in COLOR_MEANINGS:
+        ctx.report.add(
+            rules.UNKNOWN_NAME, member.content.span, kind="content of a texture",
+            name=member.content.text,
+            hint="colours are `of rgb`; without `of`, texels are colours if they become some",
+        )  # fmt: skip
+    else:
+        return True
+    return False
 
 
 def _check_bringer(ctx: Context, definition: Definition) -> None:
@@ -121,18 +152,21 @@ def _check_bringer(ctx: Context, definition: Definition) -> None:
         )  # fmt: skip
 
 
-def _settings(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> dict[str, str]:
-    """The settings that a declaration says; wrong ones have been reported, and are left out."""
+def _settings(ctx: Context, member: ast.Texture, words: Settings, type_: str) -> dict[str, str]:
+    """The settings that a declaration says, of those that textures of its type have, ``words``.
+
+    Wrong ones have been reported, and are left out.
+    """
     check_once(ctx.report, (key for key, _ in member.state))
     said: dict[str, str] = {}
     known = {**COLORS.words, **DEPTHS.words}
     for key, value in member.state:
-        if key.text not in known and kind.words:
-            unknown_word(ctx, "texture setting", key, kind.words)
-        elif key.text not in kind.words:
+        if key.text not in known and words:
+            unknown_word(ctx, "texture setting", key, words)
+        elif key.text not in words:
             ctx.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
-        elif value.text not in kind.words[key.text]:
-            unknown_word(ctx, f"value for `{key.text}`", value, kind.words[key.text])
+        elif value.text not in words[key.text]:
+            unknown_word(ctx, f"value for `{key.text}`", value, words[key.text])
         else:
             said[key.text] = value.text
     return said
