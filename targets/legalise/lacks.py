@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence, Set
 
 from ...compiler.ir.blending import REPLACES
+from ...compiler.ir.leaves import Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
@@ -20,6 +21,7 @@ from ...support.frozen import frozen
 from ..description.capabilities import (
     BLENDED_APART,
     BLENDED_FLOATS,
+    BORDERS,
     CAPTURED_NUMBERS,
     CAPTURES,
     COMPARED_AND_LOADED,
@@ -129,14 +131,23 @@ def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
         builtins = {read.builtin for read in program.reads if read.texture == texture}
         feature = feature_of_texture(texture_type(texture), profile)
         yield Lack(feature, node, needed_for=_way_of_comparing(builtins))
+    bordered = set() if BORDERS.is_met(profile) else _bordered(program)
     for read in program.reads:
         if read.texture in absent:
             continue
         if read.builtin in profile.cannot:
             yield Lack(feature_of_builtin(read.builtin), read.node)
+        if read.texture in bordered:
+            bordered.remove(read.texture)
+            yield Lack(BORDERS.feature, read.node)
         compared = _is_depth(read) and read.texture in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _bordered(program: Program) -> set[Texture]:
+    """The textures that samplers read which give them a border."""
+    return {texture for texture in program.sampled if "border" in dict(texture.state)}
 
 
 def _way_of_comparing(builtins: Set[str]) -> Capability | None:

@@ -210,6 +210,9 @@ PROBES: Mapping[str, Probe] = {
     "comparing and loading": Probe(
         "material M { map d : depth2d  color = vec3(d(uv, 0.5), d.load(ivec2(0)), uv.x) }"
     ),
+    "borders": Probe(
+        "material M { map t : texture2d with { wrap = border }  color = t(3 * uv - 1).rgb }"
+    ),
     "integers of 32 bits": Probe("material M { color = vec3(uv, float(int(9 * uv.x) & 3)) }"),
     "vertex inputs of integers": Probe(
         "material M { attribute bone : int  color = @vertex vec3(uv, float(bone)) }"

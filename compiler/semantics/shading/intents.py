@@ -46,10 +46,8 @@ def with_intents(
 
 
 def _may_hold_colors(info: TextureInfo) -> bool:
-    """True for textures of floats that do not say what they hold, nor by their default."""
     type_ = info.leaf.type
-    is_open = info.intent is None and info.leaf.default != "flat_normal"
-    return is_open and isinstance(type_, TextureType) and type_.sample == "float"
+    return info.intent is None and isinstance(type_, TextureType) and type_.sample == "float"
 
 
 def _read_for(meanings: Meanings, roots: Iterable[Node]) -> frozenset[Texture]:

@@ -149,8 +149,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=RECORD_KINDS,
         inheritance="overridden",
         contribution="leaf",
-        form="a texture is `map name : texture2d of rgb per group = white with { filter = nearest }`, "
-        "where everything after the type is optional",
+        form="a texture is `map name : texture2d of rgb per group = white with { filter = "
+        "nearest }`, where everything after the type is optional",
         doc="a texture that the host binds, with its sampler",
         has_default=True,
     ),
