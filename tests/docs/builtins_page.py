@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
+from burnish.compiler.library import FOLDER, standard_library
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -25,6 +26,7 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.stdlib.synonyms import SYNONYMS
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table
@@ -121,6 +123,11 @@ of the library.
 """
 
 
+SYNONYMS_HEAD = """The library has other names for these functions of engines, node editors and
+collections. Styles do not count: `softLight`, `SoftLight` and `soft_light` are one name.
+"""
+
+
 def _elsewhere() -> Iterator[str]:
     """The tables of names in other languages, and what to write for them."""
     yield ELSEWHERE_HEAD
@@ -132,12 +139,24 @@ def _elsewhere() -> Iterator[str]:
         for (written, reason), names in found.items()
     )
     yield table(("function", "here"), rows)
+    yield SYNONYMS_HEAD
+    yield table(("function", "in the library"), _synonyms())
     others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())
     yield table(("type or value", "here"), others)
     reads = ((f"`.{name}(…)`", f"`{here}`") for name, here in METHODS.items())
     yield table(("read of a texture", "here"), reads)
     words = ((f"`{name}`", cell(here)) for name, here in KEYWORDS.items())
     yield table(("statement or declaration", "here"), words)
+
+
+def _synonyms() -> Iterator[tuple[str, str]]:
+    """The functions of other systems, by those of the library."""
+    offers = standard_library(FOLDER).offers()
+    found: dict[tuple[str, ...], list[str]] = {}
+    for name, meant in SYNONYMS.items():
+        found.setdefault(meant, []).append(name)
+    for meant, names in found.items():
+        yield codes(names), codes(f"{offers[each].path}.{each}" for each in meant)
 
 
 def _builtin(row: Builtin) -> Iterator[str]:

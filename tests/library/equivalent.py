@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from . import equivalent_colors
+
 _BY_REASON: Mapping[str, Sequence[str]] = {
     "`nonzero` promises something to the compiler, and changes no value.": (
         (
@@ -326,5 +328,10 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
 }
 """The reasons, each with the changes as ``Change.told`` says them."""
 
-EQUIVALENT = {told: reason for reason, all_told in _BY_REASON.items() for told in all_told}
+EQUIVALENT = {
+    told: reason
+    for by_reason in (_BY_REASON, equivalent_colors.BY_REASON)
+    for reason, all_told in by_reason.items()
+    for told in all_told
+}
 """The changes, each with the reason."""

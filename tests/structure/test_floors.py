@@ -46,7 +46,7 @@ FLOORS: dict[str, str] = {
     "compiler.reference": "frozen stdlib budget diagnostics ir formula",
     "compiler.semantics.work": "frozen",
     "compiler.semantics.types": "frozen stdlib diagnostics syntax ir",
-    "compiler.semantics.names": "frozen locks diagnostics syntax types",
+    "compiler.semantics.names": "frozen locks stdlib diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
     "compiler.library": "locks stdlib precomputed diagnostics syntax names library_trees",
     "compiler.semantics.inheritance": "frozen diagnostics syntax work names",

@@ -80,7 +80,7 @@ NOT_FOR_ALL = (
     "compiler.passes.lower_tessellation", "compiler.planning", "compiler.reference.picture",
     "compiler.reflection.plan", "compiler.semantics.frames.", "stdlib.builtins.elsewhere",
     "compiler.semantics.shading.kernels.kernel", "targets.conformance", "targets.emit.strips",
-    "targets.runner", "targets.toolchain", "targets.web_host",
+    "stdlib.synonyms", "targets.runner", "targets.toolchain", "targets.web_host",
 )  # fmt: skip
 """The beginnings of the names of modules that are for frames, kernels, expansion, mistakes and so
 on, and of those that are for other commands."""

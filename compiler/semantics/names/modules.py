@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
-from ...diagnostics.nearest import nearest_in, respelling, similarity
+from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
@@ -86,19 +86,28 @@ class Module:
     def hint(self, name: ast.Name, known: Iterable[str], kinds: Sequence[str] = ()) -> Hint:
         """The hint for an unknown name: import it, or write the nearest known one.
 
-        A name of the library that is nearly the same may be meant, too, if it is of these kinds.
+        A name of the library that is nearly the same, or that other systems call so, may be meant,
+        too, if it is of these kinds.
         """
         offers, written = self.offers(), name.text
         if written in offers:
             return _imported(name, written, offers[written].path)
-        fitting = {each for each, offer in offers.items() if offer.kind in kinds}
-        meant = _without_kind(written, fitting)
-        if meant is None:
-            if near := respelling(written, name.span, known):
-                return near
-            found = nearest_in(name.span.source, written, fitting)
-            meant = found if found and similarity(written, found) >= _ALIKE else None
-        return "" if meant is None else _imported(name, meant, offers[meant].path)
+        fitting = {each: offer.path for each, offer in offers.items() if offer.kind in kinds}
+        near = nearest_in(name.span.source, written, known)
+        meant = () if near and _is_alike(near, written) else _said_elsewhere(written, fitting)
+        if len(meant) > 1:
+            choice = ", ".join(f"`{each}`" for each in meant)
+            return f"`{fitting[meant[0]]}` has {choice}: import what you need"
+        if meant:
+            if self.known(meant[0]):
+                return respelt(written, name.span, meant[0])
+            return _imported(name, meant[0], fitting[meant[0]])
+        if near:
+            return respelt(written, name.span, near)
+        found = nearest_in(name.span.source, written, fitting)
+        if found is None or similarity(written, found) < _ALIKE:
+            return ""
+        return _imported(name, found, fitting[found])
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -108,10 +117,26 @@ class Module:
             yield from self.prelude.declared
 
 
-def _without_kind(written: str, fitting: Iterable[str]) -> str | None:
-    """The name that a written one has beside the word ``light``, as in ``DirectionalLight``."""
-    short = written.casefold().replace("_", "").removesuffix("light")
-    return next((each for each in fitting if each.casefold() == short), None)
+def _is_alike(one: str, other: str) -> bool:
+    """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
+    from ....stdlib.synonyms import folded
+
+    return folded(one) == folded(other)
+
+
+def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> tuple[str, ...]:
+    """The names of the library for one that another system has, of which each may be meant.
+
+    It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
+    ``DirectionalLight``; or is another one, as ``luma``.
+    """
+    from ....stdlib.synonyms import BY_FOLDED, folded
+
+    plain = folded(written)
+    alike = (plain, plain.removesuffix("light"))
+    found = tuple(sorted(each for each in fitting if folded(each) in alike))[:1]
+    others = BY_FOLDED.get(plain, ())
+    return found or (others if all(each in fitting for each in others) else ())
 
 
 def _imported(name: ast.Name, meant: str, path: str) -> Hint:

@@ -1,0 +1,59 @@
+"""Functions of other systems lead to those of the library that do the same."""
+
+from __future__ import annotations
+
+import pytest
+
+import burnish
+from burnish.compiler import library
+from burnish.compiler.semantics.names.modules import Offer
+from burnish.stdlib.builtins import BUILTINS
+from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
+from burnish.stdlib.synonyms import BY_FOLDED, SYNONYMS, folded
+
+OFFERS: dict[str, Offer] = dict(library.standard_library(library.FOLDER).offers())
+
+
+@pytest.mark.parametrize("name", SYNONYMS)
+def test_what_is_meant_is_declared_in_one_file(name: str) -> None:
+    offered = [OFFERS[meant] for meant in SYNONYMS[name]]
+    assert {offer.kind for offer in offered} <= {"fn", "term"}
+    assert len({offer.path for offer in offered}) == 1
+
+
+def test_names_that_are_known_need_no_row() -> None:
+    assert {folded(name) for name in OFFERS} & BY_FOLDED.keys() == set()
+    for elsewhere in (BUILTINS, FUNCTIONS, KEYWORDS, TYPES):
+        assert elsewhere.keys() & SYNONYMS.keys() == set()
+    assert len(BY_FOLDED) == len(SYNONYMS), "two rows are the same name in two styles"
+
+
+@pytest.mark.parametrize(
+    ("head", "call", "hint"),
+    [
+        ("", "luma(#fff)", "did you mean `luminance`? add `import std.color.{luminance}`"),
+        ("import std.color", "luma(#fff)", "did you mean `luminance`?"),
+        ("", "blendSoftLight(#fff, #000)", "did you mean `soft_light`? add `import std.blending."),
+        ("", "cubicInOut(0.3)", "did you mean `ease_in_out_cubic`? add `import std.easing."),
+        ("", "ToneMapping(#fff)", "`std.tone_mapping` has `aces`, `agx`, "),
+        ("import std.easing", "ease_in(0.3)", "`std.easing` has `ease_in_sine`, "),
+    ],
+)
+def test_a_synonym_is_told(head: str, call: str, hint: str) -> None:
+    (found,) = burnish.check(f"{head}\nmaterial M {{ color = vec3({call}) }}")
+    assert str(found.hint if isinstance(found.hint, str) else found.hint.text).startswith(hint)
+
+
+@pytest.mark.parametrize("head", ["", "import std.blending"])
+def test_another_style_is_told_whatever_is_imported(head: str) -> None:
+    """Another name that is imported, `linear_dodge`, is nearly the same as what is written."""
+    (found,) = burnish.check(f"{head}\nmaterial M {{ color = linearToSRGB(#fff) }}")
+    assert "`linear_to_srgb`? add `import std.color.{linear_to_srgb}`" in str(found.hint)
+    (found,) = burnish.check(f"{head}\nmaterial M {{ color = softLight(#fff, #000) }}")
+    assert ("add `import" in str(found.hint)) == (not head)
+
+
+def test_an_own_function_in_another_style_is_meant_first() -> None:
+    text = "fn tone_map(c: rgb) -> rgb = c / (1 + c)\nmaterial M { color = toneMap(#fff) }"
+    (found,) = burnish.check(text)
+    assert "did you mean `tone_map`?" in str(found.hint)
