@@ -51,6 +51,7 @@ _WORDS: Mapping[str, str] = MappingProxyType(
         "msaa": "samples", "multisample": "samples", "sample_count": "samples",
         "cull_mode": "cull", "cullmode": "cull", "front_face": "front", "frontface": "front",
         "polygon_mode": "fill", "fill_mode": "fill",
+        "fragdepth": "value", "frag_depth": "value", "sv_depth": "value",
         "depth_write": "write", "depthwriteenabled": "write", "depthcompare": "compare",
         "depthbias": "bias", "depthbiasslopescale": "slope_bias", "depthbiasclamp": "bias_clamp",
         "zfail": "depth_fail", "depthfailop": "depth_fail", "failop": "fail", "zpass": "pass",

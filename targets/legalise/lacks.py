@@ -14,7 +14,7 @@ from ...compiler.ir.leaves import Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
-from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
+from ...compiler.ir.stages import CAPTURE, CONTROL, FRAGMENT_DEPTH, GEOMETRY, TARGET
 from ...compiler.ir.types import TextureType
 from ...compiler.ir.walks import visible
 from ...support.frozen import frozen
@@ -31,6 +31,7 @@ from ..description.capabilities import (
     GATHERED_COMPARISONS,
     INSTANCES,
     NUMBERED_CAPTURES,
+    OWN_DEPTHS,
     SEPARATE_SAMPLERS,
     SEVERAL_TARGETS,
     SOME_BLENDED,
@@ -88,6 +89,8 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         return
     if program.shader.render_state.fill == "lines" and not EDGES.is_met(profile):
         yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
+    if (own := program.results_of(FRAGMENT_DEPTH)) and not OWN_DEPTHS.is_met(profile):
+        yield Lack(OWN_DEPTHS.feature, own[0].value.id)
     yield from _of_targets(program, profile)
     if captured is None or STREAM_OUTPUT.is_met(profile):
         values = features_of_values(program, profile)

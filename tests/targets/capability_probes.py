@@ -90,6 +90,11 @@ PROBES: Mapping[str, Probe] = {
         map paint : texture2d
         color = paint(uv).rgb + vec3(ddx(uv.x), ddy(uv.y), 0)
     }"""),
+    "depths of fragments": Probe(
+        "material M { color = vec3(uv, 0) }"
+        " pass Own : Forward { depth { value = frag_coord.z + 0.1 * material.uv.x } }",
+        options={"pass_": "Own"},
+    ),
     "expansions": Probe(
         EXPANSION.format("triangle", step=1),
         native={"native_stages": True},
