@@ -98,6 +98,70 @@ _ROWS: tuple[Iterator[tuple[str, tuple[str, ...]]], ...] = (
         _called(f"ease_{way}_sine ease_{way}_cubic ease_{way}_quint", f"ease_{way}")
         for way in ("in", "out", "in_out")
     ),
+    # ---- std.hashes and std.noise
+    _called("pcg", "pcghash hashpcg wanghash"),
+    _called("xxhash32", "xxhash"),
+    _called(
+        "white_noise",
+        "hash hash1 hash11 hash12 hash13 hash14 hash21 rand random random1d noise1d "
+        "whitenoise2d whitenoise3d randomrange",
+    ),
+    _called("random2", "hash2 hash22"),
+    _called("random3", "hash3 hash33"),
+    _called("random4", "hash4 hash44"),
+    _called("cell_noise", "cellnoise1 cellnoise2d cellnoise3d"),
+    _called("value_noise", "vnoise valuenoise2d valuenoise3d simplenoise"),
+    _called(
+        "gradient_noise",
+        "noise noise1 noise2 noise3 noise4 noise2d noise3d perlin perlin2d perlin3d "
+        "perlinnoise perlinnoise2d perlinnoise3d cnoise gnoise classicnoise inoise mxnoise "
+        "mxnoisefloat unoise",
+    ),
+    _called("gradient_noise_derivatives", "noised"),
+    _called("tiling_gradient_noise", "pnoise periodicnoise tilingnoise"),
+    _called(
+        "simplex_noise",
+        "snoise simplex simplex2d simplex3d simplexnoise2d simplexnoise3d opensimplex opensimplex2",
+    ),
+    _called("simplex_noise_derivatives", "srnoise psrnoise srdnoise psrdnoise"),
+    _called(
+        "fbm",
+        "fbm2 fbm3 fbm2d fbm3d fbmnoise fractal fractal2d fractal3d fractalnoise fractalsum "
+        "octavenoise fractalbrownianmotion musgrave mxfractalnoise mxfractalnoisefloat",
+    ),
+    _called("turbulence", "turbulencenoise turb billow"),
+    _called("ridged", "ridgednoise ridgednoise2d ridgedfbm ridgedmf ridgedmultifractal"),
+    _called("domain_warp", "warp domainwarping warpnoise warpeddomain"),
+    _called("curl_noise", "curl curl2d curl3d curlnoise2d curlnoise3d"),
+    # ---- std.cellular
+    _called("voronoi", "voronoi2d voronoi3d voronoinoise voronoitexture"),
+    _called(
+        "worley_noise",
+        "worley worley2d worley3d worleynoise2d worleynoise3d cellular cellular2d "
+        "cellular3d cellularnoise",
+    ),
+    _called("smooth_worley_noise", "smoothvoronoi smoothworley voronoise"),
+    _called("voronoi_edge", "voronoiedges voronoiborder voronoiborders voronoidistance"),
+    # ---- std.patterns
+    _called(
+        "checker",
+        "checkers checkerboard chequer chequerboard checkertexture checkerpattern",
+    ),
+    _called("stripes", "stripe"),
+    _called("grid", "gridlines gridpattern filteredgrid"),
+    _called("bricks", "brick brickpattern bricktexture"),
+    _called("hexagons", "hex hexgrid hextile hextiles hexagongrid honeycomb"),
+    _called("dots", "polkadot polkadots"),
+    _called("truchet_lines", "truchettile truchettiles truchetpattern"),
+    _called("footprint", "filterwidth"),
+    _called("pulse_train", "filteredpulsetrain"),
+    _called("twirled", "twirl swirl"),
+    # ---- std.masks
+    _called("height_blend", "heightlerp heightmix"),
+    _called("slope_angle", "steepness"),
+    _called("mean_curvature", "curvature"),
+    _called("cavity_mask", "cavity"),
+    _called("edge_mask", "edgewear"),
 )
 SYNONYMS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {name: meant for row in _ROWS for name, meant in row}

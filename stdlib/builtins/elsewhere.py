@@ -3,6 +3,8 @@
 Every function of GLSL 4.50 and ES 3.00 (chapter 8), of HLSL (the list of intrinsics) and of WGSL
 (chapter "Built-in Functions") either is a builtin with the same name, or is in this table. The
 hints for unknown names and docs/builtins.md are made from it.
+
+What other systems have, and the library has under another name, is in ``library_names.py``.
 """
 
 from __future__ import annotations
@@ -160,10 +162,6 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
     _same("CheckAccessFullyMapped", reason="textures are there as a whole"),
     # ---- not offered
     _same("clip", reason="a pass says `discard when x < 0`"),
-    _same(
-        "noise noise1 noise2 noise3 noise4",
-        reason="no two devices agreed about it; write one, as `examples/shared/noise.burnish` does",
-    ),
     _same("ftransform", reason="`clip_position` is a slot like any other"),
     _same("packDouble2x32 unpackDouble2x32 asdouble umulExtended imulExtended", reason=_WIDE),
     _same(

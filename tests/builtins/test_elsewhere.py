@@ -12,6 +12,7 @@ from burnish.compiler.semantics.checking.calls import NOT_CALLED
 from burnish.compiler.semantics.types.typenames import NAMED
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
+from burnish.stdlib.synonyms import SYNONYMS
 
 LANGUAGES = ("glsl", "hlsl", "wgsl")
 OF_THE_LANGUAGE = {"mod", "not"}
@@ -32,7 +33,8 @@ def names(language: str) -> list[str]:
 def test_every_function_is_accounted_for(language: str) -> None:
     listed = names(language)
     assert len(listed) > 100
-    assert [n for n in listed if n not in CALLED | OF_THE_LANGUAGE | FUNCTIONS.keys()] == []
+    known = CALLED | OF_THE_LANGUAGE | FUNCTIONS.keys() | SYNONYMS.keys()
+    assert [name for name in listed if name not in known] == []
 
 
 def test_what_is_here_is_not_elsewhere() -> None:
@@ -83,6 +85,9 @@ def test_what_is_written_instead_compiles() -> None:
         ("color = vec3(isnan(uv.x))", "no value is infinite or NaN"),
         ("a : float3 = normal", "it is `vec3` here"),
         ("color = float3(uv, 0)", "it is `vec3` here"),
+        ("color = vec3(snoise(uv))", "did you mean `simplex_noise`? add `import std.noise."),
+        ("color = curlNoise(position)", "did you mean `curl_noise`? add `import std.noise."),
+        ("color = vec3(fbm(uv, 4))", "add `import std.noise.{fbm}`"),
         ("a = gl_FragCoord.x", "it is `frag_coord` here"),
         ("a = viewDir", "it is `to_eye` here"),
         ("a = lightDir", "it is `light.to_light` here"),

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from . import equivalent_colors
+from . import equivalent_cellular, equivalent_colors
+from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
+    **OF_REFLECTANCES,
     "`nonzero` promises something to the compiler, and changes no value.": (
         (
             "std.lights.Point: ce : vector<world> = [nonzero(place - position) -> (place - "
@@ -59,6 +61,26 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "A vector's product with itself is not negative.": (
         (
+            "std.masks.curvature_of_changes: ec3) -> float = (l * [dot(down, down) -> "
+            "abs(dot(down, down))] - m * dot(across, do"
+        ),
+        (
+            "std.masks.curvature_of_changes: (across, down) + n * [dot(across, across) -> "
+            "abs(dot(across, across))] ) / (2 * dot(area, a"
+        ),
+        (
+            "std.masks.curvature_of_changes: oss, across)) / (2 * [dot(area, area) -> "
+            "abs(dot(area, area))] ) where { area = cro"
+        ),
+        (
+            "std.patterns.hexagons: ond) * half is_one = [dot(one, one) -> abs(dot(one, one))] < "
+            "dot(two, two) cell"
+        ),
+        (
+            "std.patterns.hexagons: ne = dot(one, one) < [dot(two, two) -> abs(dot(two, two))] "
+            "cell = if is_one the"
+        ),
+        (
             "std.gltf.PunctualPoint: hen 1 - squared(min( [dot(to_place, to_place) -> "
             "abs(dot(to_place, to_place))] / max(squared(reach)"
         ),
@@ -73,6 +95,16 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.tessellation.between: t(edge, both) / max( [dot(edge, edge) -> abs(dot(edge, "
             "edge))] , 1e-12) } // ---- p"
+        ),
+    ),
+    "The order of two vectors does not count for an angle, nor for the length of their product.": (
+        (
+            "std.masks.slope_mask: , high, slope_angle( [normal, up -> up, normal] )) /// How bent "
+            "a su"
+        ),
+        (
+            "std.masks.curvature_of_changes: here { area = cross( [across, down -> down, across] ) "
+            "l = dot(bent_acros"
         ),
     ),
     "The order of lanes does not count for a length.": (
@@ -321,6 +353,21 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         "std.tessellation.BezierPatches: ition + ( sum j in 0 [ -> - 1] ..4 : bernstein(at.y",
         "std.tessellation.BezierPatches: ition) ), sum j in 0 [ -> - 1] ..4 : bernstein_slop",
     ),
+    "A train of pulses has the period 1.": (
+        "std.patterns.bricks: .y - 0.25 * mortar.y [- -> +] 0.5, duty, 0.5 * wid",
+    ),
+    "The factor is 0 or 1, and what is divided by 0 is 0.": (
+        "std.patterns.bricks: = vec2(p.x - offset [* -> /] float(row & 1), p.y)",
+    ),
+    "A vector is as long as one with the same lanes in another order, also seen from (1, 1).": (
+        (
+            "std.patterns.truchet: if turned then vec2( [1 - fract(p.x), fract(p.y) -> "
+            "fract(p.y), 1 - fract(p.x)] ) else fract(p) } //"
+        ),
+    ),
+    "Of 2^24 numbers only one is exactly a half.": (
+        "std.patterns.truchet: te_noise(cell_of(p)) [< -> <=] 0.5 at = if turned t",
+    ),
     "What is straight ahead of the eye is neither beside nor above it.": (
         "std.transforms.look_at: c4(-dot(right, vec3( [eye -> target] )), -dot(above, vec3",
         "std.transforms.look_at: ), -dot(above, vec3( [eye -> target] )), -dot(back, vec3(",
@@ -330,7 +377,11 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
 
 EQUIVALENT = {
     told: reason
-    for by_reason in (_BY_REASON, equivalent_colors.BY_REASON)
+    for by_reason in (
+        _BY_REASON,
+        equivalent_cellular.BY_REASON,
+        equivalent_colors.BY_REASON,
+    )
     for reason, all_told in by_reason.items()
     for told in all_told
 }

@@ -54,7 +54,8 @@ def middle(light: str, pass_: str = "Forward", **values: Any) -> list[float]:
 def reflected(base: float, metallic: float, roughness: float, angle: float) -> float:
     """The light that the model reflects straight back to the viewer, of a white light at an angle.
 
-    This is appendix B of the specification, with its factors under their names there.
+    This is appendix B of the specification, with its factors under their names there. The light
+    has an irradiance of pi, as all lights that are 1 have.
     """
     alpha = roughness**2
     f0 = 0.04 * (1 - metallic) + base * metallic
@@ -69,7 +70,7 @@ def reflected(base: float, metallic: float, roughness: float, angle: float) -> f
     shadowing = visible(n_dot_l) * visible(n_dot_v)
     specular = fresnel * distribution * shadowing / (4 * n_dot_l * n_dot_v)
     diffuse = (1 - fresnel) * base * (1 - metallic) / math.pi
-    return (diffuse + specular) * n_dot_l
+    return math.pi * (diffuse + specular) * n_dot_l
 
 
 @truth(
@@ -246,7 +247,8 @@ def shaded(
         return 1 / (cosine + math.sqrt(alpha**2 + (1 - alpha**2) * cosine**2))
 
     specular = fresnel * distribution * visible(n_dot_l) * visible(n_dot_v)
-    return np.asarray(((1 - fresnel) * base * (1 - metallic) / math.pi + specular) * n_dot_l)
+    found = (1 - fresnel) * base * (1 - metallic) / math.pi + specular
+    return np.asarray(math.pi * found * n_dot_l)
 
 
 BASE = np.array((0.8, 0.5, 0.2))

@@ -20,6 +20,7 @@ struct MaterialDerived {
     materialderived_pad_1: f32,
     materialderived_pad_2: f32,
     color_product_2: vec3f,
+    share_difference: vec3f,
 }
 
 @group(1) @binding(0) var<uniform> rig: Rig;
@@ -39,10 +40,11 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     // Zero stays zero.
     let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     let mirrored = reflect(-to_eye, normal);
-    let rim = pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
+    let share = material.tint
+        + material_derived.share_difference * pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
     let color = textureSampleLevel(
             surroundings, surroundings_sampler, mirrored, material_derived.color_product
-        ).xyz * mix(material.tint, vec3f(1.0), rim)
+        ).xyz * share
         + material_derived.color_product_2 * saturate(dot(normal, -rig.sun_direction))
             * rig.sun_diffuse_color;
     return vec4f(color, 1.0);

@@ -9,6 +9,7 @@ time or memory is spent.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -195,7 +196,8 @@ class _Reader:
         if named.light >= len(lights):
             raise SceneError(f"node {placed.number}: there is no light {named.light}")
         light = lights[named.light]
-        red, green, blue = (light.intensity * lane for lane in light.color)
+        # Lights count by what a white matt surface sends, which is the irradiance over pi.
+        red, green, blue = (light.intensity * lane / math.pi for lane in light.color)
         if light.spot.inner_cone_angle >= light.spot.outer_cone_angle:
             self._notes.add(
                 f"light {named.light}",
