@@ -7,7 +7,7 @@ stands, and ``<!-- lines 2_lambert -->`` the lines of its fragment shader in thr
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from itertools import groupby, pairwise
@@ -15,7 +15,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import burnish
-from burnish.api.entry_points import CompileResult
+from burnish.api.compiled import CompileResult, OutputFile
 
 from .kit import EXAMPLES, Block, blocks
 from .outcomes import source_of, told
@@ -24,6 +24,7 @@ from .tables import DOCS, spliced
 FOLDER = EXAMPLES / "tutorial"
 PAGE = DOCS / "tutorial.md"
 LANGUAGES = ("hlsl", "glsl", "wgsl")
+_MESSAGE = re.compile(r"(^```text from=B\d{4}\n).*?(^```$)", re.MULTILINE | re.DOTALL)
 CONTEXT = 1
 """The number of unchanged lines that are shown around changed ones."""
 SHORT = 2
@@ -36,8 +37,10 @@ class Step:
 
     name: str
     shader: str
+    function: str = ""
+    """The function of the text that is shown whole."""
     of: str = ""
-    """The file whose equations became these lines; the step's own changed lines, if none is named."""
+    """Without one, the file whose equations the shown lines come of; or else the step's changes."""
 
     @property
     def path(self) -> Path:
@@ -49,12 +52,12 @@ class Step:
 
 
 STEPS = (
-    Step("1_color", "Clay"),
+    Step("1_color", "Clay", function="main"),
     Step("2_lambert", "Clay"),
     Step("3_phong", "Clay"),
     Step("4_texture", "Bricks"),
     Step("5_normal_map", "Bricks"),
-    Step("6_microfacets", "Brass"),
+    Step("6_microfacets", "Brass", function="gloss"),
     Step("7_shadows", "Scene.Forward.Brass", of="std/shadows.burnish"),
     Step("8_frame", "Scene.Shown"),
 )
@@ -66,9 +69,8 @@ def tutorial_page() -> str:
     for before, step in zip((None, *STEPS), STEPS, strict=False):
         page = spliced(page, f"changed {step.name}", _fenced("diff", _changed(before, step)))
         page = spliced(page, f"lines {step.name}", "\n".join(_texts(before, step)))
-    for message in blocks(PAGE, "text"):
-        page = page.replace(message.text, _told(message))
-    return page
+    messages = iter([_told(block) for block in blocks(PAGE, "text")])
+    return _MESSAGE.sub(lambda fence: fence[1] + next(messages) + fence[2], page)
 
 
 def _fenced(marks: str, lines: Iterator[str]) -> str:
@@ -89,7 +91,7 @@ def _changed(before: Step | None, step: Step) -> Iterator[str]:
             yield " …"
         for tag, start, end, first, last in group:
             if tag == "equal":
-                yield from (f" {line}".rstrip() for line in new[first:last])
+                yield from (f" {line}" for line in new[first:last] if line)
             else:
                 yield from (f"-{line}" for line in old[start:end])
                 yield from (f"+{line}" for line in new[first:last])
@@ -101,27 +103,38 @@ def _texts(before: Step | None, step: Step) -> Iterator[str]:
         yield _fenced(f"{language} made", _shown(made, before, step, language))
 
 
-def _shown(
-    made: CompileResult, before: Step | None, step: Step, language: str
-) -> Iterator[str]:
-    """The lines of a text that come of what the page is about; `…` stands for others."""
+def _shown(made: CompileResult, before: Step | None, step: Step, language: str) -> Iterator[str]:
+    """The lines of a text that the page is about; `…` stands for others."""
     files = made[step.shader].files
     (file,) = (f for f in files if f.stage == "fragment" and f.name.endswith(language))
-    changed = _changed_numbers(before, step)
-    numbers = []
-    for number, span in file.spans.items():
-        first, last = (span.source.position(at)[0] for at in (span.start, span.end))
-        if span.source.name == (step.of or str(step.path)):
-            if step.of or changed.intersection(range(first, last + 1)):
-                numbers.append(number)
     lines = file.text.split("\n")
-    shown = sorted(_closed(numbers))
+    if step.function:
+        numbers = _function(lines, step.function)
+    else:
+        numbers = _balanced(lines, _closed(_coming_of(file, before, step)))
+    shown = sorted(numbers)
     indent = min(len(lines[n - 1]) - len(lines[n - 1].lstrip()) for n in shown)
     for _, run in groupby(enumerate(shown), lambda pair: pair[1] - pair[0]):
         rows = [number for _, number in run]
         if rows[0] != shown[0]:
             yield "…"
         yield from (lines[number - 1][indent:] for number in rows)
+
+
+def _function(lines: list[str], name: str) -> Iterable[int]:
+    """The numbers of the lines of a function."""
+    head = next(i for i, line in enumerate(lines) if re.match(rf"\S.*\b{name}\(", line))
+    return range(head + 1, lines.index("}", head) + 2)
+
+
+def _coming_of(file: OutputFile, before: Step | None, step: Step) -> Iterator[int]:
+    """The numbers of the lines of a text that come of what a step names, or of what it changes."""
+    changed = _changed_numbers(before, step)
+    for number, span in file.spans.items():
+        if span.source.name == (step.of or str(step.path)):
+            first, last = (span.source.position(at)[0] for at in (span.start, span.end))
+            if step.of or changed.intersection(range(first, last + 1)):
+                yield number
 
 
 def _changed_numbers(before: Step | None, step: Step) -> set[int]:
@@ -136,11 +149,21 @@ def _changed_numbers(before: Step | None, step: Step) -> set[int]:
     }
 
 
-def _closed(numbers: list[int]) -> set[int]:
+def _closed(coming: Iterable[int]) -> set[int]:
     """Numbers with those in short gaps between them."""
+    numbers = sorted(coming)
     between = (
-        range(before, after)
-        for before, after in pairwise(sorted(numbers))
-        if after - before <= SHORT + 1
+        range(before, after) for before, after in pairwise(numbers) if after - before <= SHORT + 1
     )
     return {*numbers, *(number for gap in between for number in gap)}
+
+
+def _balanced(lines: list[str], numbers: set[int]) -> set[int]:
+    """Numbers with those of the braces that close what these lines open."""
+    open_braces = 0
+    for number in range(min(numbers), max(numbers) + 2):
+        if open_braces and lines[number - 1].strip() == "}":
+            numbers = numbers | {number}
+        if number in numbers:
+            open_braces += lines[number - 1].count("{") - lines[number - 1].count("}")
+    return numbers
