@@ -205,7 +205,6 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
     ),
     _same("printf print errorf abort", reason="shaders have nobody to tell"),
     # ---- functions of engines, and of languages that are not for shading
-    _same("UnpackNormal", "normalize(2 * p.xyz - 1)"),
     _same("sum", "v.x + v.y + v.z", reason="a sum over numbers is `sum i in a..b : e`"),
     _same("product", "v.x * v.y * v.z", reason="a product is `product i in a..b : e`"),
     _same("len", reason="the length of an array is part of its type: it is the number written"),

@@ -6,19 +6,21 @@ import pytest
 
 import burnish
 from burnish.compiler import library
-from burnish.compiler.semantics.names.modules import Offer
+from burnish.compiler.semantics.names.modules import Offers
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
 from burnish.stdlib.synonyms import BY_FOLDED, SYNONYMS, folded
 
-OFFERS: dict[str, Offer] = dict(library.standard_library(library.FOLDER).offers())
+OFFERS: Offers = library.standard_library(library.FOLDER).offers()
 
 
 @pytest.mark.parametrize("name", SYNONYMS)
-def test_what_is_meant_is_declared_in_one_file(name: str) -> None:
-    offered = [OFFERS[meant] for meant in SYNONYMS[name]]
-    assert {offer.kind for offer in offered} <= {"fn", "term"}
-    assert len({offer.path for offer in offered}) == 1
+def test_what_is_meant_is_declared_in_its_file(name: str) -> None:
+    meant = SYNONYMS[name]
+    for each in meant.names:
+        kinds = {offer.kind for offer in OFFERS[each] if offer.path == meant.path}
+        assert kinds
+        assert kinds <= {"fn", "term"}
 
 
 def test_names_that_are_known_need_no_row() -> None:
@@ -36,9 +38,26 @@ def test_names_that_are_known_need_no_row() -> None:
         ("", "blendSoftLight(#fff, #000)", "did you mean `soft_light`? add `import std.blending."),
         ("", "cubicInOut(0.3)", "did you mean `ease_in_out_cubic`? add `import std.easing."),
         ("", "ToneMapping(#fff)", "`std.tone_mapping` has `aces`, `agx`, "),
+        ("", "sdCircle(uv, 1)", "did you mean `circle`? add `import std.distances.{circle}`"),
+        ("", "opXor(1, 2)", "did you mean `exclusion`? add `import std.distances.{exclusion}`"),
+        ("", "smin(1, 2, 3)", "did you mean `smooth_union`? add `import std.distances."),
+        ("", "rnm(normal, normal)", "did you mean `reoriented_blend`? add `import std.mapping."),
+        (
+            "import std.blending", "opSubtraction(1, 2)",
+            "did you mean `difference`, where the second shape is taken out of the first one? "
+            "add `import std.distances.{difference}`",
+        ),
+        (
+            "import std.quaternions", "rotateVector(normal, vec4(0))",
+            "did you mean `rotate`, where the quaternion comes first, and then the vector?",
+        ),
+        (
+            "", "difference(1, 2)",
+            "add `import std.blending.{difference}` or `import std.distances.{difference}`",
+        ),
         ("import std.easing", "ease_in(0.3)", "`std.easing` has `ease_in_sine`, "),
     ],
-)
+)  # fmt: skip
 def test_a_synonym_is_told(head: str, call: str, hint: str) -> None:
     (found,) = burnish.check(f"{head}\nmaterial M {{ color = vec3({call}) }}")
     assert str(found.hint if isinstance(found.hint, str) else found.hint.text).startswith(hint)

@@ -16,10 +16,10 @@ EXAMPLES = Path(burnish.__file__).parent / "examples"
 
 
 @lru_cache(maxsize=1)
-def subjects(file: str) -> dict[str, Any]:
+def subjects(file: str, folder: Path = EXAMPLES) -> dict[str, Any]:
     """The materials of an example for the routes to devices, by the label in the table."""
     request = ConformRequest(
-        files=(EXAMPLES / file,), routes="", device="", report=None, strict=False, explain=None,
+        files=(folder / file,), routes="", device="", report=None, strict=False, explain=None,
         case=None, seed=0, rig=None, pass_=None, search_path=(), hoist=True, native_stages=False,
     )  # fmt: skip
     return dict(subjects_of(request, select(["vulkan,wgpu"]), native_stages=False))

@@ -3,7 +3,8 @@
 ``recorded/h200.json`` has 148 pixels of the examples: of each row that was out of bounds when these
 were taken from software that rasterises, the one that was farthest out. 17 more of them were
 drawn with spots whose inner cone was the wider one, which mean something else since; and 12 with
-materials that counted light in units of their own.
+materials that counted light in units of their own. Examples that have become other programs since
+are kept beside the record as they were.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ from burnish.targets.runner.scene_state import SceneState
 
 from .example_subjects import states, subjects
 
-RECORD = json.loads((Path(__file__).parent / "recorded" / "h200.json").read_text(encoding="utf-8"))
+FOLDER = Path(__file__).parent / "recorded"
+RECORD = json.loads((FOLDER / "h200.json").read_text(encoding="utf-8"))
 DIGITS = 2e-7
 """The relative error of the recorded numbers, which have seven digits."""
 REPORTED: Mapping[str, Any] = {
@@ -71,9 +73,14 @@ def _ends(
     return found.low[0][row, column], found.high[0][row, column]
 
 
+def _drawn(file: str) -> dict[str, Any]:
+    """The materials of an example as it was when it was drawn, by the label in the table."""
+    return subjects(file, FOLDER) if (FOLDER / file).exists() else subjects(file)
+
+
 def _outside(file: str, level: str) -> Iterator[str]:
     """The lanes of recorded pixels that are out of the hull of some bounds."""
-    found = subjects(file)
+    found = _drawn(file)
     for pixel in (each for each in PIXELS if each.subject.startswith(f"{file}:")):
         subject, route = found[pixel.subject], EVERY_ROUTE[pixel.route]
         state = states(subject)[pixel.case]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from burnish.compiler.library import FOLDER, standard_library
 from burnish.stdlib.builtins import (
     BUILTINS,
     Builtin,
@@ -26,7 +25,7 @@ from burnish.stdlib.builtins import (
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
-from burnish.stdlib.synonyms import SYNONYMS
+from burnish.stdlib.synonyms import SYNONYMS, Meant
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table
@@ -151,12 +150,12 @@ def _elsewhere() -> Iterator[str]:
 
 def _synonyms() -> Iterator[tuple[str, str]]:
     """The functions of other systems, by those of the library."""
-    offers = standard_library(FOLDER).offers()
-    found: dict[tuple[str, ...], list[str]] = {}
+    found: dict[Meant, list[str]] = {}
     for name, meant in SYNONYMS.items():
         found.setdefault(meant, []).append(name)
     for meant, names in found.items():
-        yield codes(names), codes(f"{offers[each].path}.{each}" for each in meant)
+        here = codes(f"{meant.path}.{each}" for each in meant.names)
+        yield codes(names), "; ".join(filter(None, (here, cell(meant.advice))))
 
 
 def _builtin(row: Builtin) -> Iterator[str]:

@@ -1,9 +1,9 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
-Run it after changing the grammar, a builtin, a diagnostic, a simplification rule, a profile, a
-capability, a limit, a route or a driver's row, or a step of the tutorial, and after keeping new
-numbers of tolerances. It draws the pictures of pages, too. A test fails if a page or a picture is
-not up to date.
+Run it after changing the grammar, the library or its examples, a builtin, a diagnostic, a
+simplification rule, a profile, a capability, a limit, a route or a driver's row, or a step of the
+tutorial, and after keeping new numbers of tolerances. It draws the pictures of pages, too. A test
+fails if a page or a picture is not up to date.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from burnish.targets.runner.routes import EVERY_ROUTE
 from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 
 from .builtins_page import builtins_page
+from .library_page import library_page
 from .pictures import draw_all
 from .tables import DOCS, NOTE, cell, codes, spliced, table
 from .targets_page import targets_page
@@ -215,6 +216,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "language.md": language_page,
     "graph.md": graph_page,
     "builtins.md": builtins_page,
+    "library.md": library_page,
     "diagnostics.md": diagnostics_page,
     "conformance.md": conformance_page,
     "passes.md": passes_page,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from . import equivalent_cellular, equivalent_colors
+from . import equivalent_cellular, equivalent_colors, equivalent_shapes
 from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
@@ -381,6 +381,7 @@ EQUIVALENT = {
         _BY_REASON,
         equivalent_cellular.BY_REASON,
         equivalent_colors.BY_REASON,
+        equivalent_shapes.BY_REASON,
     )
     for reason, all_told in by_reason.items()
     for told in all_told

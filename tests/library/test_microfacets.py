@@ -254,35 +254,6 @@ def test_visible_fibres_and_varnish() -> None:
 # --- more than once, and samples -----------------------------------------------------------------
 
 
-SHARE = np.array([
-    [0.1003, 0.9345, 1.0, 1.0], [-0.6303, -2.323, -1.765, 0.2281], [9.748, 2.229, 8.263, 15.94],
-    [-2.038, -3.748, 11.53, -55.83], [29.34, 1.424, 28.96, 13.08], [-8.245, -0.7684, -7.507, 41.26],
-    [-26.44, 1.436, -36.11, 54.9], [19.99, 0.2913, 15.86, 300.2], [-5.448, 0.6286, 33.37, -285.1],
-])  # fmt: skip
-"""The factors of 1, x, y, xy, x², y², x²y, xy², x²y² of both numerators and denominators."""
-
-
-@truth("std.microfacets.ggx_share")
-def test_the_share_that_facets_mirror() -> None:
-    """MaterialX's function; the facets themselves mirror nearly as much."""
-    x, y = NV, WIDTH
-    powers = np.stack([x**0, x, y, x * y, x**2, y**2, x**2 * y, x * y**2, x**2 * y**2], axis=1)
-    parts = powers @ SHARE
-    wanted = np.clip(parts[:, :2] / parts[:, 2:], 0, 1)
-    agree("ggx_share(nv, w)", wanted, "vec2", nv=NV, w=WIDTH)
-    for f0 in (0.1, 1.0):
-        share = albedo(MODULE, GGX.format(0.5, f"vec3({f0})"), 0.8)
-        found = values(MODULE, "ggx_share(nv, 0.5)", "vec2", nv=0.8)[0]
-        assert found @ (f0, 1) == pytest.approx(share, abs=0.01)
-
-
-@truth("std.microfacets.ggx_share")
-def test_no_facet_mirrors_more_than_all_or_less_than_nothing() -> None:
-    """As the function itself does at the smooth end."""
-    found = values(MODULE, "ggx_share(nv, w)", "vec2", nv=[1.0, 0.8], w=[0.0, 0.0])
-    assert (found[0, 0], found[1, 1]) == (1, 0)
-
-
 GGX = "ggx_reflectance({1}, {0}, vec3(0, 0, 1), to_light, to_eye).x"
 
 

@@ -32,8 +32,8 @@ def missing_import_hint(wanted: ast.Import, library: StandardLibrary) -> Hint:
     if wanted.quoted:
         return _add_ending(wanted)
     *folder, name = wanted.path
-    offer = library.offers().get(name) if folder else None
-    if offer is not None and offer.path == ".".join(folder):
+    offers = library.offers().get(name, ()) if folder else ()
+    if any(offer.path == ".".join(folder) for offer in offers):
         declaration = f"{'.'.join(folder)}.{{{name}}}"
         return _instead(f"write `import {declaration}`", wanted, declaration)
     if wanted.path[0] != "std":

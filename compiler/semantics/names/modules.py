@@ -8,12 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ....support.frozen import fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
 from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
+
+if TYPE_CHECKING:
+    from ....stdlib.synonyms import Meant
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
@@ -48,6 +52,10 @@ class Offer:
     """The word with which it is declared, such as ``light``; empty for some rare ones."""
 
 
+Offers = Mapping[str, Sequence[Offer]]
+"""What library files declare, by name; several may have declarations of one name."""
+
+
 @record
 class Module:
     """One file with everything it can name; functions may share a name (overloads)."""
@@ -67,7 +75,7 @@ class Module:
     doubtful: dict[str, Callable[[], None]] = fresh(factory=dict)
     """Names that several imported files declare, with a function that reports one when used."""
     prelude: Module | None = None
-    offers: Callable[[], Mapping[str, Offer]] = dict
+    offers: Callable[[], Offers] = dict
     """Finds what the library's files declare, by name: an unknown name may be one of these."""
 
     def find(self, name: str) -> tuple[Symbol, ...]:
@@ -91,23 +99,39 @@ class Module:
         """
         offers, written = self.offers(), name.text
         if written in offers:
-            return _imported(name, written, offers[written].path)
-        fitting = {each: offer.path for each, offer in offers.items() if offer.kind in kinds}
+            return _imports(name, [offer.path for offer in offers[written]])
+        fitting = {
+            each: offer.path
+            for each, offered in offers.items()
+            for offer in reversed(offered)
+            if offer.kind in kinds
+        }
         near = nearest_in(name.span.source, written, known)
-        meant = () if near and _is_alike(near, written) else _said_elsewhere(written, fitting)
-        if len(meant) > 1:
-            choice = ", ".join(f"`{each}`" for each in meant)
-            return f"`{fitting[meant[0]]}` has {choice}: import what you need"
-        if meant:
-            if self.known(meant[0]):
-                return respelt(written, name.span, meant[0])
-            return _imported(name, meant[0], fitting[meant[0]])
+        if near is None or not _is_alike(near, written):
+            meant = _said_elsewhere(written, fitting)
+            if meant is not None and _offered(meant, offers, kinds):
+                return self._meant(name, meant)
         if near:
             return respelt(written, name.span, near)
         found = nearest_in(name.span.source, written, fitting)
         if found is None or similarity(written, found) < _ALIKE:
             return ""
         return _imported(name, found, fitting[found])
+
+    def _meant(self, name: ast.Name, meant: Meant) -> Hint:
+        """The hint for a name that means something of the library, or one of several."""
+        if len(meant.names) > 1:
+            choice = ", ".join(f"`{each}`" for each in meant.names)
+            return f"`{meant.path}` has {choice}: import what you need"
+        (one,) = meant.names
+        stem = meant.path.rpartition(".")[2]
+        modules = (symbol.module for symbol in self.known(one))
+        is_seen = any(each.is_standard and each.path and each.path.stem == stem for each in modules)
+        if not meant.advice:
+            seen = respelt(name.text, name.span, one)
+            return seen if is_seen else _imported(name, one, meant.path)
+        said = f"did you mean `{one}`, where {meant.advice}?"
+        return said if is_seen else f"{said} {_import_on_top(name, one, meant.path).text}"
 
     def visible(self) -> Iterator[str]:
         """All names that ``find`` knows."""
@@ -124,29 +148,46 @@ def _is_alike(one: str, other: str) -> bool:
     return folded(one) == folded(other)
 
 
-def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> tuple[str, ...]:
-    """The names of the library for one that another system has, of which each may be meant.
+def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
+    """What the library has for a name of another system; one of several names may be meant.
 
     It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
     ``DirectionalLight``; or is another one, as ``luma``.
     """
-    from ....stdlib.synonyms import BY_FOLDED, folded
+    from ....stdlib.synonyms import BY_FOLDED, Meant, folded
 
     plain = folded(written)
     alike = (plain, plain.removesuffix("light"))
-    found = tuple(sorted(each for each in fitting if folded(each) in alike))[:1]
-    others = BY_FOLDED.get(plain, ())
-    return found or (others if all(each in fitting for each in others) else ())
+    found = min((each for each in fitting if folded(each) in alike), default=None)
+    return BY_FOLDED.get(plain) if found is None else Meant(fitting[found], (found,))
+
+
+def _offered(meant: Meant, offers: Offers, kinds: Sequence[str]) -> bool:
+    """True if all that may be meant is there, and of these kinds."""
+    return all(
+        any(offer.path == meant.path and offer.kind in kinds for offer in offers.get(each, ()))
+        for each in meant.names
+    )
+
+
+def _imports(name: ast.Name, paths: Iterable[str]) -> Hint:
+    """A hint to import a name from the file of the library that has it, or from one of several."""
+    ways = [_import_on_top(name, name.text, path) for path in dict.fromkeys(paths)]
+    said = " or ".join(way.text.removeprefix("add ") for way in ways)
+    return FixIt(f"add {said}", tuple(fix for way in ways for fix in way.fixes))
+
+
+def _import_on_top(name: ast.Name, meant: str, path: str) -> FixIt:
+    """A hint to add the import of a name of the library to the file that has ``name``."""
+    declaration = f"import {path}.{{{meant}}}"
+    return inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
 
 
 def _imported(name: ast.Name, meant: str, path: str) -> Hint:
-    """A hint to import a name of the library, and to write it if it is misspelt."""
-    declaration = f"import {path}.{{{meant}}}"
-    on_top = inserted_on_top(f"add `{declaration}`", name.span.source, declaration)
-    if meant == name.text:
-        return on_top
+    """A hint to write a name of the library for one that is not, and to import it."""
+    on_top = _import_on_top(name, meant, path)
     said = f"did you mean `{meant}`? {on_top.text}"
-    respelt = Edit(name.span, meant)
     if name.span.text != name.text:
         return said
+    respelt = Edit(name.span, meant)
     return FixIt(said, tuple(Fix((*fix.edits, respelt)) for fix in on_top.fixes))

@@ -9,7 +9,7 @@ library. Symbols are compared by identity, so all compiles see the same ones.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -20,7 +20,7 @@ from ...diagnostics.source import Source, Span
 from ...syntax import ast
 from .declarations import declare_all
 from .imports import import_names
-from .modules import Module, Offer
+from .modules import Module, Offer, Offers
 
 _PRELUDE = "prelude.burnish"
 _NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
@@ -59,7 +59,7 @@ class StandardLibrary:
         self._begun: dict[str, Module] = {}
         """The linked modules, and those that are being linked just now."""
         self._stamps: dict[Path, tuple[int, int]] = {}
-        self._offers: dict[str, Offer] | None = None
+        self._offers: dict[str, list[Offer]] | None = None
         prelude = self.module(_PRELUDE)
         assert prelude is not None, "the library has no prelude"
         self.prelude: Module = prelude
@@ -85,10 +85,12 @@ class StandardLibrary:
                 self._modules.update(self._begun)
         return known
 
-    def offers(self) -> Mapping[str, Offer]:
+    def offers(self) -> Offers:
         """What the files of the library declare that can be imported, by name."""
         if self._offers is None:
-            self._offers = dict(reversed(list(self._offered())))
+            self._offers = {}
+            for name, offer in self._offered():
+                self._offers.setdefault(name, []).append(offer)
         return self._offers
 
     def import_paths(self) -> list[str]:
