@@ -32,6 +32,7 @@ def fail(text: str) -> NoReturn:
 def drawing_errors() -> tuple[type[Exception], ...]:
     """The exceptions whose texts tell people why something cannot be drawn."""
     from ..compiler.budget import BudgetError
+    from ..targets.runner.cameras import CameraError
     from ..targets.runner.codes import CodeError
     from ..targets.runner.files import FileError
     from ..targets.runner.frames.checking import PlanError
@@ -44,7 +45,7 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..targets.runner.textures.kinds import PictureError
 
     return (
-        BudgetError, CodeError, FeedError, FileError, MeshError, MissingValuesError,
+        BudgetError, CameraError, CodeError, FeedError, FileError, MeshError, MissingValuesError,
         ParameterError, PictureError, PlanError, SceneError, UndrawableError,
     )  # fmt: skip
 

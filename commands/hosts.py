@@ -7,15 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from .console import remark
+from .failures import drawing_errors
+from .options import point_of
 
 if TYPE_CHECKING:
+    from ..compiler.documents.plan import FramePlan
+    from ..targets.runner.cameras import Viewpoint
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.scenery import Scenery
     from ..targets.runner.frames.subjects import PlannedFrame, SingleFrame
+    from ..targets.runner.instances.declared import Declared
     from ..targets.runner.instances.instance import Instance
+
+
+Point = tuple[float, float, float]
 
 
 def is_single(frame: PlannedFrame) -> bool:
@@ -25,14 +33,78 @@ def is_single(frame: PlannedFrame) -> bool:
     return isinstance(frame, SingleFrame)
 
 
-def scenery_of(frame: PlannedFrame, mesh: str, instances: int, scene: Path | None) -> Scenery:
+class SceneRequest(Protocol):
+    """What a command line says about the scene; the names are those of its options."""
+
+    @property
+    def mesh(self) -> str:
+        """The mesh to draw, if there is no scene."""
+
+    @property
+    def instances(self) -> int:
+        """The number of instances to draw if the material distinguishes them."""
+
+    @property
+    def scene(self) -> Path | None:
+        """A file whose objects are drawn."""
+
+    @property
+    def eye(self) -> Point | None:
+        """The place of the camera."""
+
+    @property
+    def look_at(self) -> Point | None:
+        """The point that the camera looks at."""
+
+    @property
+    def turn(self) -> tuple[float, float]:
+        """The angles by which the camera turns, in radians."""
+
+    @property
+    def wished(self) -> Sequence[tuple[str, str]]:
+        """The values that the comment of the file asks for, by name, as texts."""
+
+    @property
+    def values(self) -> Sequence[tuple[str, str]]:
+        """The values of the command line, which win."""
+
+
+def scenery_of(frame: PlannedFrame, request: SceneRequest, mesh: str | None = None) -> Scenery:
     """The scene to draw: a mesh for a material, a model of each of a frame's materials, or the
-    objects of a file."""
-    from ..targets.runner.frames.scenery import in_a_row
+    objects of a file; with the camera where it was asked for.
+
+    ``mesh`` is used instead of that of the request. Raises ``CameraError``, ``SceneError``,
+    ``FileError`` and ``BudgetError``.
+    """
+    from ..targets.runner.cameras import Viewpoint
     from ..targets.runner.frames.subjects import SingleFrame
 
-    if scene is None and isinstance(frame, SingleFrame):
-        return _single_scenery(frame, mesh, instances)
+    mesh = mesh or request.mesh
+    eye = request.eye or _eye_set(frame, (*request.wished, *request.values))
+    viewpoint = Viewpoint(eye, request.look_at, request.turn)
+    if request.scene is None and isinstance(frame, SingleFrame):
+        return _single_scenery(frame, mesh, request.instances, viewpoint)
+    return _scenery_of_frame(frame, mesh, request.scene).seen_from(viewpoint)
+
+
+def _eye_set(frame: PlannedFrame, values: Iterable[tuple[str, str]]) -> Point | None:
+    """The place that a value gives the parameter for the viewer's eye: the camera goes there, too.
+
+    A text that is no point is left to ``set_values``, which refuses it.
+    """
+    from ..targets.runner.scene import value_roles
+
+    of_shaders = [shader.reflection for shader in frame.shaders]
+    declared: list[Declared | FramePlan] = [frame.plan, *of_shaders]
+    eyes = {name for each in declared for name, role in value_roles(each).items() if role == "eye"}
+    places = [point_of(text) for name, text in values if name in eyes]
+    return places[-1] if places else None
+
+
+def _scenery_of_frame(frame: PlannedFrame, mesh: str, scene: Path | None) -> Scenery:
+    """A model of each of a frame's materials, or the objects of a file."""
+    from ..targets.runner.frames.scenery import in_a_row
+
     tags = {row.name: row.materials for row in frame.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     if scene is None:
@@ -46,12 +118,12 @@ def scenery_of(frame: PlannedFrame, mesh: str, instances: int, scene: Path | Non
     return staged(file, materials, list(tags))
 
 
-def _single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:
+def _single_scenery(frame: SingleFrame, mesh: str, instances: int, viewpoint: Viewpoint) -> Scenery:
     """A mesh with all inputs that the material reads."""
     from ..targets.runner.frames.single import single_scenery
     from ..targets.runner.meshes import MESHES
 
-    found = single_scenery(frame, mesh, instances)
+    found = single_scenery(frame, mesh, instances, viewpoint)
     own = MESHES[mesh]().channels
     made_up = [f"`{name}`" for model in found.models for name in model.mesh.channels
                if name not in own]  # fmt: skip
@@ -80,6 +152,24 @@ def set_values(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[st
         if len(unknown) == len(owners):
             # The shortest message suggests a similar name; the others list all names.
             raise min(unknown, key=lambda error: len(str(error)))
+
+
+def set_wished(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[str, str]]) -> None:
+    """Set the values that a file's comment asks for, where they exist and can be set.
+
+    The comment may be about another of the file's materials, and its pictures may be elsewhere.
+    """
+    from ..targets.runner.instances.values import UnknownParameterError
+
+    for name, text in values:
+        for owner in owners:
+            try:
+                owner.set_text(name, text)
+            except UnknownParameterError:
+                continue
+            except drawing_errors() as error:
+                remark("note", f"the comment of the file sets `{name}`, and that failed: {error}")
+                break
 
 
 def set_pictures(instances: Iterable[Instance], size: tuple[int, int]) -> None:

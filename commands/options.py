@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -15,7 +16,11 @@ from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, Option
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
 
-MESHES = ("sphere", "plane", "cube", "torus", "cylinder", "capsule", "knot")
+MESHES = ("sphere", "plane", "floor", "cube", "torus", "cylinder", "capsule", "knot")
+FARTHEST = 1e6
+"""The largest coordinate of a camera."""
+STUDIO = "studio"
+"""The light from all around that is computed unless another is asked for."""
 BACKGROUND = "#1b1d21"
 """The colour behind a mesh."""
 
@@ -52,6 +57,63 @@ instances_option = click.option(
 scene_option = click.option(
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
+)  # fmt: skip
+environment_option = click.option(
+    "--environment", metavar="WHAT", default=STUDIO, show_default=True,
+    help="The light from all around: `studio`, `sky`, `none`, or the file of a panorama "
+    "(.hdr, .exr, .png …).",
+)  # fmt: skip
+
+
+def _place(
+    _context: click.Context, _option: click.Parameter, given: str | None
+) -> tuple[float, float, float] | None:
+    """The callback of an option whose value is a point, such as ``0,1.5,4``."""
+    if given is None:
+        return None
+    point = point_of(given)
+    if point is None:
+        raise click.BadParameter(f"'{given}' is no point, which would be like 0,1.5,4")
+    return point
+
+
+def point_of(text: str) -> tuple[float, float, float] | None:
+    """The point that a text names by three finite numbers; ``None`` if it names none."""
+    try:
+        x, y, z = (float(part) for part in text.split(","))
+    except ValueError:
+        return None
+    return (x, y, z) if all(abs(lane) <= FARTHEST for lane in (x, y, z)) else None
+
+
+def _turn(_context: click.Context, _option: click.Parameter, given: str) -> tuple[float, float]:
+    """The callback of ``--turn``: one angle or two, in degrees."""
+    parts = [part.strip().removesuffix("deg") for part in given.split(",")]
+    try:
+        right, up = (math.radians(float(part)) for part in [*parts, "0"][:2])
+    except ValueError:
+        right = math.nan
+    if len(parts) > 2 or not (math.isfinite(right) and math.isfinite(up)):
+        raise click.BadParameter(
+            f"'{given}' is no angle in degrees, which would be like 30 or 30,10"
+        )
+    return right, up
+
+
+plain_option = click.option(
+    "--plain", is_flag=True,
+    help="Draw with declared values only, whatever the comment of FILE asks for.",
+)  # fmt: skip
+eye_option = click.option(
+    "--eye", metavar="X,Y,Z", callback=_place,
+    help="The place of the camera; --set eye=X,Y,Z does the same.",
+)  # fmt: skip
+look_at_option = click.option(
+    "--look-at", metavar="X,Y,Z", callback=_place, help="The point that the camera looks at.",
+)  # fmt: skip
+turn_option = click.option(
+    "--turn", metavar="RIGHT[,UP]", default="0", callback=_turn,
+    help="The degrees by which the camera turns around what it looks at.",
 )  # fmt: skip
 mesh_option = click.option(
     "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..compiler.budget import check
@@ -67,7 +66,7 @@ def panels(
         try:
             note = "float64" if route is None else runner.device(route).title
             for pictures in _pictures(subject, route, request.frames, runner, toolchain, tell):
-                times.append(_shown(subject, pictures, _name(route), note, request.output))
+                times.append(_shown(subject, pictures, _name(route), note, request))
                 _check_room(times[0], len(pairs) * request.frames)
         except (CodeError, DriverError, PlanError, UndrawableError) as error:
             if len(pairs) == 1:
@@ -140,7 +139,7 @@ def _by_reference(
 
 
 def _shown(
-    subject: Subject, pictures: Mapping[str, Floats], route: str, note: str, path: Path
+    subject: Subject, pictures: Mapping[str, Floats], route: str, note: str, request: RenderRequest
 ) -> list[Panel]:
     """The panels of one time: with images, or with numbers if that is what the file keeps.
 
@@ -148,14 +147,15 @@ def _shown(
     """
     import numpy as np
 
-    from ..targets.runner.pictures import keeps_numbers, to_image
+    from ..targets.runner.pictures import Development, keeps_numbers, to_image
     from ..targets.runner.sheet import Panel
 
+    development = Development(request.exposure, request.tone)
     found = []
     for output, titles in subject.outputs.items():
         pixels, lanes = np.concatenate(list(pictures[output])), _lanes(subject.host.plan, output)
-        has_numbers = keeps_numbers(path)
-        image = None if has_numbers else to_image(pixels, lanes=lanes)
+        has_numbers = keeps_numbers(request.output)
+        image = None if has_numbers else to_image(pixels, lanes=lanes, development=development)
         numbers = pixels if has_numbers else None
         found.append(Panel((*titles, route), note, image, numbers=numbers, lanes=lanes))
     return found

@@ -18,16 +18,21 @@ from .options import (
     budget_option,
     check_device,
     device_option,
+    environment_option,
+    eye_option,
     file_argument,
     hoist_option,
     instances_option,
+    look_at_option,
     mesh_option,
     native_stages_option,
     pairs,
     pass_option,
+    plain_option,
     rig_option,
     scene_option,
     search_option,
+    turn_option,
     values_option,
 )
 from .subjects import EVERYTHING, LARGEST, Color, RenderRequest, Subject
@@ -38,6 +43,8 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
+TONES = ("none", "reinhard", "aces")
+"""The words for ways to bring bright light onto a screen."""
 OF_A_PIXEL = 600
 """The approximate bytes that the reference needs for each pixel of a plain picture."""
 LARGEST_SHEET = 2**27
@@ -74,8 +81,9 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @click.command()
 @file_argument
 @click.option(
-    "-o", "--output", metavar="PICTURE", required=True, type=click.Path(path_type=Path),
-    help="The file to write: .png, .jpg or another image format; .exr and .hdr keep the numbers.",
+    "-o", "--output", metavar="PICTURE", type=click.Path(path_type=Path),
+    help="The file to write: .png, .jpg or another image format; .exr and .hdr keep the numbers. "
+    "By default it is called like FILE, and lies in the current folder: `plastic.png`.",
 )  # fmt: skip
 @click.option(
     "--on", metavar="ROUTE,…", default=REFERENCE, show_default=True, callback=_names,
@@ -85,12 +93,17 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @budget_option
 @mesh_option
 @scene_option
+@environment_option
+@eye_option
+@look_at_option
+@turn_option
 @instances_option
 @click.option(
     "--size", metavar="N[xM]", default="512", callback=_size, show_default=True,
     help="Pixels of the picture, or of each picture on a sheet.",
 )  # fmt: skip
 @values_option
+@plain_option
 @click.option(
     "--steps", metavar="N", default=1, show_default=True, type=click.IntRange(1, 100_000),
     help="The number of times that kernels run; --again passes results to the next run.",
@@ -102,6 +115,14 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @click.option(
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="The colour behind the mesh.",
+)  # fmt: skip
+@click.option(
+    "--exposure", metavar="STOPS", default=0.0, show_default=True, type=click.FloatRange(-32, 32),
+    help="Brighten the picture; each stop doubles the light. Files of numbers keep these.",
+)  # fmt: skip
+@click.option(
+    "--tone", type=click.Choice(TONES), default=TONES[0], show_default=True,
+    help="The tone mapping that brings bright light onto a screen.",
 )  # fmt: skip
 @click.option(
     "--frames", metavar="N", default=1, show_default=True, type=click.IntRange(1, 10_000),
@@ -120,14 +141,16 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @search_option
 @hoist_option
 @native_stages_option
-def render(**chosen: Any) -> None:
+def render(file: Path, output: Path | None, **chosen: Any) -> None:
     """Draw the materials or the frames of FILE.
 
     The reference, which needs no GPU, defines what the picture must be. Other routes draw the
     emitted shaders with real compilers and drivers. Pictures of several materials, frames, outputs,
     rigs or routes are put side by side on a sheet.
 
-    The command sets up a scene with a camera and lights; --set changes it. Values are written as
+    The command sets up a scene with a camera, lights and a studio around them; --set changes it. If
+    the first comment of FILE has a command that draws it, its options hold here, too, unless this
+    command line has them. Values are written as
 
     \b
         power=32                     a number; also 40deg, true
@@ -146,8 +169,8 @@ def render(**chosen: Any) -> None:
 
     A file that declares frames shows their outputs: pictures of the whole frame, with a model of
     each material. For frames that evolve, --frames draws several: as numbered pictures, or as one
-    that moves if the output ends in .gif or .webp. With --scene, a frame draws the objects of
-    a glTF file, each with the material that is called as in that file, or with the only one. Its
+    that moves if the output ends in .gif or .webp. With --scene, the objects of a glTF file
+    are drawn, each with the material that is called as in that file, or with the only one. Its
     numbers and pictures set the parameters and textures of `std.gltf`; its lights are those of the
     rig, and its first camera sees it all.
 
@@ -163,9 +186,23 @@ def render(**chosen: Any) -> None:
         burnish render plastic.burnish -o sheet.png --on all --size 256
         burnish render cloth.burnish -o cloth.png --steps 50 --again now=after --again before=now
     """
-    request = RenderRequest(**chosen)
+    from .as_asked import named_options, wishes
+
+    request = RenderRequest(file=file, output=output or _usual_output(file), **chosen)
+    context = click.get_current_context()
+    wished = wishes(request, named_options(context), max(request.size), context.command)
+    if wished.note:
+        remark("note", wished.note)
     with errors_as_messages():
-        _render(request)
+        _render(request._replace(**wished.options))
+
+
+def _usual_output(file: Path) -> Path:
+    """The picture of a file for which the command line names none: `plastic.png`."""
+    from ..targets.runner.frames.plan_files import is_plan
+
+    stem = file.name.removesuffix("".join(file.suffixes[-2:])) if is_plan(file) else file.stem
+    return Path(f"{stem}.png")
 
 
 def _render(request: RenderRequest) -> None:

@@ -20,15 +20,18 @@ from .hosts import (
     scenery_of,
     set_pictures,
     set_values,
+    set_wished,
     tell_unmade,
     tell_unused_lamps,
 )
 from .kernels import feed, kernels_of
+from .surroundings import surround, tell_surroundings
 
 if TYPE_CHECKING:
     from ..api.entry_points import CompiledFrame, CompiledMaterial
     from ..targets.runner.frames.host import FrameHost
     from ..targets.runner.frames.subjects import PlannedFrame
+    from ..targets.runner.instances.instance import Instance
     from ..targets.runner.kernel_results import Kernel
     from ..targets.runner.routes import Route
 
@@ -52,13 +55,23 @@ class RenderRequest(NamedTuple):
     device: str
     mesh: str
     scene: Path | None
-    """A file whose objects frames draw."""
+    """A file whose objects are drawn."""
+    environment: str
+    """The light from all around: a word or a file."""
+    eye: tuple[float, float, float] | None
+    look_at: tuple[float, float, float] | None
+    turn: tuple[float, float]
+    """The angles by which the camera turns, in radians: to the right and upwards."""
     instances: int
     """The number of instances to draw if the material distinguishes them."""
     size: tuple[int, int]
     values: tuple[tuple[str, str], ...]
     background: Color
     """The colour behind the mesh, in linear light."""
+    exposure: float
+    """The stops by which the picture is brightened."""
+    tone: str
+    """The name of a tone mapping."""
     target: str | None
     material: str | None
     rig: str | None
@@ -72,6 +85,10 @@ class RenderRequest(NamedTuple):
     """Buffers, and the results that replace them from step to step."""
     frames: int
     """The number of times that a frame is drawn."""
+    plain: bool
+    """True if the comment of the file has no say."""
+    wished: tuple[tuple[str, str], ...] = ()
+    """The values that the comment of the file asks for."""
 
     @property
     def draws_everything(self) -> bool:
@@ -213,11 +230,6 @@ def _single_frames(materials: Materials, request: RenderRequest) -> Frames:
     from ..targets.runner.frames.single import single_frame
     from ..targets.runner.kernels import is_drawn, is_over_buffers
 
-    if request.scene is not None and materials:
-        raise click.UsageError(
-            f"--scene is for frames, and {request.file} declares none, such as "
-            "`frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }`"
-        )
     pictures = [pair for pair in materials if not is_over_buffers(pair[1].reflection)]
     drawn = [pair for pair in pictures if is_drawn(pair[1].reflection)]
     if pictures and not drawn:
@@ -263,8 +275,7 @@ def _host(frame: PlannedFrame, request: RenderRequest) -> FrameHost:
     """The frame with a scene."""
     from ..targets.runner.frames.host import FrameHost
 
-    scenery = scenery_of(frame, request.mesh, request.instances, request.scene)
-    host = FrameHost(frame, scenery, request.size)
+    host = FrameHost(frame, scenery_of(frame, request), request.size)
     tell_unused_lamps(host)
     return host
 
@@ -278,8 +289,13 @@ def _set_all(
     """Set all values, also those that nobody has named; ends the command if one is missing."""
     from ..targets.runner.frames.step_draws import StepDraws
 
-    set_values([*hosts, *(kernel.instance for kernel in kernels)], request.values)
+    surround(hosts, request.environment)
+    owners: list[FrameHost | Instance] = [*hosts, *(kernel.instance for kernel in kernels)]
+    set_wished(owners, request.wished)
+    set_values(owners, request.values)
     singles = [each for host in hosts if is_single(host.frame) for each in host.instances]
+    tell_surroundings(hosts, request.environment,
+                      (name for name, _ in (*request.wished, *request.values)))  # fmt: skip
     set_pictures(singles, request.size)
     tell_unmade(singles)
     feeding = feed(kernels, singles, dict(request.again))

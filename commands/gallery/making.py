@@ -34,13 +34,13 @@ from ...targets.selection import DEFAULT, full_name, select_targets
 from ...targets.toolchain import Toolchain
 from .. import compared, panels, subjects
 from ..catalogue import ENDING, is_shown
+from ..comments import asked, files_of
 from ..conform import conform
 from ..failures import errors_as_messages
 from ..graph.command import as_svg
 from ..picture_files import moving
 from ..progress import Progress
 from ..render import render
-from .comments import asked, files_of
 from .entry import Entry, Figure, Graph, Program, Stage, Text, Verdict, failed
 
 if TYPE_CHECKING:
@@ -178,7 +178,14 @@ class _Making:
         words = ["--size", str(self._size), "-o", "picture.png", _NAME]
         with self._told(render, words) as chosen:
             # With all routes, a route that lacks something is no error.
-            whole = {**chosen, **options, "file": self._file, "on": (subjects.EVERYTHING,)}
+            # The comment's options are among these already.
+            whole = {
+                **chosen,
+                "plain": True,
+                **options,
+                "file": self._file,
+                "on": (subjects.EVERYTHING,),
+            }
             request = subjects.RenderRequest(**whole)
             self._entry["inputs"] |= _digests_of_files(request.values)
             usable = [route for route in self._shown if self._runner.problem(route) is None]
@@ -196,7 +203,7 @@ class _Making:
         The file's comment asks for them. Without a comment, several frames are drawn if a frame
         goes on from the last one.
         """
-        found = asked(self._entry["source"], self._file.name, Path.cwd(), self._size)
+        found = asked(self._entry["source"], self._file.name, Path.cwd(), self._size, render)
         if found.note:
             self._entry["notes"].append(found.note)
         words, options = found.words, found.options

@@ -24,7 +24,7 @@ from ...targets.conformance.html_pages import Embedded, environment
 from ...targets.conformance.rows import STATUSES
 from ...targets.runner.routes import Route
 from ..catalogue import ENDING, Group, Listed
-from .comments import paragraphs
+from ..comments import paragraphs
 from .entry import Entry, Figure, Verdict
 from .highlighting import burnish_text, shader_text
 

@@ -14,13 +14,18 @@ from ..console import say
 from ..failures import errors_as_messages, fail, needed
 from ..options import (
     budget_option,
+    environment_option,
+    eye_option,
     hoist_option,
     instances_option,
+    look_at_option,
     mesh_option,
     pass_option,
+    plain_option,
     rig_option,
     scene_option,
     search_option,
+    turn_option,
     values_option,
 )
 from .request import ViewRequest
@@ -30,8 +35,13 @@ from .request import ViewRequest
 @click.argument("file", metavar="FILE|FOLDER", type=click.Path(path_type=Path))
 @mesh_option
 @scene_option
+@environment_option
+@eye_option
+@look_at_option
+@turn_option
 @instances_option
 @values_option
+@plain_option
 @budget_option
 @click.option(
     "--material", metavar="NAME", help="The material, kernel or frame to begin with.",
@@ -66,7 +76,9 @@ def view(port: int, no_browser: bool, **chosen: Any) -> None:
         burnish view gltf_material.burnish --scene helmet.glb
         burnish view plastic.burnish --port 8000 --no-browser
     """
-    request = ViewRequest(**chosen)
+    from ..as_asked import named_options
+
+    request = ViewRequest(**chosen, named=named_options(click.get_current_context()))
     if not (request.file.is_file() or request.file.is_dir()):
         fail(f"there is no file `{request.file}`")
     with errors_as_messages():

@@ -19,6 +19,7 @@ from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
 from ...compiler.documents.writing import to_json
+from ..as_asked import wishes
 from ..console import remark, say, show
 from ..failures import drawing_errors
 from ..hosts import (
@@ -26,11 +27,14 @@ from ..hosts import (
     scenery_of,
     set_pictures,
     set_values,
+    set_wished,
     tell_unmade,
     tell_unused_lamps,
 )
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES
+from ..render import render
+from ..surroundings import surround
 from .keeping import Keeping, Shelf
 from .pictures import Pictures, Wanted
 from .request import Choice, ViewRequest
@@ -39,6 +43,7 @@ from .uploads import MOST_BYTES
 if TYPE_CHECKING:
     from ...targets.runner.frames.host import FrameHost
     from ...targets.runner.frames.subjects import FrameSubject
+    from ...targets.runner.instances.instance import Instance
     from ...targets.runner.kernel_results import Kernel
 
 PROFILES = ("wgsl:webgpu", "glsl:es300")
@@ -67,6 +72,8 @@ class Documents:
     def __init__(self, request: ViewRequest, name: str, pictures: Pictures, made: Made) -> None:
         """``request`` is about one file, which pages know by its ``name``."""
         self._request = request
+        self._asked = request
+        """The request with what the comment of the file asks for."""
         self._name = name
         self._pictures = pictures
         self._made = made
@@ -97,8 +104,10 @@ class Documents:
     @property
     def others(self) -> set[Path]:
         """The files besides sources that are drawn, as far as they exist."""
-        named = (text.removeprefix("srgb:") for _name, text in self._request.values)
+        values = (*self._asked.wished, *self._asked.values)
+        named = (text.removeprefix("srgb:") for _name, text in values)
         paths = [Path(part) for text in named for part in text.split(",")]
+        paths.append(Path(self._request.environment))
         scene = self._request.scene
         return {path for path in (*paths, *([scene] if scene else [])) if _is_file(path)}
 
@@ -174,6 +183,7 @@ class Documents:
         from ...targets.web_view.controls import controls
         from ...targets.web_view.orbit import orbit
 
+        self._asked = self._with_wishes()
         declared = self._declared()
         chosen = self._chosen(choice, declared)
         frame = self._compiled(chosen, declared)
@@ -190,6 +200,15 @@ class Documents:
             "orbit": orbit(host.scenery),
             "package": to_json(frame_package(host, (choice.profile,))),
         }  # fmt: skip
+
+    def _with_wishes(self) -> ViewRequest:
+        """The request, and in it what the comment of the file asks for now."""
+        request = self._request
+        found = wishes(request, request.named, max(_SIZE), render)
+        known = {name: value for name, value in found.options.items() if name in request._fields}
+        if found.note and self._told != self.version:
+            remark("note", found.note)
+        return request._replace(**known)
 
     def _declared(self) -> api.Declared:
         request = self._request
@@ -212,7 +231,7 @@ class Documents:
 
         A name that the file no longer has counts as left open.
         """
-        request = self._request
+        request = self._asked
         names = (*declared.frames, *declared.materials, *declared.kernels)
         subject = _first(choice.subject if choice.subject in names else None, request.material)
         subject = _first(subject, *names)
@@ -234,7 +253,7 @@ class Documents:
         from ...targets.runner.frames.single import single_frame
         from ...targets.runner.instances.literals import color_lanes
 
-        request = self._request
+        request = self._asked
         result = api.compile(
             request.file, (chosen.profile,), material=chosen.subject, rig=chosen.rig,
             pass_=chosen.pass_, search_path=request.search_path, hoist=request.hoist,
@@ -256,11 +275,14 @@ class Documents:
         from ...targets.runner.frames.host import FrameHost
         from ...targets.runner.frames.single import captures, give_captured
 
-        request = self._request
+        request = self._asked
         mesh = chosen.mesh or request.mesh
-        host = FrameHost(frame, scenery_of(frame, mesh, request.instances, request.scene), _SIZE)
+        host = FrameHost(frame, scenery_of(frame, request, mesh), _SIZE)
         kernels = self._kernels(host, chosen) if is_single(frame) else []
-        set_values([host, *(kernel.instance for kernel in kernels)], request.values)
+        surround([host], request.environment)
+        owners: list[FrameHost | Instance] = [host, *(kernel.instance for kernel in kernels)]
+        set_wished(owners, request.wished)
+        set_values(owners, request.values)
         given = dict(self._give(host, chosen.pictures))
         if is_single(frame):
             set_pictures(host.instances, _SIZE)
@@ -293,7 +315,7 @@ class Documents:
         rows = (row for each in host.instances for row in each.reflection.buffers)
         if not any(row.stages for row in rows):
             return []
-        request = self._request
+        request = self._asked
         compiled = api.compile(
             request.file, (), rig=chosen.rig, search_path=request.search_path, keep_graphs=True
         )

@@ -13,6 +13,12 @@ class ViewRequest(NamedTuple):
     """A file or a folder."""
     mesh: str
     scene: Path | None
+    environment: str
+    """The light from all around: a word or a file."""
+    eye: tuple[float, float, float] | None
+    look_at: tuple[float, float, float] | None
+    turn: tuple[float, float]
+    """The angles by which the camera turns, in radians: to the right and upwards."""
     instances: int
     values: tuple[tuple[str, str], ...]
     material: str | None
@@ -20,6 +26,12 @@ class ViewRequest(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+    plain: bool
+    """True if comments of files have no say."""
+    named: frozenset[str] = frozenset()
+    """The names of the options that the command line has."""
+    wished: tuple[tuple[str, str], ...] = ()
+    """The values that the comment of the file asks for."""
 
 
 class Choice(NamedTuple):

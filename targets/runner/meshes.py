@@ -135,6 +135,25 @@ def plane(cells: int = 8) -> Mesh:
     return _made(position, normal, u, v, tangent, (cells, cells))
 
 
+def floor(cells: int = 8) -> Mesh:
+    """A square from -1 to 1 in the xz plane that faces +y; v points towards +z."""
+    upright = plane(cells)
+    u, v = upright.channels["uv"].T
+    position = upright.channels["position"] @ _LYING
+    normal = upright.channels["normal"] @ _LYING
+    tangent = upright.channels["tangent"][:, :3]
+    return _made(position, normal, u, v, tangent, (cells, cells))
+
+
+_LYING = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+"""The rotation that turns rows of an upright square, so that it lies."""
+
+
+def lies(mesh: Mesh) -> bool:
+    """True if all of a mesh has the same height."""
+    return bool(np.ptp(mesh.channels["position"][:, 1]) == 0)
+
+
 def cube(half: float = 0.7) -> Mesh:
     """An axis-aligned cube; each side shows the whole texture."""
     face = plane(1)
@@ -223,6 +242,7 @@ def _revolved(profile: Sequence[tuple[float, float, float, float]], around: int)
 MESHES: Mapping[str, Callable[[], Mesh]] = {
     "sphere": sphere,
     "plane": plane,
+    "floor": floor,
     "cube": cube,
     "torus": torus,
     "cylinder": cylinder,

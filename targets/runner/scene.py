@@ -189,6 +189,11 @@ def declared_as(role: str) -> str:
     return next(name for name, own in scene_names()["parameters"].items() if own == role)
 
 
+def takes_mean_radiance(row: ParameterRow) -> bool:
+    """True for light from everywhere, by the library's declaration of it."""
+    return scene_names()["surroundings"].get(row.library or "") == "mean_radiance"
+
+
 def texture_roles(declared: Declared) -> dict[str, str]:
     """The textures for which a look may have a picture, each with the scene's word for it."""
     names = scene_names()["textures"]

@@ -17,8 +17,9 @@ from PIL import Image
 from playwright.sync_api import Dialog
 
 from burnish.commands.catalogue import catalogue, title_of
-from burnish.commands.gallery.comments import FOLLOWED, asked
+from burnish.commands.comments import FOLLOWED, asked
 from burnish.commands.gallery.pages import FOLDER
+from burnish.commands.render import render
 from burnish.targets.toolchain import workers
 from burnish.targets.toolchain.workers import Worker
 
@@ -119,25 +120,25 @@ def test_nothing_private_is_shown(made: Made) -> None:
 
 
 NOTES = {
-    "outside": "a gallery takes files by relative paths",
-    "above": "a gallery takes only files of its own folder",
-    "by-link": "a gallery takes only files of its own folder",
-    "by-link-srgb": "a gallery takes only files of its own folder",
-    "link-that-is-a-number": "a gallery takes only files of its own folder",
-    "in-hidden": "a gallery takes only files of its own folder",
-    "endless": "a gallery takes files by relative paths",
-    "no-file": "a gallery takes only files of its own folder",
-    "scene": "`--scene`, which a gallery does not follow",
-    "search": "`-I`, which a gallery does not follow",
-    "device": "`--device`, which a gallery does not follow",
-    "route": "`--on`, which a gallery does not follow",
+    "outside": "files are taken by relative paths",
+    "above": "only files of its own folder are taken",
+    "by-link": "only files of its own folder are taken",
+    "by-link-srgb": "only files of its own folder are taken",
+    "link-that-is-a-number": "only files of its own folder are taken",
+    "in-hidden": "only files of its own folder are taken",
+    "endless": "files are taken by relative paths",
+    "no-file": "only files of its own folder are taken",
+    "scene": "`--scene`, which is not followed",
+    "search": "`-I`, which is not followed",
+    "device": "`--device`, which is not followed",
+    "route": "`--on`, which is not followed",
     "written": "a picture is written beside the file",
-    "many-frames": "a gallery takes up to 60",
-    "budget": "`--budget`, which a gallery does not follow",
+    "many-frames": "up to 60 are taken",
+    "budget": "`--budget`, which is not followed",
     "no-value": "has a command with a mistake ('' is not one of 'sphere', ",
     "nonsense": "has a command with a mistake ('nonsense' is not one of 'sphere', ",
     "apostrophe": "has a command that cannot be read (no closing quotation)",
-    "help": "`--help`, which a gallery does not follow",
+    "help": "`--help`, which is not followed",
 }
 
 
@@ -284,7 +285,7 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
     }  # fmt: skip
     assert values.keys() == FOLLOWED.keys()
     words = " ".join(f"{name} {value}" for name, value in values.items())
-    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, 256)
+    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, 256, render)
     assert found.note == ""
     assert found.options == {
         "mesh": "knot", "instances": 3, "values": (("a", "1"),), "steps": 2,
@@ -304,7 +305,7 @@ def test_comments_of_examples_are_followed() -> None:
     examples = ROOT / "examples"
     followed = 0
     for path in examples.rglob("*.burnish"):
-        found = asked(path.read_text("utf-8"), path.name, examples, 1024)
+        found = asked(path.read_text("utf-8"), path.name, examples, 1024, render)
         assert found.note == "", path
         followed += bool(found.options)
     assert followed > 20
@@ -323,6 +324,8 @@ def test_comments_of_examples_are_followed() -> None:
 def test_frames_steps_and_pixels_are_counted_together(
     size: int, words: str, note: str, tmp_path: Path
 ) -> None:
-    found = asked(f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, size)
+    found = asked(
+        f"//!     burnish render x.burnish {words}\n", "x.burnish", tmp_path, size, render
+    )
     assert re.search(note, found.note) if note else not found.note
     assert bool(found.words) == bool(found.options) == (not note)

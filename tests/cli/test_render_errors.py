@@ -113,8 +113,8 @@ OPTIONS = {
         "Invalid value for '--background': 'red' is no colour, which would be '#b5651d'"
     ),
     "--mesh teapot": (
-        "Invalid value for '--mesh': 'teapot' is not one of 'sphere', 'plane', 'cube', 'torus', "
-        "'cylinder', 'capsule', 'knot'."
+        "Invalid value for '--mesh': 'teapot' is not one of 'sphere', 'plane', 'floor', 'cube', "
+        "'torus', 'cylinder', 'capsule', 'knot'."
     ),
     "--on lavapip": "there is no route `lavapip`; did you mean `lavapipe`?",
     "--on ,": "--on names no route",

@@ -116,7 +116,7 @@ def test_occlusion_keeps_light_from_all_around_away() -> None:
         base_color=(0.5, 0.5, 0.5, 1), occlusion_map=Texture.solid((0, 1, 1)),
         occlusion_strength=0.75,
     )  # fmt: skip
-    assert np.allclose(found[:3], 0.5 * 0.25, rtol=1e-6)
+    assert np.allclose(found[:3], (0.04 + 0.96 * 0.5) * 0.25, rtol=1e-6)
 
 
 @truth("std.gltf.leaning")
@@ -231,6 +231,12 @@ def test_colours_of_vertices_multiply_the_base() -> None:
     assert found == close((0.25, 0.2, 1.0, 0.2))
 
 
+def everywhere(base: Floats, metallic: float) -> Floats:
+    """What is mirrored of even light at a right angle, and what is scattered of the rest."""
+    mirrored = 0.04 * (1 - metallic) + metallic * base
+    return np.asarray(mirrored + (1 - mirrored) * base * (1 - metallic))
+
+
 def shaded(
     normal: Floats, light: Floats, eye: Floats, base: Floats, metallic: float, roughness: float
 ) -> Floats:
@@ -292,7 +298,7 @@ def test_a_surface_seen_and_lit_from_the_side(degrees: float) -> None:
         **{"lamp.direction": tuple(map(float, -light))},
     )  # fmt: skip
     wanted = shaded(np.array((0.0, 0.0, 1.0)), light, eye, BASE, 0.4, 0.6)
-    wanted += 0.7 * np.array((0.3, 0.2, 0.1)) * BASE * 0.6 + (0.1, 0.4, 0.9)
+    wanted += 0.7 * np.array((0.3, 0.2, 0.1)) * everywhere(BASE, 0.4) + (0.1, 0.4, 0.9)
     assert found == close(wanted)
 
 
@@ -329,5 +335,5 @@ def test_a_bent_surface(
     wanted = shaded(normal, light, np.array((0, 0, 1.0)), base, metallic, roughness * rough / 255)
     wanted *= (0.5, 2, 1.5)
     occlusion = 0.5 + 0.5 * occluded / 255
-    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * base * (1 - metallic) + (0.2, 0, 1)
+    wanted += occlusion * np.array((0.1, 0.2, 0.4)) * everywhere(base, metallic) + (0.2, 0, 1)
     assert np.allclose(found[:3], wanted, rtol=2e-5)

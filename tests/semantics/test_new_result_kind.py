@@ -112,7 +112,7 @@ def test_four_files_are_changed() -> None:
 
 def test_it_is_delivered_and_can_be_replaced(package: Path) -> None:
     assert run(package, COMPILE) == (
-        "color rgba8 \n"
+        "color rgba8_srgb \n"
         "glow rgba8 Dimmer than the surface\n"
         "depth rgba8 \n"
         "@location(0) color: vec4f,\n"

@@ -160,7 +160,7 @@ def test_what_a_texture_is_until_it_is_bound() -> None:
 def test_the_default_pass_writes_colour_and_alpha() -> None:
     whole = shader("material M { color = #ffffff  alpha = 0.25 }")
     (result,) = whole.results_of(TARGET)
-    assert (result.name, result.state) == ("color", RenderTarget("rgba8"))
+    assert (result.name, result.state) == ("color", RenderTarget("rgba8_srgb"))
     assert at(whole, result.value) == (1, 1, 1, 0.25)
     assert not whole.results_of(DISCARD)
 

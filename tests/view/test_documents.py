@@ -26,6 +26,10 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         file=file,
         mesh="cube",
         scene=options.get("scene"),
+        environment=options.get("environment", "studio"),
+        eye=options.get("eye"),
+        look_at=None,
+        turn=(0.0, 0.0),
         instances=4,
         values=options.get("values", ()),
         material=options.get("material"),
@@ -33,6 +37,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         pass_=options.get("pass_"),
         search_path=(),
         hoist=True,
+        plain=options.get("plain", False),
     )
     keeping = Keeping()
     documents = Documents(request, file.name, Pictures(keeping), Documents.shelf(keeping))
@@ -129,3 +134,33 @@ def test_kernels_read_what_others_of_the_file_write() -> None:
     assert [row["name"] for row in found["package"]["plan"]["outputs"]] == ["after"]
     lacking = document(EXAMPLES / "cloth.burnish", {"subject": "Cloth", "profile": "glsl:es300"})
     assert "glsl:es300 has no compute stage" in lacking["error"]
+
+
+def test_cube_maps_show_the_environment(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material M { map around : texture_cube = black  color = around(normal).rgb }")
+    sides = {
+        asked: [row["width"] for row in document(file, environment=asked)["package"]["pictures"]]
+        for asked in ("studio", "none")
+    }
+    assert sides == {"studio": [64], "none": [1]}
+
+
+def test_the_camera_begins_where_it_was_asked_to_be(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material M { color = 0.5 + 0.5 * normal }")
+    assert document(file, eye=(0.0, 0.0, 7.0))["orbit"]["eye"] == [0, 0, 7]
+    assert document(file, values=(("eye", "0,7,0"),))["orbit"]["eye"] == [0, 7, 0]
+
+
+def test_the_comment_of_the_file_is_followed(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(
+        "//!     burnish render m.burnish --mesh plane --set size=0.75 --set other=1\n"
+        "material M { param size : float = 0.25  color = vec3(size) }\n"
+    )
+    found = document(file)
+    assert (found["chosen"]["mesh"], controls(found)["size"]) == ("plane", 0.75)
+    assert controls(document(file, values=(("size", "0.5"),)))["size"] == 0.5
+    found = document(file, plain=True)
+    assert (found["chosen"]["mesh"], controls(found)["size"]) == ("cube", 0.25)

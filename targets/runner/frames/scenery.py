@@ -12,9 +12,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cameras import Camera, Matrix, Vector, looking
+from ..cameras import Camera, Matrix, Vector, Viewpoint, looking
 from ..looks import PLAIN, Look
-from ..meshes import MESHES, Mesh
+from ..meshes import MESHES, Mesh, lies
 from ..scene import Scene
 
 WHOLE = "scene"
@@ -36,6 +36,10 @@ _NEAR = 0.05
 """The near plane, as a share of the distance to the ball's middle."""
 _FURTHER = 4.0
 """The distance of the far plane behind the ball's middle, in radii."""
+_USUAL = 3.0
+"""The distance of a camera's target if there are no models."""
+_HOVERS = 0.5
+"""The height above the floor of a mesh that lies itself, lest both hide each other."""
 _VIEW = (0.25, 0.45, 1.0)
 """The direction from the models to the camera."""
 
@@ -66,6 +70,31 @@ class Scenery:
         """The models of a name in the frame, in the order in which they are drawn."""
         return tuple(m for m in self.models if name == WHOLE or name in m.tags)
 
+    @property
+    def target(self) -> Vector:
+        """What the camera looks at: straight ahead, as far away as the middle of the models."""
+        camera = self.scene.camera
+        eye, forward = np.array(camera.eye), -camera.world_to_camera[2, :3]
+        middles = [_middle(each) for each in self.models]
+        distance = float(forward @ (np.mean(middles, axis=0) - eye)) if middles else 0.0
+        if distance <= camera.near:
+            distance = _USUAL
+        x, y, z = (eye + distance * forward).tolist()
+        return x, y, z
+
+    def seen_from(self, viewpoint: Viewpoint) -> Scenery:
+        """The same models before a camera that has been moved. Raises ``CameraError``."""
+        camera = viewpoint.moved(self.scene.camera, self.target)
+        return replace(self, scene=replace(self.scene, camera=camera))
+
+
+def _middle(model: Model) -> NDArray[np.float64]:
+    """The middle of a model in world space."""
+    positions = model.mesh.channels["position"]
+    ends = (positions.min(axis=0) + positions.max(axis=0)) / 2
+    middle: NDArray[np.float64] = (np.array(model.placement) @ [*ends, 1.0])[:3]
+    return middle
+
 
 def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: str) -> Scenery:
     """One model of each material, side by side on a floor, before a camera that sees all of them.
@@ -84,6 +113,8 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
     ]
     below = tags.get(FLOOR, materials)[-1]
     lowest = float(shape.channels["position"][:, 1].min())
+    if lies(shape):
+        lowest -= _HOVERS
     models.append(Model(MESHES["plane"](), below, _lying(width / 2 + _SIDE, lowest)))
     tagged = tuple(
         replace(model, tags=frozenset(_tags_of(model.material, tags))) for model in models

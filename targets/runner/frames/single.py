@@ -7,11 +7,14 @@ do the same with any reflection.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ..binding import shows_less
+from ..cameras import USUAL, Viewpoint, looking
 from ..capturing import give_elements
 from ..exact import Exact
 from ..kernels import has_images
-from ..meshes import MESHES, farthest_first
+from ..meshes import MESHES, farthest_first, lies
 from ..scene import Scene, with_inputs
 from ..scene_state import CLEAR, Color, set_up
 from ..subject import Subject
@@ -20,6 +23,9 @@ from .host import FrameHost
 from .scenery import Model, Scenery
 from .single_plan import single_plan
 from .subjects import PlannedFrame, SingleFrame
+
+_ABOVE = (0.7, 2.6, 2.6)
+"""The eye before a mesh that lies."""
 
 
 def single_frame(
@@ -54,13 +60,22 @@ def give_captured(host: FrameHost, mesh: str, instances: int) -> None:
     give_elements(set_up(instance, whole, Scene(), host.size))
 
 
-def single_scenery(frame: SingleFrame, mesh: str, instances: int) -> Scenery:
-    """A mesh with the material, and the camera and lights that ``burnish render`` has for it."""
+def single_scenery(
+    frame: SingleFrame, mesh: str, instances: int, viewpoint: Viewpoint = USUAL
+) -> Scenery:
+    """A mesh with the material, and the camera and lights that ``burnish render`` has for it.
+
+    What lies is seen from above. Raises ``CameraError``.
+    """
     reflection = frame.shaders[0].reflection
     if not frame.plan.models:
         return Scenery(())
-    scene = Scene()
-    whole = with_inputs(reflection, MESHES[mesh](), instances)
+    shape = MESHES[mesh]()
+    scene = Scene(looking(_ABOVE)) if lies(shape) else Scene()
+    whole = with_inputs(reflection, shape, instances)
+    found = Scenery((Model(whole, frame.name, scene.object_to_world),), scene)
+    found = found.seen_from(viewpoint)
     if any(row.blend is not None for row in reflection.targets):
-        whole = farthest_first(whole, scene.camera.eye)
-    return Scenery((Model(whole, frame.name, scene.object_to_world),), scene)
+        sorted_ = farthest_first(whole, found.scene.camera.eye)
+        found = replace(found, models=(replace(found.models[0], mesh=sorted_),))
+    return found

@@ -31,11 +31,11 @@ def cube_of(picture: NDArray[Any], name: str) -> NDArray[np.float32]:
             f"a panorama is twice as wide as high, and {name} has {width} x {height} texels"
         )
     texels = picture[..., np.newaxis] if picture.ndim == 2 else picture
-    faces = (_seen(texels, towards) for towards in _directions(height // 2))
+    faces = (_seen(texels, towards) for towards in face_directions(height // 2))
     return np.stack([face.astype(np.float32) for face in faces])
 
 
-def _directions(side: int) -> Iterator[Floats]:
+def face_directions(side: int) -> Iterator[Floats]:
     """The direction of each texel of each face, of shape (side, side, 3): right and down on a face
     are s and t, as Direct3D, Vulkan, OpenGL and WebGPU have them."""
     steps = (np.arange(side) + 0.5) / side * 2 - 1

@@ -14,10 +14,11 @@ from pathlib import Path
 from random import Random
 
 from burnish.commands.catalogue import ENDING, README, catalogue, title_of
-from burnish.commands.gallery.comments import FOLLOWED, asked, files_of
+from burnish.commands.comments import FOLLOWED, asked, files_of
 from burnish.commands.gallery.entry import Entry, failed
 from burnish.commands.gallery.making import source_of
 from burnish.commands.gallery.pages import pages
+from burnish.commands.render import render
 
 from ...cli.hostile_folder import SECRET, Reader
 from .names import hostile_names
@@ -53,7 +54,7 @@ def _show(random: Random, base: Path) -> None:
     for each in files:
         source, problem = source_of(each.path, root)
         assert not problem and SECRET not in source
-        found = asked(source, each.path.name, root, 256)
+        found = asked(source, each.path.name, root, 256, render)
         for _name, value in found.options.get("values", ()):
             assert private not in map(Path.resolve, files_of(value, root))
         entries[each.name] = {**failed(source, found.note), "names": [each.name]}

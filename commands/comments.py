@@ -9,7 +9,8 @@ Its paragraphs stand on the page of the file. An indented one is a command, and 
 
 Such a command is not run, since the file may come from anybody and the page may be published.
 ``FOLLOWED`` lists the options that a file may ask for; each is read by itself, with the rules that
-``render`` has for it. Whoever asks for something else has a note on the page, and is drawn plainly.
+``render`` has for it. Whoever asks for something else is drawn plainly, with a note. The gallery
+calls ``asked``, and so does ``as_asked.py`` for ``render`` and ``view``.
 """
 
 from __future__ import annotations
@@ -22,8 +23,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from ..catalogue import is_shown
-from ..render import render
+from .catalogue import is_shown
 
 _MARK = "//!"
 _INDENT = " " * 5
@@ -91,16 +91,17 @@ def paragraphs(source: str) -> list[Paragraph]:
     return found
 
 
-def asked(source: str, name: str, root: Path, size: int) -> Asked:
-    """The command in the comment of a file called ``name`` in the gallery's folder ``root``.
+def asked(source: str, name: str, root: Path, size: int, command: click.Command) -> Asked:
+    """The command in the comment of a file called ``name`` in the folder ``root``.
 
-    Pictures have ``size`` pixels on a side.
+    Pictures have ``size`` pixels on a side. ``command`` is ``burnish render``, whose options they
+    are.
     """
     try:
         words = next(_commands(source, name), None)
         if not words:
             return NOTHING
-        options = _options(words[1:], root)
+        options = _options(words[1:], root, command)
         _check_work(options, size)
         return Asked(words, options, "")
     except _NotFollowedError as reason:
@@ -139,21 +140,25 @@ def _commands(source: str, name: str) -> Iterator[list[str]]:
             yield words
 
 
-def _options(words: Sequence[str], root: Path) -> dict[str, Any]:
+def _options(words: Sequence[str], root: Path, command: click.Command) -> dict[str, Any]:
     """The values of all options of a command."""
     given: dict[click.Option, list[str]] = {}
     rest = iter(words)
+    known = {
+        name: option for option in command.params if isinstance(option, click.Option)
+        for name in option.opts
+    }  # fmt: skip
     for word in rest:
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
-        option = _RENDERS.get(name)
+        option = known.get(name)
         if option is None or name not in FOLLOWED:
-            raise _NotFollowedError(f"asks for `{word}`, which a gallery does not follow")
+            raise _NotFollowedError(f"asks for `{word}`, which is not followed")
         for following in islice(rest, 0 if equals else 1):
             value = following
         if reason := FOLLOWED[name](value, root):
             raise _NotFollowedError(f"asks for `{name} {value}`: {reason}")
         given.setdefault(option, []).append(value)
-    context = click.Context(render)
+    context = click.Context(command)
     values: dict[str, Any] = {}
     try:
         for option, texts in given.items():
@@ -171,8 +176,8 @@ def _check_work(options: Mapping[str, Any], size: int) -> None:
     most = max(MOST_WORK // max(size, _LEAST_SIZE) ** 2, 1)
     if frames * steps > most:
         raise _NotFollowedError(
-            f"asks for {frames} frames of {steps} steps: of pictures of this size, a gallery takes "
-            f"up to {most} steps in all"
+            f"asks for {frames} frames of {steps} steps: of pictures of this size, "
+            f"up to {most} steps in all are taken"
         )
 
 
@@ -183,7 +188,7 @@ def _anything(_value: str, _root: Path) -> str:
 def _at_most(most: int) -> Callable[[str, Path], str]:
     def check(value: str, _root: Path) -> str:
         few = len(value) < 9 and value.isdecimal() and int(value) <= most
-        return "" if few else f"a gallery takes up to {most}"
+        return "" if few else f"up to {most} are taken"
 
     return check
 
@@ -198,13 +203,13 @@ def _plain_name(value: str, _root: Path) -> str:
 
 
 def _own_files(value: str, root: Path) -> str:
-    """Pictures, and elements of buffers, only of the gallery's folder, by relative paths."""
+    """Pictures, and elements of buffers, only of the folder, by relative paths."""
     _name, _equals, text = value.partition("=")
     paths = list(files_of(text, root))
     if any(PurePath(part.strip()).is_absolute() for part in text.removeprefix(_SRGB).split(",")):
-        return "a gallery takes files by relative paths"
+        return "files are taken by relative paths"
     if not all(is_shown(path, root) for path in paths):
-        return "a gallery takes only files of its own folder"
+        return "only files of its own folder are taken"
     return ""
 
 
@@ -225,9 +230,3 @@ FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
 }
 """The options that a file may ask for. Each function returns why a value is not followed, or
 nothing; the option itself checks the value."""
-
-_RENDERS = {
-    name: option for option in render.params if isinstance(option, click.Option)
-    for name in option.opts
-}  # fmt: skip
-"""The options of ``burnish render``."""
