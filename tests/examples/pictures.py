@@ -19,7 +19,7 @@ from burnish.targets.runner.textures.high_range import encoded_floats, format_of
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FOLDER = EXAMPLES / "pictures"
 OF_TUTORIAL = ("brick_normals", "bricks")
-"""Pictures that the tutorial has as well: a file's comment may name those of its own folder only."""
+"""Pictures that the tutorial has as well: a comment may name files of its own folder only."""
 SIDE = 96
 
 Floats = NDArray[np.float64]
