@@ -138,11 +138,23 @@ def _single_scenery(frame: SingleFrame, mesh: str, instances: int, viewpoint: Vi
 def set_values(owners: Sequence[FrameHost | Instance], values: Iterable[tuple[str, str]]) -> None:
     """Set each value in every frame and kernel that has a parameter or texture of this name.
 
-    Raises ``UnknownParameterError`` if none has one.
+    What is set of one material, ``Clay.base``, comes after what is set of all. Raises
+    ``UnknownParameterError`` if none has one, and ``ParameterError`` if they are of several types.
     """
+    from ..targets.runner.frames.host import FrameHost
+    from ..targets.runner.frames.owners import check_one_type
     from ..targets.runner.instances.values import UnknownParameterError
 
-    for name, text in values:
+    hosts = [each for each in owners if isinstance(each, FrameHost)]
+
+    def is_owned(pair: tuple[str, str]) -> bool:
+        return any(host.owner_of(pair[0]) for host in hosts)
+
+    for name, text in sorted(values, key=is_owned):
+        known = (
+            (owner, v) for host in hosts for owner, all_of in host.owners.items() for v in all_of
+        )
+        check_one_type(name, known)
         unknown = []
         for owner in owners:
             try:

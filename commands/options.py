@@ -142,9 +142,23 @@ def pairs(
     return tuple(found)
 
 
+def _each_once(
+    context: click.Context, option_: click.Parameter, given: Sequence[str]
+) -> tuple[tuple[str, str], ...]:
+    """The callback of ``--set``: of two values for one name, neither is certainly meant."""
+    found = pairs(context, option_, given)
+    known: dict[str, str] = {}
+    for name, value in found:
+        if name in known:
+            raise click.BadParameter(f"'{name}' is set twice, to {known[name]} and to {value}")
+        known[name] = value
+    return found
+
+
 values_option = click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
-    help="A parameter or a texture; may be given many times.",
+    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=_each_once,
+    help="A parameter or a texture, or that of one material, as Clay.base; may be given many "
+    "times.",
 )  # fmt: skip
 
 

@@ -157,6 +157,7 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
         base=#ff8800                 a colour; or base=1,0.25,0 in linear light
         torch.axis=0,-1,0            a part of a light, or of a structure
         lamps.count=2                how many lights of an array are switched on
+        Clay.base=#ff8800            of several materials that have such a parameter, that of one
         'lamps[0].place=0,2,1'       a part of one light of an array
         albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices

@@ -9,12 +9,17 @@ can be compiled once more from the record itself, which ``api/compiling.py`` doe
 from __future__ import annotations
 
 import os
+from itertools import islice
 from stat import S_IFREG, S_ISREG
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from pathlib import Path
+
+
+_MOST_NAMES = 1000
+"""The names of a folder that are looked at to find what a misspelt import means."""
 
 
 class Inputs:
@@ -46,6 +51,14 @@ class Inputs:
     def is_folder(self, path: Path) -> bool:
         """True if there is a folder, whatever the path looks like."""
         return os.path.isdir(path)  # noqa: PTH112
+
+    def names(self, folder: Path) -> list[str]:
+        """The names in a folder, for a hint about one that is not there; not more than a few."""
+        try:
+            with os.scandir(folder) as entries:
+                return sorted(entry.name for entry in islice(entries, _MOST_NAMES))
+        except OSError:
+            return []
 
     def content(self, path: Path) -> bytes | None:  # noqa: ARG002 - of the disk, nothing is known
         """The content of a file, if it need not be read."""
@@ -110,6 +123,10 @@ class Recorded(Inputs):
     def is_folder(self, path: Path) -> bool:
         """True for the folders of the search path, which were all there."""
         return str(path) in self._noted.folders
+
+    def names(self, folder: Path) -> list[str]:  # noqa: ARG002 - the record has no folder's names
+        """No names: what was compiled once lacks no file."""
+        return []
 
     def content(self, path: Path) -> bytes | None:
         """The content that was read; ``None`` for a file of the library."""

@@ -52,6 +52,12 @@ _CURVES = {
     "bounce": "bounce",
 }  # fmt: skip
 _ROWS: tuple[Iterator[tuple[str, Meant]], ...] = (
+    # ---- std.terms
+    _called("std.terms", "lambert", "diffuse diffuseBRDF diffuseBSDF lambertian lambertDiffuse"),
+    _called("std.terms", "phong blinn_phong", "specular specularBRDF glossy highlight"),
+    _called("std.terms", "phong", "phongSpecular"),
+    _called("std.terms", "blinn_phong", "blinnPhongSpecular"),
+    _called("std.terms", "ambient", "ambientLight"),
     # ---- std.color
     _called(
         "std.color",

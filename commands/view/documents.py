@@ -349,9 +349,11 @@ def _takes_mesh(frame: FrameSubject) -> bool:
 
 def _wanted(host: FrameHost, name: str) -> Wanted | None:
     """The kind of the texture of this name, if there is one."""
-    for values in (host.values, *host.instances):
+    owner = host.owner_of(name)
+    own = name.removeprefix(f"{owner}.") if owner else name
+    for values in host.owners[owner] if owner else (host.values, *host.instances):
         for row in values.declared.textures:
-            if row.name == name:
+            if row.name == own:
                 return Wanted(row.dimension, row.sample)
     return None
 

@@ -12,8 +12,10 @@ from ..diagnostics.fixes import Hint
 from ..diagnostics.nearest import nearest
 from ..diagnostics.source import Source
 from .ast import MEMBERS
+from .equation_advice import EquationAdvice
 from .expectations import may_begin_declaration, may_begin_member
 from .expression_advice import ExpressionAdvice, array_elements
+from .foreign_choices import if_before
 from .foreign_functions import ENTRY_POINT, function_hint
 from .foreign_syntax import QUALIFIERS, Row, elsewhere, rewritten, types
 from .forms import DECLARATIONS
@@ -61,6 +63,7 @@ class Advice(TokenView):
     def __init__(self, outline: Outline, source: Source) -> None:
         super().__init__(outline, source)
         self._expressions = ExpressionAdvice(outline, source)
+        self._equations = EquationAdvice(outline, source)
 
     def at(self, index: int, expected: set[str], start: int, begin: int) -> Hint:
         """The hint for the token at ``index``; empty if the rule's own help is as good.
@@ -73,6 +76,7 @@ class Advice(TokenView):
             lambda: self._expressions.of_array(index),
             lambda: self._of_marks(index, expected),
             lambda: self._of_header(index, expected),
+            lambda: self._equations.of_type(index, expected, start, begin),
             lambda: self._of_typed(index, expected, start, begin),
             lambda: self._of_name(index, expected, start, start == begin),
             lambda: self._expressions.at(index, expected, self.text(start)),
@@ -99,6 +103,8 @@ class Advice(TokenView):
         if found.kind in _OPENED_BY and begins and found.kind not in expected:
             return self.without(f"no `{_OPENED_BY[found.kind]}` is open here", index, index + 1)
         at_start = self.outline.begins_line(index) or previous.kind in ("{", ";", ",")
+        if self.kinds(index, 2) == ["-", "-"] and begins and at_start:
+            return self.replace("a comment begins with `//`", index, index + 1, "//")
         if found.kind == "=" and begins and at_start:
             return "an equation begins with a name: `name = expression`"
         if found.text in MEMBERS and may_begin_declaration(expected):
@@ -114,8 +120,12 @@ class Advice(TokenView):
     def _of_header(self, index: int, expected: set[str]) -> Hint:
         """The hint for a token behind the name of a material, light or pass."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
+        if expected == {"NAME"} and previous.text in DECLARATIONS:
+            return self._equations.of_quoted_name(index)
         if "blend" not in expected or "{" not in expected:
             return ""
+        if hint := self._equations.of_header(index):
+            return hint
         if found.kind == "NAME" and following.kind in ("{", ":"):
             name = previous.text + found.text
             return self.replace(f"a name is one word: `{name}`", index - 1, index, name)
@@ -128,6 +138,17 @@ class Advice(TokenView):
             head = self.quoted(first, index)
             return f"the members need braces: `{head} {{ … }}`"
         return self._dashed(index)
+
+    def behind_comparison(self, index: int) -> int | None:
+        """The token behind ``if x = 1 then a else b``, if ``index`` is the ``=`` of that."""
+        if self.token(index).kind != "=" or if_before(self, index) < 0:
+            return None
+        behind = self.value_end(index + 1)
+        return behind if "then" in self.kinds(index, behind - index) else None
+
+    def of_comparison(self, index: int) -> Hint:
+        """About such a ``=``."""
+        return self.replace("equality is `==`", index, index, "==")
 
     def of_blending(self, index: int) -> Hint:
         """About settings of a target's blending that begin at ``index`` without their braces."""
@@ -152,7 +173,7 @@ class Advice(TokenView):
                     return self._of_qualifier(index)
                 first = start if word in MEMBERS and index - start < 4 else index - 1
                 return rewritten(self._row(first), in_body=start != begin)
-            if found.kind == ",":
+            if found.kind == "," and within != "fn":
                 return "each name needs a declaration of its own"
             if found.kind == ">":
                 name = f"{previous.text}: floats"
@@ -209,7 +230,7 @@ class Advice(TokenView):
             return self._of_attribute(index)
         if self.text(start) in MEMBERS and not self.outline.begins_line(index):
             return ""
-        if hint := self._of_function(index, outside):
+        if hint := self._of_beginning(index, expected, start, outside):
             return hint
         if not expected & {"=", "when"}:
             return elsewhere(found.text) if begins else ""
@@ -230,6 +251,17 @@ class Advice(TokenView):
         if previous.kind != "NAME" or self.outline.begins_line(index):
             return ""
         return self._dashed(index) or self._of_two_words(index, start, outside)
+
+    def _of_beginning(self, index: int, expected: set[str], start: int, outside: bool) -> Hint:
+        """About a function, a word of another language, or a name without its ``=``."""
+        hint = self._equations.of_colon(index, start)
+        if not hint and "=" in expected:
+            hint = (
+                self._equations.of_surface(index, outside=outside)
+                or self._equations.of_texture(index, outside=outside)
+                or ("" if outside else self._equations.of_missing_equals(index, start))
+            )
+        return hint or self._of_function(index, outside)
 
     def _of_attribute(self, index: int) -> Hint:
         """About ``@group(0)``, ``@fragment`` or ``[unroll]`` in front of a declaration."""
@@ -260,7 +292,8 @@ class Advice(TokenView):
     def _of_function(self, index: int, outside: bool) -> Hint:
         """About a function with its type in front: ``float f(float x) { … }``."""
         kinds = self.kinds(index - 1, 3)
-        has_type = kinds == ["NAME", "NAME", "("] and self.text(index - 1) in (*types(), "void")
+        words = (*types(), "void", "def", "func", "function")
+        has_type = kinds == ["NAME", "NAME", "("] and self.text(index - 1) in words
         if not has_type or self.outline.begins_line(index):
             return ""
         return function_hint(self, index, outside=outside)
@@ -283,7 +316,7 @@ class Advice(TokenView):
 
     def _of_row(self, index: int, start: int, first: str, outside: bool) -> Hint:
         """About a declaration whose first word says nothing by itself."""
-        if first in ("out", "varying"):
+        if first in ("in", "out", "varying"):
             return ""
         if self.token(index).kind != "NAME" or self.outline.begins_line(index):
             return ""

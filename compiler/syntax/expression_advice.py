@@ -12,9 +12,10 @@ from types import MappingProxyType
 from ..diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ..diagnostics.source import Span
 from .expectations import may_begin_member
-from .foreign_choices import UNFINISHED_IF
+from .foreign_choices import unfinished_if
 from .foreign_syntax import elsewhere, types
 from .forms import FOLDS
+from .quoting import closed, shortened
 from .token_view import TokenView
 from .tokens import RESERVED
 
@@ -78,6 +79,8 @@ def called_fold(view: TokenView, index: int) -> Hint:
 
 _ITERATE = "`iterate x from start up to n while condition : next` repeats"
 _VECTOR = "a vector is written `vec3(x, y, z)`, an array `[a, b]`"
+_ANGLES = frozenset(("deg", "rad"))
+"""The units that are written directly behind a number."""
 _CONVERSIONS = frozenset(("float", "int", "uint", "bool"))
 
 _FOUND: Mapping[str, str] = MappingProxyType(
@@ -131,7 +134,7 @@ class ExpressionAdvice(TokenView):
         """
         found, previous = self.token(index), self.token(index - 1)
         if expected & {"then", "else"} and not may_begin_member(expected):
-            return UNFINISHED_IF
+            return unfinished_if(self, index, expected)
         if expected == {"NAME"}:
             return self._of_missing_name(index, member)
         if ".." in expected:
@@ -190,6 +193,11 @@ class ExpressionAdvice(TokenView):
     def _of_operand(self, index: int, expected: set[str]) -> Hint:
         """The hint for a token that no expression has in its place, by the kind of token."""
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
+        if found.kind == "|" and "NUMBER" in expected:
+            return self._of_bars(index)
+        if found.text in _ANGLES and previous.kind == "NUMBER":
+            angle = previous.text + found.text
+            return self.replace(f"an angle is one word: `{angle}`", index - 1, index, angle)
         if found.kind == "STRING" and found.text.startswith('"#'):
             color = found.text[1:-1]
             said = f"a colour is written without quotes: `{color}`"
@@ -197,7 +205,7 @@ class ExpressionAdvice(TokenView):
         if found.text == "as" and types().get(following.text) in _CONVERSIONS:
             return self._of_as(index)
         if found.kind == "{" and previous.kind == "NAME" and "+" in expected:
-            return f"a structure is made by a call: `{previous.text}(a, b)`"
+            return self._of_braces(index)
         if found.kind in _FOUND and ({"NUMBER", "NAME"} <= expected or "+" in expected):
             return _FOUND[found.kind]
         if found.text == "as":
@@ -219,14 +227,46 @@ class ExpressionAdvice(TokenView):
             return self.replace(said, index - 1, index - 1, "=")
         return ""
 
-    def _of_reserved(self, index: int, expected: set[str]) -> str:
+    def _of_reserved(self, index: int, expected: set[str]) -> Hint:
         """About a reserved word where a value begins or goes on."""
         found = self.token(index)
         if found.kind == "mod" and self.token(index + 1).kind == "(":
-            return "`mod` stands between its operands: `x mod y`"
+            return self._of_mod(index)
         if found.kind == "if" and "+" in expected:
             return "the condition comes first: `if condition then a else b`"
         return f"`{found.text}` is a reserved word" if "NUMBER" in expected else ""
+
+    def _of_braces(self, index: int) -> Hint:
+        """About ``vec3 { 1, 0, 0 }``, of which ``index`` is the brace."""
+        name, closing = self.text(index - 1), self.closing(index)
+        inside = self.written(index + 1, closing)
+        has_names = {"=", ":"} & set(self.kinds(index, closing - index))
+        if self.token(closing).kind != "}" or not inside or has_names:
+            return f"a structure is made by a call: `{name}(a, b)`"
+        written = f"{types().get(name, name)}({inside.strip()})"
+        said = f"a value is made by a call: `{shortened(written)}`"
+        return self.replace(said, index - 1, closing, written)
+
+    def _of_mod(self, index: int) -> Hint:
+        """About ``mod(x, y)``, whose name stands at ``index``."""
+        said = "`mod` stands between its operands: `{}`"
+        opening, closing = index + 1, self.closing(index + 1)
+        behind = self.value_end(opening + 1)
+        left, right = self.written(opening + 1, behind), self.written(behind + 1, closing)
+        if self.token(behind).kind != "," or not left or not right:
+            return said.format("x mod y")
+        written = f"({closed(left)} mod {closed(right)})"
+        return self.replace(said.format(shortened(written[1:-1])), index, closing, written)
+
+    def _of_bars(self, index: int) -> Hint:
+        """About ``|x|``, of which the first bar stands at ``index``."""
+        end = self.value_end(index + 1)
+        bars = (i for i in range(index + 2, end) if self.token(i).kind == "|")
+        behind = next(bars, index)
+        if value := self.written(index + 1, behind):
+            said = f"it is `abs({shortened(value)})` here"
+            return self.replace(said, index, behind, f"abs({value})")
+        return ""
 
 
 def array_elements(view: TokenView, first: int) -> tuple[int, int] | None:

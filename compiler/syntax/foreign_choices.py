@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics.fixes import Hint, fix_it
 from ..diagnostics.source import Span
+from .quoting import shortened
 from .token_view import TokenView
 
 STATEMENTS = frozenset(("if", "else", "then"))
@@ -12,9 +13,11 @@ STATEMENTS = frozenset(("if", "else", "then"))
 _CHOICE = "there are no statements: choose a value by `name = if condition then a else b`"
 UNFINISHED_IF = "every `if` needs both branches: `if condition then a else b`"
 _PATTERN = "a choice is written `if condition then a else b`"
+_ELSE_IFS = frozenset(("elif", "elsif", "elseif"))
+"""Words of other languages for ``else if``."""
 _OPENING, _CLOSING = "([{", ")]}"
 _FAR = 200
-"""The number of characters around a ``?`` that are looked at.
+"""The number of characters around a ``?``, or of tokens around an ``if``, that are looked at.
 
 It is limited, so that the work does not grow with the file.
 """
@@ -33,7 +36,11 @@ def statement_hint(view: TokenView, index: int) -> Hint:
     body = closing + 1
     in_braces = view.token(body).kind == "{"
     if view.text(body + in_braces) == "discard":
-        return f"a pass discards pixels by `discard when {condition}`"
+        from ...stdlib.builtins.foreign_words import HIDDEN
+
+        slot = f"{HIDDEN} = {condition}"
+        said = f"a material says it by `{slot}`, a pass by `discard when {condition}`"
+        return view.replace(said, index, view.value_end(body) - 1, slot)
     name, then, behind = _assignment(view, body)
     if not name or view.text(behind) != "else":
         return _CHOICE
@@ -42,6 +49,72 @@ def statement_hint(view: TokenView, index: int) -> Hint:
         return _CHOICE
     written = f"{name} = if {condition} then {then} else {otherwise}"
     return view.replace(f"there are no statements: write `{written}`", index, end - 1, written)
+
+
+def unfinished_if(view: TokenView, index: int, expected: set[str]) -> Hint:
+    """About an ``if`` in an expression that lacks ``then`` or ``else`` in front of ``index``."""
+    if view.text(index) in _ELSE_IFS and "else" in expected:
+        return view.replace("a further choice is `else if`", index, index, "else if")
+    if view.text(index) == "is":
+        return view.replace("equality is `==`", index, index, "==")
+    first = if_before(view, index)
+    if "then" not in expected or first < 0:
+        return UNFINISHED_IF
+    condition = _condition(view, first + 1, index)
+    if not condition:
+        return UNFINISHED_IF
+    if view.token(index).kind == "{":
+        return _in_braces(view, first, index, condition)
+    otherwise = _else_behind(view, index)
+    if otherwise < 0 or "then" in view.kinds(index, otherwise - index):
+        return UNFINISHED_IF
+    then, end = view.quoted(index, otherwise), view.value_end(otherwise + 1)
+    other = view.quoted(otherwise + 1, end)
+    said = f"`then` follows the condition: `if {shortened(condition)} then {then} else {other}`"
+    return view.replace(said, first, index - 1, f"if {condition} then")
+
+
+def if_before(view: TokenView, index: int) -> int:
+    """The ``if`` to which a token belongs, in the same brackets; -1 if none is near."""
+    depths = view.outline.depths
+    for first in range(index - 1, max(index - _FAR, 0) - 1, -1):
+        if depths[first] < depths[index]:
+            return -1
+        if depths[first] == depths[index] and view.token(first).kind == "if":
+            return first
+    return -1
+
+
+def _condition(view: TokenView, first: int, behind: int) -> str:
+    """The condition between two tokens, without the parentheses that stand around all of it."""
+    if view.token(first).kind == "(" and view.closing(first) == behind - 1:
+        first, behind = first + 1, behind - 1
+    return view.written(first, behind)
+
+
+def _else_behind(view: TokenView, index: int) -> int:
+    """The ``else`` behind a token, in the same brackets; -1 if the expression has none."""
+    depths = view.outline.depths
+    for behind in range(index, min(index + _FAR, len(view.tokens))):
+        if depths[behind] < depths[index]:
+            return -1
+        if depths[behind] == depths[index] and view.token(behind).kind == "else":
+            return behind
+    return -1
+
+
+def _in_braces(view: TokenView, first: int, opening: int, condition: str) -> Hint:
+    """About ``if c { a } else { b }`` as a value, of which the first brace is at ``opening``."""
+    closing = view.closing(opening)
+    other = closing + 2
+    if view.kinds(closing, 3) != ["}", "else", "{"]:
+        return UNFINISHED_IF
+    end = view.closing(other)
+    then, otherwise = view.written(opening + 1, closing), view.written(other + 1, end)
+    if not then or not otherwise:
+        return UNFINISHED_IF
+    written = f"if {condition} then {then} else {otherwise}"
+    return view.replace(f"a choice has no braces: `{shortened(written)}`", first, end, written)
 
 
 def _assignment(view: TokenView, first: int) -> tuple[str, str, int]:

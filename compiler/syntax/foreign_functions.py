@@ -19,6 +19,11 @@ ENTRY_POINT = (
 )
 
 
+_ENTRY_POINTS = frozenset(
+    ("main", "mainImage", "fragment", "vertex", "frag", "vert", "surf", "PSMain", "VSMain")
+)
+"""The names that shaders' entry points usually have elsewhere."""
+
 _NO_RESULT = frozenset(("fn", "void", "def", "func", "function"))
 """Words before a function's name that are no type."""
 
@@ -28,12 +33,19 @@ def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
 
     Only ``outside`` of materials may functions be declared, so only there an edit is offered.
     """
-    if view.text(name) == "main":
+    if view.text(name) in _ENTRY_POINTS:
         return ENTRY_POINT
     if view.token(name + 1).kind != "(" or view.token(view.closing(name + 1)).kind != ")":
         return DECLARATIONS["fn"]
     head, opening = _head(view, name)
-    body = _body(view, opening) if view.token(opening).kind == "{" else ""
+    body, last = "", view.closing(opening)
+    if view.token(opening).kind == "{":
+        body = _body(view, opening)
+    value = opening + (view.text(opening) == ":")  # As in Python.
+    value += view.text(value) == "return"
+    if value > opening or view.text(opening - 1) == "=":
+        end = view.value_end(value)
+        body, last = view.written(value, end), end - 1
     shown = f"`{head} = {shortened(body) or '…'}`"
     if not outside:
         return f"a function stands outside of all materials: {shown}"
@@ -43,7 +55,7 @@ def function_hint(view: TokenView, name: int, *, outside: bool = True) -> Hint:
     first = name
     while view.token(first - 1).kind == "NAME" and not view.outline.begins_line(first):
         first -= 1
-    return fix_it(said, (view.span(first, view.closing(opening)), f"{head} = {body}"))
+    return fix_it(said, (view.span(first, last), f"{head} = {body}"))
 
 
 def _head(view: TokenView, name: int) -> tuple[str, int]:
@@ -83,6 +95,8 @@ def _argument(view: TokenView, first: int, end: int) -> str:
     words = [word for word in words if word not in QUALIFIERS]
     if len(words) == 3 and words[1] == ":":
         return f"{words[0]}: {_type(words[2])}"
+    if len(words) == 1:  # As in languages without types; most arguments are numbers.
+        return f"{words[0]}: float"
     return f"{words[1]}: {_type(words[0])}" if len(words) == 2 else ""
 
 

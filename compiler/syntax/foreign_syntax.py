@@ -13,7 +13,7 @@ from ..diagnostics.source import Span
 from .ast import MEMBERS
 from .forms import DECLARATIONS
 
-_DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override"))
+_DECLARATORS = frozenset(("let", "var", "const", "auto", "local", "mut", "override", "set"))
 QUALIFIERS = _DECLARATORS | frozenset(
     (
         "static", "inline", "precise", "highp", "mediump", "lowp", "invariant", "flat", "in", "out",

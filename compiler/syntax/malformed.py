@@ -197,8 +197,25 @@ def _foreign(word: str, span: Span, report: Report) -> Token:
         hint = ternary_hint(span)
     if word == "++":
         hint = _joined_or_counted(span)
+    if word == "=>":
+        hint = _lambda(span) or hint
     report.add(rules.FOREIGN_OPERATOR, span, operator=word, hint=hint)
     return Token(instead or "FOREIGN", instead or word, span.start, span.end)
+
+
+_ARROW = r"(\w+)\s*=\s*\(?\s*(\w+(?:\s*,\s*\w+)*)\s*\)?\s*$"
+"""What stands in front of ``=>`` in the function ``f = (x) => x * 2``."""
+
+
+def _lambda(span: Span) -> str:
+    """The hint for ``f = (x) => x * 2``, by the text of its line."""
+    line = span.source.text.rfind("\n", 0, span.start) + 1
+    head = re.search(_ARROW, span.source.text[max(line, span.start - _NEARBY) : span.start])
+    body = span.source.text[span.end : span.end + _NEARBY].partition("\n")[0].strip(" ;")
+    if head is None or not body:
+        return ""
+    arguments = ", ".join(f"{name.strip()}: float" for name in head[2].split(","))
+    return f"a function stands outside of all materials: `fn {head[1]}({arguments}) = {body}`"
 
 
 def _set_apart(word: str, span: Span) -> str:

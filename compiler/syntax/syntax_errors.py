@@ -84,6 +84,9 @@ class SyntaxErrors:
         Returns where the next member may begin.
         """
         name, before = self._tokens[index - 1], self._tokens[index - 2]
+        if (behind := self._advice.behind_comparison(index)) is not None:
+            self._unexpected(self._tokens[index], {"then", "+"}, self._advice.of_comparison(index))
+            return behind
         if before.kind == ":" and chunk.start + 3 == index - 1 and self._is_record(chunk.start):
             header = " ".join(token.text for token in self._tokens[chunk.start : index - 2])
             self._unexpected(name, {"{"}, f"the members need braces: `{header} {{ … }}`")

@@ -263,19 +263,31 @@ VALUES: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("cameraPos", "camera_pos", "camPos", "viewPos"), "eye"),
         **dict.fromkeys(("worldNormal", "vNormal"), "normal"),
         **dict.fromkeys(("viewProjection", "viewProj", "view", "projection"), "view_projection"),
-        **dict.fromkeys(("lightDir", "light_dir", "lightDirection"), "light.to_light"),
+        **dict.fromkeys(("lightDir", "light_dir", "lightDirection", "L"), "light.to_light"),
+        **dict.fromkeys(("lightColor", "light_color", "_LightColor0", "LIGHT_COLOR"),
+                        "light.diffuse"),
         "gl_FragCoord": "frag_coord", "SV_Position": "frag_coord",
         "gl_FrontFacing": "front_facing", "SV_IsFrontFace": "front_facing",
         "gl_Position": "clip_position", "gl_FragColor": "color",
         "gl_VertexID": "vertex_index", "SV_VertexID": "vertex_index", "vertex_id": "vertex_index",
         "gl_InstanceID": "instance_index", "SV_InstanceID": "instance_index",
         "instance_id": "instance_index", "M_PI": "pi", "PI": "pi", "True": "true", "TRUE": "true",
-        "False": "false", "FALSE": "false",  "red": "#f00", "green": "#0f0",
-        "blue": "#00f", "yellow": "#ff0", "white": "#fff", "black": "#000", "gray": "#808080",
-        "grey": "#808080",
+        "False": "false", "FALSE": "false", "vUv": "uv", "vUV": "uv", "UV": "uv",
+        "NORMAL": "normal",
+        "VIEW": "to_eye", "FRAGCOORD": "frag_coord", "FRONT_FACING": "front_facing",
+        "MODEL_MATRIX": "object_to_world", "positionWorld": "position", "normalWorld": "normal",
+        "positionLocal": "vertex_position", "normalLocal": "vertex_normal",
+        "black": "#000", "silver": "#c0c0c0", "gray": "#808080", "grey": "#808080",
+        "white": "#fff", "maroon": "#800000", "red": "#f00", "purple": "#800080",
+        "fuchsia": "#f0f", "magenta": "#f0f", "green": "#0f0",
+        "olive": "#808000", "yellow": "#ff0", "navy": "#000080", "blue": "#00f",
+        "teal": "#008080", "aqua": "#0ff", "cyan": "#0ff", "orange": "#ffa500",
+        "brown": "#a52a2a", "pink": "#ffc0cb", "gold": "#ffd700", "turquoise": "#40e0d0",
+        "violet": "#ee82ee", "indigo": "#4b0082", "beige": "#f5f5dc", "crimson": "#dc143c",
+        "coral": "#ff7f50", "salmon": "#fa8072", "khaki": "#f0e68c",
     }
 )  # fmt: skip
-"""Inputs and outputs of other languages' pipelines."""
+"""Inputs and outputs of other languages' pipelines, and names of colours."""
 
 METHODS: Mapping[str, str] = MappingProxyType(
     {
@@ -299,6 +311,8 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
     {
         "uniform": _HOST, "cbuffer": _HOST,
         "varying": "`@vertex e` is computed at the vertices and interpolated",
+        "in": "what the mesh gives is read by its name, such as `uv`, or declared by "
+        "`attribute name : type`",
         "out": "a pass writes to `target name : format = e`",
         "return": "a function is one expression: `fn f(x: float) -> float = x * x`",
         "void": "a function is one expression: `fn f(x: float) -> float = x * x`",
@@ -317,11 +331,38 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         "discard": "a pass discards pixels by `discard when condition`",
         "sampler": "a texture is `map name : texture2d`",
         **dict.fromkeys(
+            ("lightPos", "light_pos", "lightPosition", "light_position", "LIGHT"),
+            "lights are read in a `term … per light`: `light.to_light` is the direction to one",
+        ),
+        **dict.fromkeys(
+            ("gl_ViewIndex", "view_index", "SV_ViewID", "gl_ViewID_OVR", "unity_StereoEyeIndex"),
+            "each view is drawn by itself: what differs between views is a `param … per view`",
+        ),
+        **dict.fromkeys(
+            ("fragment", "vertex", "compute"),
+            "entry points are not written: `material Name { color = … }` says what a surface looks "
+            "like",
+        ),
+        **dict.fromkeys(
+            ("IN", "In", "OUT", "input", "vin", "varyings", "attributes"),
+            "the inputs of a surface are read by their names alone: `uv`, `normal`, `position`",
+        ),
+        **dict.fromkeys(
+            ("option", "variant", "keyword", "permutation", "static_switch"),
+            "a choice between variants is a slot, `quality : int = 1`, which derived materials "
+            "set, or a `param` that the host sets",
+        ),
+        **dict.fromkeys(
+            ("ifdef", "ifndef", "endif"),
+            "there is no preprocessor; `if c then a else b` of a constant costs nothing",
+        ),
+        **dict.fromkeys(
             ("def", "func", "function", "sub", "proc"),
             "a function is `fn name(x: float, y: vec3) -> float = expression`",
         ),
         **dict.fromkeys(
-            ("class", "shader", "Shader", "SubShader", "surface", "technique", "effect"),
+            ("class", "shader", "Shader", "SubShader", "surface", "technique", "effect",
+             "shader_type", "render_mode"),
             "a surface is `material Name { … }`",
         ),
         **dict.fromkeys(

@@ -103,14 +103,18 @@ export class PlanFrame {
 
   /**
    * Set something of the frame, `sun.direction` or `lamps[2].place`; or else of all shaders that
-   * have it, such as a material's colour.
+   * have it, such as a material's colour; or, as `Clay.base`, of one material.
    * @param {string} name
    * @param {Value} value
    */
   set(name, value) {
-    const owners = [this.#values, ...this.#materials].filter((each) => each.has(name));
+    const every = [this.#values, ...this.#materials];
+    const own = every.some((each) => each.has(name)) ? name : name.slice(name.indexOf(".") + 1);
+    // The names of shaders end with that of their material, as `Pair.Drawn.Clay` does for `Clay`.
+    const end = `.${name.slice(0, -own.length)}`;
+    const owners = every.filter((each) => each.has(own) && `.${each.name}.`.endsWith(end));
     if (!owners.length) throw new Error(`${this.plan.frame} has no parameter \`${name}\``);
-    for (const each of owners[0] === this.#values ? [this.#values] : owners) each.set(name, value);
+    for (const each of owners[0] === this.#values ? [this.#values] : owners) each.set(own, value);
     this.#given.add(name);
   }
 

@@ -29,15 +29,29 @@ _PER_FRAME = "frame"
 def controls(host: FrameHost) -> list[dict[str, Any]]:
     """A row for each number, vector, colour and texture that a person can set.
 
-    Parameters of several shaders with one name have one row, since they are set together.
+    Parameters of one name have one row if they are set together: those of several shaders of a
+    material, and of the rig. Those of several materials are told apart, as ``Clay.base``.
     """
     found: dict[str, dict[str, Any]] = {}
     of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan.rig)
-    for control in (*_of_frame(host), *of_shaders, *_of_lights(host)):
+    for control in (*_of_frame(host), *_by_owner(host.plan, of_shaders), *_of_lights(host)):
         known = found.setdefault(control["name"], control)
         if control["section"] not in known["section"].split(", "):
             known["section"] += f", {control['section']}"
     return list(found.values())
+
+
+def _by_owner(plan: FramePlan, controls: Sequence[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """The controls of shaders; a name that several materials have gets that of its owner before."""
+    materials = {use.material for step in plan.steps for use in step.uses}
+    owners: dict[str, set[str]] = {}
+    for control in controls:
+        if control["section"] in materials:
+            owners.setdefault(control["name"], set()).add(control["section"])
+    for control in controls:
+        is_shared = len(owners.get(control["name"], ())) > 1 and control["section"] in materials
+        owned = f"{control['section']}.{control['name']}"
+        yield {**control, "name": owned} if is_shared else control
 
 
 def _belongs(row: ParameterRow, lights: Sequence[LightRow]) -> bool:

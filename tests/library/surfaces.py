@@ -63,9 +63,10 @@ class Angles(NamedTuple):
 
 def angles(light: Floats, normal: Floats = NORMAL_IN_WORLD) -> Angles:
     half = unit(light + TO_EYE)
-    return Angles(
-        light, TO_EYE, half, max(normal @ light, 0), normal @ TO_EYE, normal @ half, light @ half
+    nl, nv, nh, lh = (
+        float(x @ y) for x, y in ((normal, light), (normal, TO_EYE), (normal, half), (light, half))
     )
+    return Angles(light, TO_EYE, half, max(nl, 0.0), nv, nh, lh)
 
 
 # --- what is published ---------------------------------------------------------------------------

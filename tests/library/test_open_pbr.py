@@ -175,7 +175,7 @@ def open_pbr(knobs: Knobs, light: Floats) -> Floats:
     "std.models.open_pbr_share",
     "std.models.open_pbr_emission",
     "std.models.coat_passed",
-    "std.models.inside",
+    "std.models.cosine_in_coat",
     "std.models.openpbr_widths",
     "std.models.dielectric_mean",
     "std.models.zeltner_share",

@@ -51,6 +51,17 @@ def test_texts_mean_values(instance: Instance, name: str, text: str, value: obje
         ("lamps", "1,2", "`lamps` (Point[3]) is set by its parts, each by its name"),
         ("powr", "1", "there is no parameter `powr`: did you mean `power`?"),
         (
+            "torch.position",
+            "1,2,3",
+            "there is no parameter `torch.position`: did you mean `torch.place`?",
+        ),
+        (
+            "torch.outer",
+            "30",
+            "`torch.outer` is declared in 0deg..90deg: 30 is 1718.9deg; did you mean 30deg?",
+        ),
+        ("torch.outer", "120deg", "`torch.outer` is declared in 0deg..90deg: 120deg is not"),
+        (
             "torch",
             "1",
             "`torch` is a light, whose parameters are `torch.diffuse_color`, "

@@ -199,3 +199,39 @@ def test_a_text_with_a_lone_surrogate() -> None:
     assert shown(found) == (
         "B0004 `<text>` is not UTF-8 text: character 3 is the lone surrogate U+DCE9"
     )
+
+
+@pytest.mark.parametrize(
+    "written, meant",
+    [
+        ('import "C.burnish"', '`"c.burnish"`'),
+        ('import "sub/ddd.burnish"', '`"sub/dd.burnish"`'),
+        ("import C", "`c`"),
+        ("import sub.DD", "`sub.dd`"),
+        ("import lights", "`std.lights`"),
+    ],
+)
+def test_an_import_that_is_nearly_right(written: str, meant: str, tmp_path: Path) -> None:
+    """The files beside are looked at, and those of the library."""
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "c.burnish").write_text("fn c(x: float) = x", "utf-8")
+    (tmp_path / "sub" / "dd.burnish").write_text("fn d(x: float) = x", "utf-8")
+    main = tmp_path / "main.burnish"
+    main.write_text(f"{written}\nmaterial M {{ color = #fff }}", "utf-8")
+    (found,) = burnish.check(main, search_path=[tmp_path])
+    assert found.hint == f"did you mean {meant}?"
+    assert found.fixes
+
+
+def test_an_import_may_leave_a_folder_that_it_enters(tmp_path: Path) -> None:
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "c.burnish").write_text("fn c(x: float) = x", "utf-8")
+    main = tmp_path / "main.burnish"
+    main.write_text(
+        'import "sub/../c.burnish"\nimport "c.burnish"\nmaterial M { alpha = c(0.5) }', "utf-8"
+    )
+    assert burnish.check(main) == ()
+    main.write_text('import "sub/../../c.burnish"\nmaterial M { color = #fff }', "utf-8")
+    assert complaint(main, tmp_path).endswith(
+        "B0007 `sub/../../c.burnish` leads out of the search path"
+    )

@@ -49,7 +49,7 @@ FLOORS: dict[str, str] = {
     "compiler.semantics.names": "frozen locks stdlib diagnostics syntax types",
     "compiler.library_trees": "cache precomputed diagnostics syntax names",
     "compiler.library": "locks stdlib precomputed diagnostics syntax names library_trees",
-    "compiler.semantics.inheritance": "frozen diagnostics syntax work names",
+    "compiler.semantics.inheritance": "frozen stdlib diagnostics syntax work names",
     "compiler.semantics.state": (
         "frozen stdlib diagnostics syntax ir reference work types names inheritance"
     ),

@@ -21,6 +21,8 @@ OUTSIDE = {
     "compiler/semantics/checking/expressions.py": "`@vertex` is a word of the language",
     "compiler/semantics/frames/pass_draws.py": "`vertices(n)` is a word of the language",
     "compiler/syntax/advice.py": "`@vertex` is a word of the language",
+    "compiler/syntax/foreign_functions.py": "names of functions in other languages",
+    "stdlib/builtins/elsewhere.py": "words of other languages",
     "targets/runner/scene.py": "the document's words for steps",
     "targets/runner/drivers/checks.py": "what reads the vertex inputs",
     "targets/runner/drivers/pipeline.py": "the vertex inputs' steps, which WebGPU calls so",

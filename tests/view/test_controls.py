@@ -109,5 +109,9 @@ def test_a_frame_sets_some_of_its_passes() -> None:
     found = [(row["name"], row["section"]) for row in controls(host) if not row["is_light"]]
     # Both materials have a `base`; what the passes read of each other is none of the person's.
     assert found == [
-        ("exposure", "Deferred"), ("base", "Clay, Jade"), ("ambient_light", "Studio"),
+        ("exposure", "Deferred"), ("Clay.base", "Clay"), ("Jade.base", "Jade"),
+        ("ambient_light", "Studio"),
     ]  # fmt: skip
+    host.set("Jade.base", (0, 0, 0))
+    values = {row["name"]: row["value"] for row in controls(host)}
+    assert values["Jade.base"] == (0, 0, 0) != values["Clay.base"]

@@ -87,6 +87,10 @@ def test_only_files_of_the_list_are_shown(viewer: Viewer, folder: Path) -> None:
         assert "Secret" not in str(found), name
 
 
+HIDDEN_BELOW = 10
+"""The pixels below the search field that hide what is scrolled there."""
+
+
 def test_a_file_is_chosen(browser: Browser, viewer: Viewer, folder: Path) -> None:
     with browser.new_context(viewport=SIZE) as context:
         context.set_default_timeout(1000 * LIMIT)
@@ -99,6 +103,9 @@ def test_a_file_is_chosen(browser: Browser, viewer: Viewer, folder: Path) -> Non
             "broken.burnish",
             "cold/blue.burnish\nBlue",
         ]
+        field, entry = (each.bounding_box() for each in (page.locator("#file-search"), links.first))
+        assert field and entry
+        assert entry["y"] >= field["y"] + field["height"] + HIDDEN_BELOW, "it is covered"
         page.locator("#file-search").fill("BLUE")
         assert links.filter(visible=True).all_inner_texts() == ["cold/blue.burnish\nBlue"]
         links.filter(visible=True).click()

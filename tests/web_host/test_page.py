@@ -99,6 +99,11 @@ CALLS = """async () => {
   frame.resize(16, 8);
   const first = await sum();
   const again = await sum();
+  frame.set("Clay.base", [0, 0, 0]);
+  const one = await sum();
+  frame.set("Slate.base", [0, 0, 0]);
+  const both = await sum();
+  frame.set("base", [1, 1, 1]);
   frame.set("base", [0, 0, 0]);
   const black = await sum();
   frame.setCamera({ eye: [0, 50, 0] });
@@ -107,12 +112,13 @@ CALLS = """async () => {
   const errors = [
     await told(() => frame.set("spread", 9)),
     await told(() => frame.set("speed", 1)),
+    await told(() => frame.set("Mud.base", [0, 0, 0])),
     await told(() => frame.resize(0, 8)),
     await told(() => frame.read("other")),
     await told(() => frame.show()),
   ];
   frame.dispose();
-  return { early, first, again, black, small, errors };
+  return { early, first, again, one, both, black, small, errors };
 }"""
 
 
@@ -122,11 +128,14 @@ def test_what_a_frame_can_be_told(page: Page) -> None:
     assert found["early"] == "`picture` of Shadows is no picture, or was not drawn yet"
     assert found["first"][:2] == [16, 8]
     assert found["again"] == found["first"]
-    assert found["black"][2] < found["first"][2]
+    # One material is dark, and then the other one, too.
+    assert found["black"][2] < found["one"][2] < found["first"][2]
+    assert found["both"] == found["black"]
     assert found["small"][:2] == [8, 8]
     assert found["errors"] == [
         "`spread` is declared in 0..8: 9 is not",
         "Shadows has no parameter `speed`",
+        "Shadows has no parameter `Mud.base`",
         "a frame cannot have 0 x 8 pixels",
         "Shadows has no output `other`",
         "this frame was opened without a canvas",

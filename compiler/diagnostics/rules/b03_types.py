@@ -222,3 +222,15 @@ COSINE_OF_VECTOR = warning(
     "longer makes it that many times larger, and a power of it, or an angle, means nothing then. "
     "If the length is meant, write `vec3(v)`: numbers without a space are not judged.",
 )
+ORDER_OF_ARGUMENTS = warning(
+    "B0394",
+    "the arguments of `{function}` seem to be in another order",
+    "`clamp(x, low, high)` and `mix(a, b, share)` begin with what is limited or mixed, and "
+    "`smoothstep(low, high, x)` ends with what is compared. If the order is meant, name one of "
+    "the numbers by an equation.",
+)
+WHOLE_RADIANS = warning(
+    "B0395",
+    "`{function}` takes radians, and {number} is {turns} turns",
+    "A number without a unit is an angle in radians. Degrees are written `90deg`.",
+)

@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from ....support.frozen import changed
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Formals, Node
 from ...syntax import ast
-from ...syntax.quoting import counted
-from ..declarations.contracts import as_declared
+from ...syntax.quoting import counted, spanned
+from ..declarations.contracts import as_declared, change
 from ..declarations.written_types import declared_type
 from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Application, Failure, Instance, Scope, Value
 from ..types.coercion import coerce
 from ..types.generics import of_unknown_family, uninferable
+from ..types.typenames import Declared
 from . import lights
 from .bodies import settle_body
 from .call_marks import Callee, marked
@@ -85,19 +87,75 @@ def _fit_arguments(
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
-    fitted = []
-    for formal, argument, written in zip(function.arguments, arguments, e.arguments, strict=True):
+    formals: list[_Formal] = []
+    for formal in function.arguments:
         wanted = declared_type(ctx, formal.type, symbol.module, variables)
         if wanted is None:
             return None
         wanted = changed(wanted, text=f"{wanted.text} for `{formal.name.text}`")
-        generic = formal.type.name.text in variables
-        broadcast = coerce(ctx.tree, argument, wanted.type, broadcast=generic)
-        node = as_declared(ctx, broadcast or argument, wanted, written, scope)
+        formals.append(_Formal(wanted, formal.type.name.text in variables))
+    fitted = []
+    for index, (formal_, argument) in enumerate(zip(formals, arguments, strict=True)):
+        found = ctx.report.count
+        node = _fit_argument(ctx, formal_, argument, e.arguments[index], scope)
         if isinstance(node, Failure):
+            _tell_of_order(ctx, function, formals, arguments, e, index, found)
             return None
         fitted.append(node)
     return tuple(fitted)
+
+
+@frozen
+class _Formal:
+    """An argument as a function declares it."""
+
+    declared: Declared
+    generic: bool
+    """True if its type is a type parameter, so that one number may stand for a vector."""
+
+
+def _fit_argument(
+    ctx: Context, formal: _Formal, argument: Node, written: ast.Expression, scope: Scope
+) -> Node | Failure:
+    broadcast = coerce(ctx.tree, argument, formal.declared.type, broadcast=formal.generic)
+    return as_declared(ctx, broadcast or argument, formal.declared, written, scope)
+
+
+def _tell_of_order(
+    ctx: Context,
+    function: ast.Function,
+    formals: Sequence[_Formal],
+    arguments: Sequence[Node],
+    e: ast.Call,
+    wrong: int,
+    found: int,
+) -> None:
+    """Tell of two arguments that fit if they change places, in place of what is ``wrong`` with one.
+
+    ``found`` is the number of findings before that was reported.
+    """
+
+    def takes(place: int, index: int) -> bool:
+        formal = formals[place]
+        return change(ctx, arguments[index], formal.declared, broadcast=formal.generic) is not None
+
+    others = (i for i in range(len(formals)) if i != wrong and takes(wrong, i) and takes(i, wrong))
+    other = next(others, None)
+    if other is None or ctx.report.count == found:
+        return
+    ctx.report.forget(found)
+    one, two = (e.arguments[index].span for index in (wrong, other))
+    swapped = {wrong: spanned(two), other: spanned(one)}
+    listed_so = ", ".join(swapped.get(i, spanned(a.span)) for i, a in enumerate(e.arguments))
+    ctx.report.add(
+        rules.WRONG_TYPE, one, expected=formals[wrong].declared.text, found=arguments[wrong].type,
+        caption=f"this is `{arguments[wrong].type}`",
+        labels=[Label(function.name.span, "declared here")],
+        hint=fix_it(
+            f"did you mean `{function.name.text}({listed_so})`? It is `{usage(function)}`",
+            (one, two.text), (two, one.text),
+        ),
+    )  # fmt: skip
 
 
 def apply_body(

@@ -9,10 +9,11 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.operations import OF_GROUPS
-from ...ir.types import FLOAT
+from ...ir.types import FLOAT, INT, VEC3
 from ...syntax import ast
 from ...syntax.quoting import shortened
 from ..hints.cosines import OF_COSINES, warn_of_length
+from ..hints.meant_numbers import CHECKED, warn_of_bytes, warn_of_order
 from ..state.context import Context
 from ..state.scope import Failure, Scope
 from ..types import overloads
@@ -37,17 +38,21 @@ def builtin_call(
     found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
     if found is None:
         return no_signature(ctx, name, operands, span, shown, written)
-    fitted = []
+    fitted: list[Node] = []
     for operand, type_ in zip(operands, found.operands, strict=True):
         # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.
         lane = coerce(ctx.tree, operand, type_, broadcast=True)
         if lane is None:  # A negative literal is no `uint`.
             return no_signature(ctx, name, operands, span, shown, written)
+        if lane.type == VEC3 and operand.type == INT and written:
+            warn_of_bytes(ctx, written[len(fitted)].span)
         fitted.append(lane)
     node = ctx.tree.node("call", found.result, tuple(fitted), name)
     ctx.progress.joins_groups |= name in OF_GROUPS
     if name in OF_COSINES:
         warn_of_length(ctx, node, span)
+    if name in CHECKED:
+        warn_of_order(ctx, name, operands, span, written)
     largest = ctx.constants.largest(node)
     if largest is not None and largest > LARGEST_FLOAT:
         error = ctx.report.finding(

@@ -17,6 +17,7 @@ from ...ir.node import Node, bare
 from ...ir.operations import CALL
 from ...ir.types import TEXTURES, TextureType
 from ...syntax import ast
+from ...syntax.quoting import shortened
 from ...syntax.rewriting import called_here
 from ..declarations import assignments
 from ..hints import advice
@@ -75,7 +76,7 @@ def _of_value(
 ) -> Value:
     """``x.read(…)`` or ``x.map(…)``: only textures are called that have no name of their own."""
     if isinstance(owner, Node) and isinstance(owner.type, TextureType):
-        if not textures.can_read(ctx, owner.type, callee.name) or failed:
+        if not textures.can_read(ctx, owner.type, callee.name, e) or failed:
             return FAILURE
         return textures.read(ctx, owner, arguments, e, callee.name)
     member = member_of(ctx, owner, callee)
@@ -108,7 +109,7 @@ def _is_drawn(argument: ast.Expression, scope: Scope) -> bool:
 def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
     """True if an undeclared name is given to another language's read of a texture.
 
-    There it may be a sampler; it is the read that is reported.
+    There it may be a sampler, or the texture itself; it is the read that is reported.
     """
     if not isinstance(argument, ast.Reference) or is_known(scope, argument.name):
         return False
@@ -117,7 +118,7 @@ def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
     if isinstance(e.callee, ast.Field):
         return e.callee.name.text in METHODS
     read = FUNCTIONS.get(e.callee.name) if isinstance(e.callee, ast.Reference) else None
-    return read is not None and read.is_read and argument is not e.arguments[0]
+    return read is not None and read.is_read
 
 
 def _named(
@@ -222,7 +223,7 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
             hint = FixIt(said, (Fix((alone,)), Fix((product,))))
         ctx.report.add(rules.NOT_CALLABLE, span, found=f"`{name}`", hint=hint)
         return
-    if hint := _elsewhere(name, e):
+    if hint := _elsewhere(name, e, scope):
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     unknown_here(ctx, "function", name, span, _callables(scope), scope.module)
@@ -237,14 +238,20 @@ def _callables(scope: Scope) -> Iterator[str]:
             yield from (name for name, d in instance.record.definitions.items() if _is_texture(d))
 
 
-def _elsewhere(name: str, e: ast.Call) -> Hint:
+def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     """The hint for a function or a constructor of another shading language."""
-    from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
+    from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TEXTURE, TYPES
 
     if name in FUNCTIONS:
         instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
         read = texture.name if isinstance(texture, ast.Reference) else ""
-        return _same_arguments(e, instead.hint_for(read) if read else instead.hint, instead)
+        said = instead.hint_for(read) if read else instead.hint
+        if read and instead.is_read and not is_known(scope, read):
+            return f"{said}, with `map {read} : texture2d` in the material"
+        if read and instead.written == (f"{TEXTURE}(uv)",) and len(e.arguments) == 2:
+            written = f"{read}({e.arguments[1].span.text})"
+            return fix_it(f"it is `{shortened(written)}` here", (e.span, written))
+        return _same_arguments(e, said, instead)
     if name in KEYWORDS:
         return KEYWORDS[name]
     if advice.is_read(name):

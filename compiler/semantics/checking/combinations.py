@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.fixes import FixIt, Hint
+from ...diagnostics.fixes import FixIt, Hint, fix_it
 from ...diagnostics.source import Span
-from ...ir.meaning import Meaning
+from ...ir.meaning import MAPS, Meaning
 from ...ir.node import Node
 from ...syntax import ast
+from ...syntax.quoting import operand
 from ...syntax.rewriting import rewritten
 from ..declarations import transform_paths
 from ..state.context import Context
@@ -70,13 +71,25 @@ def _hint(
 ) -> Hint:
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
+    if left.kind in MAPS and right.kind == "normal" and left.spaces[0] == right.spaces[0]:
+        return _of_normal(left.spaces[1], written)
     if clash.rule is not rules.MIXED_SPACES or not written or scope is None:
         return ""
     ways = ((left, right.spaces[0], clash.left), (right, left.spaces[0], clash.right))
     offers = [
-        rewritten(written[operand].span, f"{{operand}} in {space}", "`{}`")
-        for meaning, space, operand in ways
+        rewritten(written[index].span, f"{{operand}} in {space}", "`{}`")
+        for meaning, space, index in ways
         if transform_paths.is_offered(ctx, meaning, space, scope)
     ]
     known = " or ".join(offer.text for offer in offers)
     return FixIt(f"write {known}", tuple(fix for o in offers for fix in o.fixes)) if known else ""
+
+
+def _of_normal(space: str, written: Written) -> Hint:
+    """About a matrix times a normal, which another matrix moves."""
+    said = "normals move by the inverse transpose, which `{}` knows"
+    if len(written) != 2:
+        return said.format(f"… in {space}")
+    matrix, normal = (each.span for each in written)
+    exact = f"{operand(normal)} in {space}"
+    return fix_it(said.format(exact), (matrix.to(normal), exact)) if "…" not in exact else ""

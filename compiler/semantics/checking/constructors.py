@@ -53,8 +53,12 @@ def construct(ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call)
         return FAILURE
     if result is None:
         found = ", ".join(str(argument.type) for argument in arguments)
-        hint = _hint(name, type_, arguments, e.arguments)
-        ctx.report.add(rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint)
+        hint = _hint(ctx, name, type_, arguments, e.arguments)
+        is_float = scalar_kind(type_) == "float"
+        ctx.report.add(
+            rules.NO_OVERLOAD, e.span, name=name, arguments=found, hint=hint,
+            labels=advice.where_cut(ctx, arguments, e.span) if is_float else (),
+        )  # fmt: skip
         return FAILURE
     if isinstance(result, Failure):
         return FAILURE
@@ -71,11 +75,15 @@ def _meaning(ctx: Context, name: str, arguments: tuple[Node, ...]) -> Meaning | 
 
 
 def _hint(
-    name: str, type_: Type, arguments: tuple[Node, ...], written: tuple[ast.Expression, ...]
+    ctx: Context,
+    name: str,
+    type_: Type,
+    arguments: tuple[Node, ...],
+    written: tuple[ast.Expression, ...],
 ) -> Hint:
     sole = arguments[0].type if len(arguments) == 1 else None
     if scalar_kind(type_) == "float" and (
-        cut := advice.cut_quotient(arguments, [expression.span for expression in written])
+        cut := advice.cut_quotient(ctx, arguments, [expression.span for expression in written])
     ):
         return cut
     match type_:

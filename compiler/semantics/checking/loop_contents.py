@@ -126,15 +126,22 @@ def may_stand(
     read = next((node for node in inside if needs_others(node)), None)
     if read is None or not (waits or _varies(turns.count)):
         return True
-    what = "a texture read" if read.data == "sample" else f"`{read.data}`"
+    _report_read(ctx, read, span)
+    return False
+
+
+def _report_read(ctx: Context, read: Node, span: Span) -> None:
+    """Report an operation of neighbours, or of a work group, which may have left the loop."""
+    what, hint = f"`{read.data}`", f"compute `{read.data}` in front of the loop"
     others, does = "pixels", "compares neighbouring pixels"
+    if read.data == "sample":
+        what, hint = "a texture read", ""
     if joins_group(read):
         others, does = "invocations", "joins the invocations of a work group"
+        hint += ", or of what the loop gives"
     labels = [Label(span, f"{others} leave this loop after different numbers of iterations")]
-    ctx.report.add(
-        rules.READ_IN_LOOP, ctx.places.within(read, span), what=what, does=does, labels=labels
-    )
-    return False
+    place = ctx.places.within(read, span)
+    ctx.report.add(rules.READ_IN_LOOP, place, what=what, does=does, labels=labels, hint=hint)
 
 
 def needs_others(node: Node) -> bool:

@@ -27,7 +27,7 @@ from ...ir.types import (
     with_width,
 )
 from ...syntax import ast
-from ...syntax.quoting import closed, counted, operand, spanned
+from ...syntax.quoting import closed, counted, operand, shortened, spanned
 from ...syntax.rewriting import rewritten, together
 from ..hints import advice
 from ..state.context import Context
@@ -60,8 +60,9 @@ def no_signature(
         ctx.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
-            hint=advice.cut_quotient(operands, places)
+            hint=advice.cut_quotient(ctx, operands, places)
             or _operator_hint(ctx, name, operands, written),
+            labels=advice.where_cut(ctx, operands, span),
         )  # fmt: skip
         return FAILURE
     candidates = f"candidates: {overloads.signatures(row)}"
@@ -70,12 +71,16 @@ def no_signature(
         ctx.report.add(
             rules.WRONG_COUNT, span, name=shown,
             expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
-            hint=_of_another_count(name, span, written) or candidates,
+            hint=_of_another_count(name, span, written)
+            or _of_pairs(name, span, written) or candidates,
         )  # fmt: skip
         return FAILURE
-    cut = advice.cut_quotient(operands, places)
+    cut = advice.cut_quotient(ctx, operands, places)
     hint = _parts(operands) or cut or _edited(name, operands, written) or candidates
-    ctx.report.add(rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint)
+    ctx.report.add(
+        rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint,
+        labels=advice.where_cut(ctx, operands, span) if hint is cut else (),
+    )  # fmt: skip
     return FAILURE
 
 
@@ -89,6 +94,20 @@ def _of_another_count(name: str, span: Span, written: Written) -> Hint:
     is_named = span.text.startswith(f"{name}(")
     place = Span(span.source, span.start, span.start + len(name))
     return fix_it(said, (place, other)) if is_named else said
+
+
+_OF_PAIRS = ("max", "min")
+"""Builtins of two operands that other languages have for any number of them."""
+
+
+def _of_pairs(name: str, span: Span, written: Written) -> Hint:
+    """About ``max(a, b, c)``: two at a time."""
+    if name not in _OF_PAIRS or len(written) < 3:
+        return ""
+    call = written[0].span.text
+    for argument in written[1:]:
+        call = f"{name}({call}, {argument.span.text})"
+    return fix_it(f"two at a time: `{shortened(call)}`", (span, call))
 
 
 def _parts(operands: Sequence[Node]) -> str:

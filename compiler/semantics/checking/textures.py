@@ -11,7 +11,7 @@ from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
 from ....support.frozen import frozen
 from ...diagnostics import rules
-from ...diagnostics.fixes import fix_it
+from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir import build
@@ -19,7 +19,7 @@ from ...ir.node import Node
 from ...ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ...ir.types import INT, TextureType, Type
 from ...syntax import ast
-from ...syntax.quoting import counted, spanned
+from ...syntax.quoting import counted, shortened, spanned
 from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Value
@@ -71,10 +71,10 @@ def read(
     return builtin_call(ctx, way.row.name, (texture, *operands), e.span, "a texture read")
 
 
-def can_read(ctx: Context, type_: TextureType, method: ast.Name) -> bool:
-    """True if textures of a type have a read; reports if they have not."""
+def can_read(ctx: Context, type_: TextureType, method: ast.Name, e: ast.Call) -> bool:
+    """True if textures of a type have a read, which ``e`` calls; reports if they have not."""
     if next(_ways(type_, method.text), None) is None:
-        _no_way(ctx, type_, method.text, method.span)
+        _no_way(ctx, type_, method.text, method.span, _foreign(e, method.text))
         return False
     return True
 
@@ -94,7 +94,8 @@ def _ways(type_: TextureType, method: str) -> Iterator[_Way]:
                 yield _Way(row, tuple(names), operands, meaning(result, bound))
 
 
-def _no_way(ctx: Context, type_: TextureType, method: str, span: Span) -> None:
+def _no_way(ctx: Context, type_: TextureType, method: str, span: Span, foreign: Hint = "") -> None:
+    """Report a read that no texture of a type has; ``foreign`` is the hint if others have it."""
     known = {str(row.method): None for row in _READS if next(_ways(type_, str(row.method)), None)}
     listed = ", ".join(f"`{name}`" for name in known if name)
     if "" in known:
@@ -102,18 +103,30 @@ def _no_way(ctx: Context, type_: TextureType, method: str, span: Span) -> None:
     if method and all(row.method != method for row in _READS):
         ctx.report.add(
             rules.UNKNOWN_NAME, span, kind=f"read of `{type_}`", name=method,
-            hint=_foreign(method) or respelling(method, span, known) or f"it has {listed}",
+            hint=foreign or respelling(method, span, known) or f"it has {listed}",
         )  # fmt: skip
         return
     what = f"`{method}`" if method else "read by coordinate"
     ctx.report.add(rules.TEXTURE_LACKS_READ, span, type=type_, read=what, hint=f"it has {listed}")
 
 
-def _foreign(method: str) -> str:
+def _foreign(e: ast.Call, method: str) -> Hint:
     """The hint for a read of a texture by a method of another language's."""
     from ....stdlib.builtins.elsewhere import METHODS
 
-    return f"it is `{METHODS[method]}` here" if method in METHODS else ""
+    pattern, callee = METHODS.get(method, ""), e.callee
+    if not pattern or not isinstance(callee, ast.Field):
+        return ""
+    head, _, rest = pattern.removesuffix(")").partition("(")
+    read = head.replace("name", callee.operand.span.text, 1)
+    wanted = rest.count(",") + bool(rest)
+    given = [argument.span.text for argument in e.arguments]
+    if len(given) > wanted and isinstance(e.arguments[0], ast.Reference):
+        del given[0]  # The sampler, which belongs to the texture here.
+    if len(given) != wanted:
+        return f"it is `{read}({rest})` here"
+    written = f"{read}({', '.join(given)})"
+    return fix_it(f"it is `{shortened(written)}` here", (e.span, written))
 
 
 def _operands(

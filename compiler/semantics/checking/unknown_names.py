@@ -7,6 +7,7 @@ from itertools import chain
 from types import MappingProxyType
 
 from ...diagnostics import rules
+from ...diagnostics.fixes import FixIt, Hint
 from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
 from ...ir.stages import PATCH_INDEX, PRIMITIVE_INDEX
@@ -35,11 +36,8 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
             return
         if instance is not None:
             known = chain(known, instance.record.definitions)
-    from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
-
-    here = called_here(name, span, VALUES[name]) if name in VALUES else ""
     lit = advice.of_a_light(name, ctx.rig)
-    elsewhere = here or lit or advice.of_a_record(name, scope) or KEYWORDS.get(name, "")
+    elsewhere = _of_other_languages(name, span) or lit or advice.of_a_record(name, scope)
     elsewhere = elsewhere or _other_kernels(ctx, name) or _other_vertices(scope, name)
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
@@ -51,6 +49,22 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
         ctx.report.add(rules.NOT_A_VALUE, span, hint=hint)
         return
     unknown_here(ctx, "name", name, span, known, scope.module)
+
+
+def _of_other_languages(name: str, span: Span) -> Hint:
+    """The hint for a value, or a word, of another language."""
+    from ....stdlib.builtins.elsewhere import KEYWORDS, VALUES
+    from ....stdlib.builtins.foreign_words import HOSTED
+
+    if name in HOSTED:
+        parameter, _, declared = HOSTED[name].partition(" ")
+        return f"the host sets it: `{parameter}`, declared by `param {parameter} {declared}`"
+    if name not in VALUES:
+        return KEYWORDS.get(name, "")
+    here = called_here(name, span, VALUES[name])
+    if VALUES[name].startswith("light.") and isinstance(here, FixIt):
+        return FixIt(f"{here.text}, in a `term … per light`", here.fixes)
+    return here
 
 
 def _other_kernels(ctx: Context, name: str) -> str:

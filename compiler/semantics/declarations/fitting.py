@@ -9,7 +9,7 @@ from ...ir.node import Node
 from ...ir.types import Type, scalar_kind
 from ...syntax import ast
 from ..hints import advice
-from ..hints.color_bytes import warn_of_bytes
+from ..hints.meant_numbers import warn_of_bytes
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
@@ -29,7 +29,7 @@ def fit(
     """``node`` as a ``wanted``, or a report at ``span``."""
     if isinstance(node, Failure):
         return FAILURE
-    if declared == "rgb":
+    if declared == "rgb" or declared.startswith("rgb "):
         warn_of_bytes(ctx, span)
     fitted = coerce(ctx.tree, node, wanted)
     if fitted is None and ctx.deferred.is_wrong(node):
@@ -37,13 +37,14 @@ def fit(
     if fitted is None:
         ctx.report.add(
             rules.WRONG_TYPE, span, expected=declared, found=node.type,
-            hint=_way_to_fit(node, wanted, declared, span),
+            hint=_way_to_fit(ctx, node, wanted, declared, span),
+            labels=advice.where_cut(ctx, (node,), span) if scalar_kind(wanted) == "float" else (),
             caption=f"this is `{node.type}`",
         )  # fmt: skip
         return FAILURE
     return fitted
 
 
-def _way_to_fit(node: Node, wanted: Type, declared: str, span: Span) -> Hint:
-    cut = advice.cut_quotient((node,), (span,)) if scalar_kind(wanted) == "float" else ""
+def _way_to_fit(ctx: Context, node: Node, wanted: Type, declared: str, span: Span) -> Hint:
+    cut = advice.cut_quotient(ctx, (node,), (span,)) if scalar_kind(wanted) == "float" else ""
     return cut or advice.fitting_type(node.type, wanted, declared, span)

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from ....stdlib.builtins import BUILTINS
+from ...diagnostics.diagnostic import Label
 from ...diagnostics.fixes import Hint, either, fix_it, write
 from ...diagnostics.nearest import is_searched_out, respelling
 from ...diagnostics.source import Span
@@ -23,9 +24,10 @@ from ...ir.types import (
     width,
 )
 from ...syntax import ast
-from ...syntax.quoting import counted, shortened, spanned
+from ...syntax.quoting import closed, counted, shortened, spanned
 from ...syntax.rewriting import rewritten
 from ..names.modules import Symbol
+from ..state.context import Context
 from ..state.scope import RigEntry, Scope
 from ..types.typenames import NAMED
 
@@ -84,24 +86,44 @@ def _is_literal(text: str) -> bool:
 _WHOLE_QUOTIENT = r"([0-9]+)\s*/\s*[0-9]+"
 
 
-def cut_quotient(operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
+def cut_quotient(ctx: Context, operands: Iterable[Node], places: Sequence[Span] = ()) -> Hint:
     """About a quotient of two whole literals, ``1 / 3``, where a float is wanted.
 
-    ``places`` are those of the operands, if they are known.
+    ``places`` are those of the operands, if they are known; a name is read there, or the quotient.
     """
+    found = _cut_quotient(operands)
+    if found is None:
+        return ""
+    number, node, x, y = found
+    said = f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
+    for span in (*places[number : number + 1], ctx.places.first(node)):
+        written = None if span is None else re.fullmatch(_WHOLE_QUOTIENT, span.text)
+        if span is not None and written is not None:
+            place = span.start + written.end(1)
+            return fix_it(said, (Span(span.source, place, place), ".0"))
+    return said
+
+
+def where_cut(ctx: Context, operands: Iterable[Node], around: Span) -> list[Label]:
+    """A label at the quotient that ``cut_quotient`` is about, if it stands elsewhere."""
+    found = _cut_quotient(operands)
+    place = None if found is None else ctx.places.first(found[1])
+    if place is None or (
+        place.source is around.source and around.start <= place.start < around.end
+    ):
+        return []
+    return [Label(place, "this is a whole number")]
+
+
+def _cut_quotient(operands: Iterable[Node]) -> tuple[int, Node, int, int] | None:
+    """The number of the operand that is such a quotient, the operand, and its two numbers."""
     for number, node in enumerate(map(bare, operands)):
         if node.op != "call" or node.data != "div" or scalar_kind(node.type) != "int":
             continue
         x, y = (bare(part).data for part in node.operands)
         if isinstance(x, int) and isinstance(y, int) and y:
-            said = f"`{x} / {y}` of whole numbers is {x // y}: write `{x}.0 / {y}`"
-            span = places[number] if number < len(places) else None
-            written = None if span is None else re.fullmatch(_WHOLE_QUOTIENT, span.text)
-            if span is None or written is None:
-                return said
-            place = span.start + written.end(1)
-            return fix_it(said, (Span(span.source, place, place), ".0"))
-    return ""
+            return number, node, x, y
+    return None
 
 
 def _of_lanes(found: Vector, wanted: Scalar | Vector, declared: str, span: Span) -> Hint:
@@ -153,8 +175,12 @@ def missing_member(type_: Type, name: str, whole: Span) -> Hint:
         return "elements are read by their number, `a[i]`; the length is that of the declared type"
     if _is_called(name):
         value = whole.text.rpartition(".")[0].rstrip()
-        said = f"`{name}` is a function: write `{name}({shortened(value)})`"
+        call = re.compile(_CALL).match(whole.source.text, whole.end)
+        given = f", {call[1]}" if call is not None and call[1].strip() else ""
+        said = f"`{name}` is a function: write `{shortened(f'{name}({value}{given})')}`"
         return fix_it(said, _as_function(name, value, whole))
+    if hint := _chained(name, whole):
+        return hint
     if isinstance(type_, Matrix):
         return "columns are read by their number, `m[i]`, and rows of them behind that, `m[i][j]`"
     if isinstance(type_, Scalar):
@@ -162,6 +188,36 @@ def missing_member(type_: Type, name: str, whole: Span) -> Hint:
     lanes = width(type_) if isinstance(type_, Vector) else 0
     names = f"its lanes are `{_LANES[:lanes]}`, or `{_COLORS[:lanes]}`"
     return f"{names}: up to four of them, and not mixed" if lanes else ""
+
+
+_CALL = r"\s*\(([^()\n]*(?:\([^()\n]*\)[^()\n]*)*)\)"
+"""A call with arguments that are calls at most."""
+
+
+def _chained(name: str, whole: Span) -> Hint:
+    """About ``v.mul(2)``, whose callee stands at ``whole``: it is ``v * 2`` here."""
+    from ....stdlib.builtins.foreign_words import CHAINED
+
+    call = re.compile(_CALL).match(whole.source.text, whole.end)
+    if name not in CHAINED or call is None:
+        return ""
+    value, given = whole.text.rpartition(".")[0].rstrip(), call[1].strip()
+    if ("{1}" in CHAINED[name]) != bool(given):
+        return ""
+    is_call = CHAINED[name].endswith(")")
+    parts = (value, given) if is_call else (_operand(value), _operand(given))
+    written = CHAINED[name].format(*parts)
+    said = f"operators stand between their operands: `{shortened(written)}`"
+    if is_call or name.startswith("to"):
+        said = f"it is `{shortened(written)}` here"
+    exact = written if is_call or written == parts[0] else f"({written})"
+    return fix_it(said, (Span(whole.source, whole.start, call.end()), exact))
+
+
+def _operand(text: str) -> str:
+    """A text as something can be written beside it; parentheses around all of it are enough."""
+    is_whole = text.startswith("(") and text.find(")") == len(text) - 1
+    return text if is_whole else closed(text)
 
 
 _ARGUMENTS = r"\s*\(\s*(\)?)"

@@ -10,7 +10,7 @@ from __future__ import annotations
 from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...diagnostics.fixes import fix_it
+from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.source import Span
 from ...syntax import ast
 from ..names.kept_of_library import KeptOfLibrary
@@ -122,17 +122,26 @@ class Records:
         kind = ast.kind_of(member)
         if declaration.kind in kind.records:
             return True
-        self._report_misplaced(kind, kind.word, declaration, member.span)
+        from .placing import in_place
+
+        self._report_misplaced(
+            kind, kind.word, declaration, member.span, in_place(declaration.kind, member)
+        )
         if ast.is_named(member):
             self._report.unread((member.name.text,))
         return False
 
     def _report_misplaced(
-        self, kind: ast.MemberKind, word: str, declaration: ast.Record | ast.Mixin, span: Span
+        self,
+        kind: ast.MemberKind,
+        word: str,
+        declaration: ast.Record | ast.Mixin,
+        span: Span,
+        hint: Hint = "",
     ) -> None:
         self._report.add(
             rules.MISPLACED_MEMBER, span, member=word, record=f"a {declaration.kind}",
-            hint=f"`{word}` belongs in {kind.places}",
+            hint=hint or f"`{word}` belongs in {kind.places}",
         )  # fmt: skip
 
     def _check_blend(self, declaration: ast.Record) -> None:

@@ -50,6 +50,8 @@ def _declare(module: Module, declaration: Named, heads: _Heads, report: Report) 
         report.add(
             rules.DUPLICATE_NAME, name.span, name=name.text,
             labels=[Label(first, "first declared here")],
+            hint="a file has one declaration of a name, whatever it declares: give one of the two "
+            "another name",
         )  # fmt: skip
         return
     if isinstance(declaration, ast.Function):

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath
+from posixpath import normpath
 from stat import S_ISDIR, S_ISREG
 from typing import Protocol
 
@@ -26,27 +27,67 @@ from .imports import import_names
 from .modules import Module
 from .standard_library import Parse, Read, StandardLibrary, in_library
 
+_ENDING = ".burnish"
 
-def missing_import_hint(wanted: ast.Import, library: StandardLibrary) -> Hint:
-    """The import that was probably meant by one that finds no file; empty if none is likely."""
+
+def missing_import_hint(
+    wanted: ast.Import, library: StandardLibrary, beside: Sequence[str] = ()
+) -> Hint:
+    """The import that was probably meant by one that finds no file; empty if none is likely.
+
+    ``beside`` are the names of files where it was looked for.
+    """
     if wanted.quoted:
-        return _add_ending(wanted)
+        return _add_ending(wanted) or _quoted_near(wanted, beside)
     *folder, name = wanted.path
     offers = library.offers().get(name, ()) if folder else ()
     if any(offer.path == ".".join(folder) for offer in offers):
         declaration = f"{'.'.join(folder)}.{{{name}}}"
         return _instead(f"write `import {declaration}`", wanted, declaration)
     if wanted.path[0] != "std":
-        return ""
+        return _near(wanted, name, library, beside)
     near = nearest(".".join(wanted.path), library.import_paths())
     return "" if near is None else _instead(f"did you mean `{near}`?", wanted, near)
 
 
+def _near(wanted: ast.Import, name: str, library: StandardLibrary, beside: Sequence[str]) -> Hint:
+    """A file beside that is nearly called so, or the library's of this name."""
+    within = f"std.{'.'.join(wanted.path)}"
+    near = nearest(name, filter(str.isidentifier, _stems(beside)))
+    if within in library.import_paths():
+        meant = within
+    elif near is not None:
+        meant = ".".join((*wanted.path[:-1], near))
+    else:
+        return ""
+    return _instead(f"did you mean `{meant}`?", wanted, meant)
+
+
+def _stems(beside: Sequence[str]) -> Iterator[str]:
+    """The names of Burnish files, without their ending."""
+    return (each.removesuffix(_ENDING) for each in beside if each.endswith(_ENDING))
+
+
+def _quoted_near(wanted: ast.Import, beside: Sequence[str]) -> Hint:
+    """A file beside that is nearly called so."""
+    path = PurePosixPath(wanted.path[0])
+    near = nearest(path.stem, _stems(beside))
+    if near is None:
+        return ""
+    meant = f'"{path.with_name(near + _ENDING)}"'
+    return _instead(f"did you mean `{meant}`?", wanted, meant)
+
+
+def _without_detours(path: str) -> str:
+    """A path without the folders that it enters and leaves again: `sub/../c.burnish`."""
+    return normpath(path) if ".." in PurePosixPath(path).parts else path
+
+
 def _add_ending(wanted: ast.Import) -> Hint:
     path = wanted.path[0]
-    if path.endswith(".burnish"):
+    if path.endswith(_ENDING):
         return ""
-    ending = f'"{path}.burnish"'
+    ending = f'"{path}{_ENDING}"'
     return _instead(f"the ending belongs to the path: `{ending}`", wanted, ending)
 
 
@@ -72,6 +113,9 @@ class Files(Protocol):
 
     def mode(self, path: Path, /) -> int | None:
         """The kind of file at a path; ``None`` if there is none. Raises ``OSError``."""
+
+    def names(self, folder: Path, /) -> Sequence[str]:
+        """Some of the names in a folder; none if it cannot be read."""
 
     def looked(self, root: Path, path: Path, /, *, found: bool) -> None:
         """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
@@ -169,9 +213,10 @@ class Loader:
         """The module that an import is about, if need be before it is linked."""
         if not wanted.quoted and wanted.path[0] == "std":
             return self._from_library(wanted)
-        relative = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + ".burnish"
+        written = wanted.path[0] if wanted.quoted else "/".join(wanted.path) + _ENDING
+        relative = _without_detours(written)
         if PurePosixPath(relative).is_absolute() or ".." in PurePosixPath(relative).parts:
-            self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=relative)
+            self._report.add(rules.IMPORT_ESCAPES, wanted.span, path=written)
             return None
         for root in self._roots(module):
             try:
@@ -191,7 +236,9 @@ class Loader:
                 return self._load(found, path, wanted)
             if mode is not None:
                 return None
-        self._report_missing(wanted, relative)
+        folders = (root / PurePosixPath(relative).parent for root in self._roots(module))
+        beside = [name for folder in folders for name in self._files.names(folder)]
+        self._report_missing(wanted, relative, beside)
         return None
 
     def _is_file(self, mode: int, wanted: ast.Import, found: Path) -> bool:
@@ -210,8 +257,10 @@ class Loader:
             self._report_missing(wanted, f"std/{inside}")
         return found
 
-    def _report_missing(self, wanted: ast.Import, relative: str) -> None:
-        hint = missing_import_hint(wanted, self._library)
+    def _report_missing(
+        self, wanted: ast.Import, relative: str, beside: Sequence[str] = ()
+    ) -> None:
+        hint = missing_import_hint(wanted, self._library, beside)
         self._report.add(rules.MISSING_IMPORT, wanted.span, path=relative, hint=hint)
 
     def _resolved(self, folder: Path) -> Path:

@@ -9,7 +9,7 @@ with what was read of a record.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Container, Iterable, Iterator, Mapping
+from collections.abc import Collection, Container, Iterable, Iterator
 from string import digits
 
 from ....support.frozen import cached_property, frozen
@@ -21,61 +21,9 @@ from ..inheritance.records import Record, is_abstract
 from ..names.modules import Module
 from ..state.context import Context
 
-_GLTF = "only a base that has it makes something of it, such as the library's material of glTF"
-_BY_ITSELF = "nothing is made of it by itself: the slot `color` would have to read it"
-_TO_EYE = "what a surface sends to the eye is its slot `color`"
-_COVERS = "how much a surface covers is its slot `alpha`"
-_NO_DEPTH = "a pass draws with the depth of the surface: no text writes another one"
-_NO_CLIP = "a surface is cut at the sides of clip space, or by `discard when` in a pass"
-_NO_POINTS = "points have no size of their own: `expand point` makes a square of each"
-_IN_CLIP = "where a vertex is drawn is the slot `clip_position`"
-_DISCARD = "a pass leaves out pixels by `discard when condition`"
-_SIDES = "both sides are drawn, but where `is_hidden` is true: glTF has `is_two_sided` for it"
-_SENT = "what a light sends is its slots `diffuse` and `specular`"
-_FADES = "how a light fades is its slot `falloff`"
-_STANDS = "where a lamp stands is the slot `place` of those that have a place"
-_OPENS = "a cone is the slots `inner` and `outer` of those lights that have one"
-_THROWS = "lights of `std.shadows` throw shadows"
-
-OF_SURFACES: Mapping[str, str] = {
-    **dict.fromkeys(("albedo", "basecolor", "diffusecolor", "fragcolor", "outcolor", "surfacecolor",
-                     "glfragcolor", "svtarget", "finalcolor"), _TO_EYE),
-    **dict.fromkeys(("opacity", "transparency", "coverage", "alfa"), _COVERS),
-    **dict.fromkeys(("discard", "clip", "kill", "alphatest", "alphacutoff"), _DISCARD),
-    **dict.fromkeys(("fragdepth", "glfragdepth", "svdepth", "pixeldepth"), _NO_DEPTH),
-    **dict.fromkeys(("clipdistance", "glclipdistance", "svclipdistance", "culldistance",
-                     "svculldistance", "glculldistance"), _NO_CLIP),
-    **dict.fromkeys(("pointsize", "glpointsize", "psize"), _NO_POINTS),
-    **dict.fromkeys(("glposition", "svposition"), _IN_CLIP),
-    **dict.fromkeys(("roughness", "metallic", "metalness", "ao", "occlusion", "emissive",
-                     "emission"), _GLTF),
-    **dict.fromkeys(("shininess", "clearcoat", "sheen", "ior", "transmission", "subsurface",
-                     "anisotropy"), _BY_ITSELF),
-    **dict.fromkeys(("doublesided", "twosided"), _SIDES),
-}  # fmt: skip
-"""Words of other systems for what a shader writes, in small letters and without underscores, and
-what there is here instead."""
-
-OF_LIGHTS: Mapping[str, str] = {
-    **dict.fromkeys(("color", "colour", "intensity", "brightness", "strength", "power", "energy",
-                     "radiance", "emission", "multiplier"), _SENT),
-    **dict.fromkeys(("attenuation", "range", "radius", "distance", "decay", "linear", "quadratic",
-                     "constant"), _FADES),
-    **dict.fromkeys(("position", "pos", "location"), _STANDS),
-    **dict.fromkeys(("angle", "coneangle", "spotangle", "spotsize", "cutoff", "penumbra",
-                     "innerconeangle", "outerconeangle", "innerangle", "outerangle"), _OPENS),
-    **dict.fromkeys(("castshadow", "castshadows", "shadow", "shadows"), _THROWS),
-}  # fmt: skip
-"""The same for what a light sends."""
-
 _ALIKE = 0.75
 """The least similarity of an unread slot and one of a base that it may have meant."""
 
-
-_WORDS: Mapping[str, Mapping[str, str]] = {
-    "material": OF_SURFACES, "pass": OF_SURFACES, "light": OF_LIGHTS,
-}  # fmt: skip
-"""The words of other systems for each kind of record; a pass may have any slot of the surface."""
 
 CLOSED = ("kernel", "frame")
 """The kinds of records whose slots nothing outside of them reads, whatever they are called."""
@@ -88,8 +36,8 @@ class Own:
     name: ast.Name
     others: frozenset[str]
     """The names that its bases and mixins declare."""
-    words: Mapping[str, str]
-    """What words of other systems mean in such a record."""
+    kind: str
+    """The kind of the record, or of what a mixin is for."""
     is_offered: bool
     """True if a base or a mixin declares it, from which others may be derived that read it."""
 
@@ -99,7 +47,7 @@ def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
 
     What an imported file declares is an offer, and its names are for that file to check.
     """
-    words = _WORDS.get(_kind(record), {})
+    kind = _kind(record)
     others: dict[int, frozenset[str]] = {}
     for definitions in record.definitions.values():
         first = definitions[0]
@@ -108,7 +56,7 @@ def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
         if is_new and isinstance(member, _READ) and owner.module is record.symbol.module:
             if level not in others:
                 others[level] = frozenset((*_others(record, level), *also))
-            yield Own(member.name, others[level], words, owner is not record.symbol)
+            yield Own(member.name, others[level], kind, owner is not record.symbol)
 
 
 _READ = ast.Slot | ast.Param | ast.Texture | ast.Buffer
@@ -213,8 +161,10 @@ def _names_in(root: object) -> Iterator[str]:
 def _hint(own: Own, *, elsewhere: bool = True) -> Hint:
     """What the slot may have meant: a word of other systems, or a name that is nearly the same."""
     name, span = own.name.text, own.name.span
+    from ....stdlib.builtins.foreign_words import OF_GLTF
+
     advice = _advice(own) if elsewhere else ""
-    if advice and advice is not _GLTF:
+    if advice and advice is not OF_GLTF:
         return advice
     meant = nearest_in(span.source, name, own.others)
     return advice if meant is None or not _is_alike(name, meant) else respelt(name, span, meant)
@@ -237,8 +187,11 @@ def _is_alike(name: str, meant: str) -> bool:
 
 def _advice(own: Own) -> str:
     """What is said of a word of other systems, unless a base has one that is nearly the same."""
+    from ....stdlib.builtins.foreign_words import SLOTS
+
     folded = _folded(own.name.text)
-    return "" if folded in map(_folded, own.others) else own.words.get(folded, "")
+    words = SLOTS.get(own.kind, {})
+    return "" if folded in map(_folded, own.others) else words.get(folded, "")
 
 
 def _words(name: str) -> list[str]:
@@ -252,6 +205,8 @@ def _folded(name: str) -> str:
 
 def word_of_light(name: str) -> str:
     """What is said of a word of other systems for what a light sends; empty if it is none."""
+    from ....stdlib.builtins.foreign_words import OF_LIGHTS
+
     return OF_LIGHTS.get(_folded(name), "")
 
 

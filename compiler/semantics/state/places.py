@@ -22,6 +22,10 @@ class Places:
         """A node that replaces another one stands where that does."""
         self._further.setdefault(new.id, []).extend(self._further.get(old.id, ()))
 
+    def first(self, node: Node) -> Span | None:
+        """The first place where a node is written; ``None`` if none is known."""
+        return self._first.get(node.id)
+
     def within(self, node: Node, around: Span) -> Span:
         """The place inside of ``around`` where a node is written.
 

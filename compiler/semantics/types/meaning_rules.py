@@ -83,10 +83,18 @@ def apart(sides: tuple[Side, ...]) -> Clash | None:
     known = [(i, s.meaning) for i, s in enumerate(sides) if s.meaning is not None]
     for (i, first), (j, second) in pairwise(known):
         if family(first) != family(second):
-            return Clash(rules.MIXED_MEANINGS, i, j)
+            return Clash(rules.MIXED_MEANINGS, i, j, _of_families(first, second))
         if first.kind in GEOMETRY and first.spaces != second.spaces:
             return Clash(rules.MIXED_SPACES, i, j)
     return None
+
+
+def _of_families(one: Meaning, other: Meaning) -> str:
+    """The hint for values of two families that do not mix."""
+    kinds = {one.kind, other.kind}
+    if kinds & COLORS and kinds & GEOMETRY:
+        return "a colour has no place and no direction: `vec3(c)` is its bare numbers"
+    return ""
 
 
 def joined(one: Meaning | None, other: Meaning | None) -> Meaning | None:
@@ -229,8 +237,7 @@ def moved(by: Meaning, what: Meaning) -> Meaning | Clash:
     if what.spaces != by.spaces[:1]:
         return Clash(rules.MIXED_SPACES, 0, 1)
     if what.kind == "normal":
-        hint = "normals move by the inverse transpose, which `… in space` knows"
-        return Clash(rules.MIXED_MEANINGS, 0, 1, hint)
+        return Clash(rules.MIXED_MEANINGS, 0, 1)
     if what.kind == "point" and by.kind == "basis":
         hint = "a basis has no origin; it turns vectors"
         return Clash(rules.MIXED_MEANINGS, 0, 1, hint)

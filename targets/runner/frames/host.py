@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,6 +27,7 @@ from ..scene import value_roles
 from ..scene_state import Color
 from .checking import PlanError, check_plan
 from .numbers import is_of
+from .owners import check_one_type, owned_shaders, unowned
 from .scenery import Scenery
 from .settings import StepState, cleared, step_state
 from .sizes import Size, checked_size, drawn_size
@@ -71,22 +72,45 @@ class FrameHost:
     def set_text(self, name: str, text: str) -> None:
         """Set a value of the frame; or else of all shaders that have it.
 
-        A material's parameter is an example. Raises ``ParameterError`` and ``PictureError``, as
-        ``Instance.set_text`` does.
+        A material's parameter is an example; ``Clay.base`` is that of one material. Raises
+        ``ParameterError`` and ``PictureError``, as ``Instance.set_text`` does, also for a name that
+        has several types.
         """
-        self._set(name, lambda instance: instance.set_text(name, text))
+        self._set(name, lambda instance, own: instance.set_text(own, text))
 
     def set(self, name: str, value: object) -> None:
         """Set a value in the form that ``Instance.set`` takes. Raises ``ParameterError``."""
-        self._set(name, lambda instance: instance.set(name, value))
+        self._set(name, lambda instance, own: instance.set(own, value))
 
-    def _set(self, name: str, act: Callable[[HostValues], None]) -> None:
+    @property
+    def owners(self) -> Mapping[str, Sequence[HostValues]]:
+        """The values of each material, and of each pass or kernel without one, by its name."""
+        return {
+            owner: [self.instances[number] for number in numbers]
+            for owner, numbers in owned_shaders(self.plan).items()
+        }
+
+    def owner_of(self, name: str) -> str:
+        """The owner that ``Clay.base`` names; empty if the name is one of its own."""
+        owner, dot, own = name.partition(".")
+        every = (self.values, *self.instances)
+        is_whole = any(each.type_of(name) or each.is_light(name) for each in every)
+        return owner if dot and own and not is_whole and owner in self.owners else ""
+
+    def _set(self, name: str, act: Callable[[HostValues, str], None]) -> None:
         self.given |= {name}
+        owner = self.owner_of(name)
+        own = name.removeprefix(f"{owner}.") if owner else name
+        every: Sequence[HostValues] = (self.values, *self.instances)
+        if owner:
+            every = self.owners[owner]
+        elif not self.values.type_of(name):
+            pairs = ((known, each) for known, all_of in self.owners.items() for each in all_of)
+            check_one_type(name, pairs)
         errors: list[UnknownParameterError] = []
-        every: tuple[HostValues, ...] = (self.values, *self.instances)
         for instance in every:
             try:
-                act(instance)
+                act(instance, own)
             except UnknownParameterError as error:
                 errors.append(error)
                 continue
@@ -98,6 +122,8 @@ class FrameHost:
 
     def _unknown(self, name: str) -> str:
         """The message about a name that neither the frame nor a shader has."""
+        if said := unowned(name, self.owners):
+            return said
         # The size of a single material's picture is called by its step: it is not the material's.
         steps = tuple(f"{step.name}." for step in self.plan.steps)
         set_by_frame: list[set[str]] = [set() for _ in self.instances]

@@ -195,6 +195,21 @@ class HostValues:
             value = value[position]
         return plain(place.shape, value)
 
+    def type_of(self, name: str) -> str:
+        """The type of a parameter, a part of one, a texture or a buffer; empty if there is none."""
+        if name in self._names.textures:
+            return str(self._names.textures[name].type)
+        if name in self._buffers:
+            return "a storage buffer"
+        try:
+            return self._names.place(name).shape.type
+        except ParameterError:
+            return ""
+
+    def is_light(self, name: str) -> bool:
+        """True for the name of a light, which has no value of its own."""
+        return bool(self._names.light(name))
+
     @property
     def needed(self) -> tuple[str, ...]:
         """The names of parameters that a shader reads, or from which the host computes a value."""

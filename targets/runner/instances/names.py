@@ -118,8 +118,19 @@ def no_parameter(name: str, known: Sequence[str]) -> str:
     """
     root = name.partition(".")[0].partition("[")[0]
     roots = list(dict.fromkeys(each.partition(".")[0] for each in known))
-    hint = suggestion(name, known) or suggestion(root, roots) or f"there are {', '.join(roots)}"
+    hint = _said_elsewhere(name, known) or suggestion(name, known) or suggestion(root, roots)
+    hint = hint or f"there are {', '.join(roots)}"
     return f"there is no parameter `{name}`: {hint}"
+
+
+def _said_elsewhere(name: str, known: Sequence[str]) -> str:
+    """The question for a member that other systems call otherwise: ``torch.position``."""
+    from ....stdlib.builtins.foreign_words import OF_LAMPS
+
+    owner, dot, member = name.rpartition(".")
+    meant = OF_LAMPS.get(member.replace("_", "").casefold(), ())
+    found = next((each for each in meant if f"{owner}{dot}{each}" in known), "")
+    return f"did you mean `{owner}{dot}{found}`?" if found else ""
 
 
 def _inputs(steps: Steps) -> tuple[str, ...]:

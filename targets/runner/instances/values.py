@@ -7,6 +7,7 @@ promises because of which the compiler has left out guards.
 from __future__ import annotations
 
 import math
+import re
 import struct
 from collections.abc import Collection, Iterator, Mapping, Set
 from typing import Any
@@ -15,6 +16,9 @@ from ....compiler.diagnostics.nearest import suggestion
 from ....stdlib.builtins.facts import ULP
 from .literals import angle, color_lanes
 from .shapes import WHOLE, Elements, Members, Numbers, Shape, part
+
+_WORD = re.compile(r"[A-Za-z]{3,}")
+"""A word that may be the name of a colour."""
 
 Value = Any
 """Nested tuples, as ``shapes`` explains."""
@@ -157,8 +161,7 @@ def _lane(shape: Numbers, given: object, name: str) -> Any:
     if shape.range is not None:
         lo, hi = map(single, shape.range) if shape.kind == "float" else shape.range
         if not lo <= value <= hi:
-            limits = f"{shown(shape.range[0])}..{shown(shape.range[1])}"
-            raise ParameterError(name, f"`{name}` is declared in {limits}: {shown(given)} is not")
+            raise ParameterError(name, _out_of_range(shape, given, value, name))
     return value
 
 
@@ -285,8 +288,27 @@ def shown(given: object) -> str:
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 
+def _out_of_range(shape: Numbers, given: object, value: float, name: str) -> str:
+    """The message about a number outside of its range; an angle may be written in degrees."""
+    assert shape.range is not None
+    if shape.meaning != "angle":
+        limits = f"{shown(shape.range[0])}..{shown(shape.range[1])}"
+        return f"`{name}` is declared in {limits}: {shown(given)} is not"
+    low, high = (f"{math.degrees(limit):g}deg" for limit in shape.range)
+    said, degrees = f"`{name}` is declared in {low}..{high}", f"{math.degrees(value):.5g}deg"
+    if float(value).is_integer() and shape.range[0] <= math.radians(value) <= shape.range[1]:
+        return f"{said}: {shown(given)} is {degrees}; did you mean {shown(given)}deg?"
+    return f"{said}: {degrees} is not"
+
+
 def _wrong_kind(given: object, shape: Numbers, name: str) -> ParameterError:
-    return ParameterError(name, f"`{name}` ({shape.type}) cannot hold {shown(given)}")
+    said = f"`{name}` ({shape.type}) cannot hold {shown(given)}"
+    if shape.is_color and isinstance(given, str) and _WORD.fullmatch(given):
+        from ....stdlib.builtins.elsewhere import VALUES
+
+        color = VALUES.get(given.casefold(), "")
+        said += f": a colour is written {color if color.startswith('#') else '#b5651d'}"
+    return ParameterError(name, said)
 
 
 def _misshapen(
