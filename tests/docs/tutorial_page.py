@@ -67,13 +67,20 @@ def tutorial_page() -> str:
     """The tutorial with differences, lines and messages brought up to date."""
     page = PAGE.read_text(encoding="utf-8")
     for before, step in zip((None, *STEPS), STEPS, strict=False):
-        page = spliced(page, f"changed {step.name}", _fenced("diff", _changed(before, step)))
+        page = spliced(page, f"changed {step.name}", _difference(before, step))
         page = spliced(page, f"lines {step.name}", "\n".join(_texts(before, step)))
     messages = iter([_told(block) for block in blocks(PAGE, "text")])
     return _MESSAGE.sub(lambda fence: fence[1] + next(messages) + fence[2], page)
 
 
-def _fenced(marks: str, lines: Iterator[str]) -> str:
+def _difference(before: Step | None, step: Step) -> str:
+    """The first step whole, and what each other one changes."""
+    if before is None:
+        return _fenced("burnish", step.lines)
+    return _fenced("diff", _changed(before, step))
+
+
+def _fenced(marks: str, lines: Iterable[str]) -> str:
     return "\n".join((f"```{marks}", *lines, "```")) + "\n"
 
 
@@ -82,9 +89,9 @@ def _told(message: Block) -> str:
         return told(source_of(message), Path(folder))
 
 
-def _changed(before: Step | None, step: Step) -> Iterator[str]:
+def _changed(before: Step, step: Step) -> Iterator[str]:
     """The lines that a step adds and removes, with those around them; `…` stands for others."""
-    old, new = before.lines if before else [], step.lines
+    old, new = before.lines, step.lines
     groups = SequenceMatcher(None, old, new, autojunk=False).get_grouped_opcodes(CONTEXT)
     for number, group in enumerate(groups):
         if number:
