@@ -162,6 +162,7 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
         albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
         sky=panorama.hdr             or a cube of one picture of all directions, in floats
+        lamp.profile=lamp.ies        how bright a lamp is in each direction (IES LM-63)
         lamps=lamps.json             the elements of a buffer
 
     Kernels over buffers draw nothing. But a `buffer` has the elements of the `result` that is

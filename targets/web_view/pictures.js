@@ -7,7 +7,7 @@ import { make } from "./elements.js";
 /** The prefix of the word of a picture whose colours are sRGB. */
 const SRGB = "srgb:";
 /** The kinds of files that a browser offers to choose from. */
-const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr";
+const KINDS = "image/png,image/jpeg,image/webp,image/*,.hdr,.exr,.ies";
 
 /**
  * The members of a texture's control that this module reads.

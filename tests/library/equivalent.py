@@ -8,9 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from . import equivalent_cellular, equivalent_colors, equivalent_shapes
+from .equivalent_lights import OF_LIGHTS
 from .equivalent_reflectances import OF_REFLECTANCES
 
 _BY_REASON: Mapping[str, Sequence[str]] = {
+    **OF_LIGHTS,
     **OF_REFLECTANCES,
     "`nonzero` promises something to the compiler, and changes no value.": (
         (
@@ -90,7 +92,7 @@ _BY_REASON: Mapping[str, Sequence[str]] = {
         ),
         (
             "std.lights.FocusedSpot: to_light)), focus) / [dot(to_place, to_place) -> "
-            "abs(dot(to_place, to_place))] }"
+            "abs(dot(to_place, to_place))] } /// The sky above"
         ),
         (
             "std.tessellation.between: t(edge, both) / max( [dot(edge, edge) -> abs(dot(edge, "

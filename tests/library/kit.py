@@ -6,6 +6,7 @@ The tests write the library's formulas anew, from what papers and its comments s
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -125,3 +126,26 @@ def facets(count: int, width: float) -> Floats:
 def mirrored_by(normals: Floats) -> Floats:
     """The directions to which these mirror +z."""
     return np.asarray(2 * normals[:, 2:] * normals - np.array([0.0, 0.0, 1.0]))
+
+
+# --- textures ------------------------------------------------------------------------------------
+
+
+@dataclass
+class Place:
+    """A texture that is the same everywhere, and notes where it is read."""
+
+    value: Lanes
+    size: Lanes = (64, 64)
+    at: Lanes = ()
+    """The coordinate of the last read."""
+    level: Lanes = ()
+    """The level of the last read, if it named one."""
+
+    def read(self, name: str, operands: tuple[Lanes, ...]) -> Lanes:
+        """The value of a read, or the size."""
+        if "size" in name:
+            return self.size
+        self.at = tuple(map(float, operands[0]))
+        self.level = operands[1] if name == "sample_level" else ()
+        return self.value

@@ -98,7 +98,7 @@ def gltf(knobs: Knobs, light: Floats) -> Floats:
 
 @truth(
     "std.models.GltfSurface",
-    "std.models.gltf",
+    "std.models.gltf_lit",
     "std.models.gltf_share",
     "std.models.sheen_share_of",
     "std.models.largest",

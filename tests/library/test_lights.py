@@ -117,6 +117,26 @@ def test_a_focused_spot_narrows_and_fades_with_the_square(turn: float) -> None:
     assert found == close(falloff * lambert(TO_LAMP, TINT))
 
 
+@truth("std.lights.Hemisphere")
+def test_sky_and_ground_light_what_faces_them() -> None:
+    """The irradiance over pi of two half spheres, each with its cosine over the half that is seen:
+    half of the sum and half of the difference times the cosine to the axis between them."""
+    up, ground = unit((0.2, 0.9, -0.4)), (0.1, 0.3, 0.6)
+    given = {"up": lanes(up), "diffuse_color": TINT, "ground_color": ground, "specular_color": TINT}
+    both = np.add(TINT, ground) / 2 + np.subtract(TINT, ground) / 2 * (up @ NORMAL_IN_WORLD)
+    assert lit("Hemisphere", LIT, **given) == close(np.multiply(SURFACE, both))
+    below = np.add(TINT, ground) - both
+    turned = {**given, "up": lanes(-up)}
+    assert lit("Hemisphere", LIT, **turned) == close(np.multiply(SURFACE, below))
+    assert lit("Hemisphere", "phong(vec3(1), 2)", **given) == close((0, 0, 0))
+    dim = "light Dim : Hemisphere { falloff = 0.5 }"
+    text = (
+        f"import std.lights.{{Hemisphere}}\nimport std.terms.{{lambert}}\n{dim}\n"
+        "material M { color = lambert(vec3(1)) }\nrig R { lamp : Dim }"
+    )
+    assert shown(text, **{f"lamp.{k}": v for k, v in given.items()}) == close(both / 2)
+
+
 # --- terms ---------------------------------------------------------------------------------------
 
 

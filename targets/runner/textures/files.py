@@ -30,6 +30,7 @@ from .high_range import format_of, read_floats
 from .kinds import FACES, Kind, PictureError
 from .metered import PARTS, Metered
 from .panorama import cube_of
+from .photometric import is_photometric, read_candelas
 
 FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TGA", "TIFF")
 """The formats of pictures without floats, by Pillow's names. Pillow knows others, and runs programs
@@ -91,6 +92,8 @@ def read_picture(path: Path, sample: Kind, memory: Tally) -> NDArray[Any]:
     with _told(str(path)), opened(path, str(path)) as file:
         if form := format_of(path):
             return read_floats(path, form, str(path), memory)
+        if is_photometric(path):
+            return read_candelas(file, str(path))
         return _decoded(file, str(path), sample, FORMATS, memory)
 
 
@@ -126,6 +129,8 @@ def picture_given(data: bytes, name: str, dimension: Dimension, sample: Kind) ->
             path = Path(folder) / f"picture{Path(name).suffix.lower()}"
             path.write_bytes(data)
             array: NDArray[Any] = read_floats(path, form, name, memory)
+    elif is_photometric(Path(name)):
+        array = read_candelas(BytesIO(data), name)
     else:
         array = picture_in(data, name, memory, sample)
     if dimension == "cube":

@@ -42,6 +42,16 @@ _WRITTEN: Mapping[str, tuple[str, str, dict[str, object]]] = {
     "jpeg.tiff": ("TIFF", "L", {"compression": "jpeg"}),
 }
 """Pillow's format, the mode, and how it is saved, by the name of a file."""
+_PROFILE = b"""IESNA:LM-63-2002
+[LUMINAIRE] a lamp
+TILT=INCLUDE
+1 2
+0 90
+1.0 0.9
+1 1000 2.0 3 2 1 2 0.1 0.2 0 0.9 1.0 50
+0 45 90 0 90
+100 50.5 0 1e2 100 0
+"""
 _WORDS = (b"\0\0", b"\xff\xff", b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\x01\0", b"\x80")
 
 
@@ -65,6 +75,7 @@ def seeds() -> dict[str, bytes]:
     for ending, form_of_floats in OF_FLOATS.items():
         name = f"a{ending}"
         found[name] = encoded_floats(numbers, 3, Path(name), form_of_floats)
+    found["a.ies"] = _PROFILE
     return found
 
 
