@@ -15,9 +15,9 @@ import click
 from click.core import ParameterSource
 
 from ..targets.runner.files import FileError, opened
+from ..targets.runner.textures.kinds import without_prefix
 from .comments import asked
 
-_SRGB = "srgb:"
 _MOST = 1 << 20
 """The most bytes of a file in which its comment is looked for."""
 _CHOOSING = frozenset(("material", "rig", "pass_", "target"))
@@ -99,8 +99,8 @@ def _beginning(file: Path) -> str:
 
 def _placed(text: str, root: Path) -> str:
     """The text of a value that names files in a folder, by their whole paths; or else as it is."""
-    is_srgb = text.startswith(_SRGB)
-    parts = [part.strip() for part in text.removeprefix(_SRGB).split(",")]
+    names = without_prefix(text)
+    parts = [part.strip() for part in names.split(",")]
     if not all(part and (root / part).is_file() for part in parts):
         return text
-    return _SRGB * is_srgb + ",".join(str(root / part) for part in parts)
+    return text.removesuffix(names) + ",".join(str(root / part) for part in parts)

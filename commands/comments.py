@@ -23,6 +23,7 @@ from typing import Any, NamedTuple
 
 import click
 
+from ..targets.runner.textures.kinds import without_prefix
 from .catalogue import is_shown
 
 _MARK = "//!"
@@ -31,7 +32,6 @@ _INDENT = " " * 5
 _BEGINNING = "burnish render "
 LONGEST = 4000
 """The most letters of a command that is followed."""
-_SRGB = "srgb:"
 MOST_WORK = 2**26
 """The most pixels that a file may ask for in all steps of all its frames: 64 pictures of 1024 ×
 1024."""
@@ -114,7 +114,7 @@ def files_of(value: str, root: Path) -> Iterator[Path]:
 
     ``Instance.set_text`` takes the value as one path, or as several with commas between them.
     """
-    plain = value.strip().removeprefix(_SRGB)
+    plain = without_prefix(value.strip())
     parts = dict.fromkeys((value, plain, *map(str.strip, plain.split(","))))
     for path in (root / part for part in parts if part):
         try:
@@ -206,7 +206,7 @@ def _own_files(value: str, root: Path) -> str:
     """Pictures, and elements of buffers, only of the folder, by relative paths."""
     _name, _equals, text = value.partition("=")
     paths = list(files_of(text, root))
-    if any(PurePath(part.strip()).is_absolute() for part in text.removeprefix(_SRGB).split(",")):
+    if any(PurePath(part.strip()).is_absolute() for part in without_prefix(text).split(",")):
         return "files are taken by relative paths"
     if not all(is_shown(path, root) for path in paths):
         return "only files of its own folder are taken"

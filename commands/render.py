@@ -159,7 +159,8 @@ def render(file: Path, output: Path | None, **chosen: Any) -> None:
         lamps.count=2                how many lights of an array are switched on
         Clay.base=#ff8800            of several materials that have such a parameter, that of one
         'lamps[0].place=0,2,1'       a part of one light of an array
-        albedo=bricks.png            a texture of numbers; srgb:bricks.jpg is one of colours
+        albedo=bricks.png            a texture: of colours or of numbers, as it is declared;
+                                     srgb:bricks.png or linear:bricks.png says it here
         sky=px.png,nx.png,…          a cube's faces +x, -x, +y, -y, +z, -z; or layers, slices
         sky=panorama.hdr             or a cube of one picture of all directions, in floats
         lamp.profile=lamp.ies        how bright a lamp is in each direction (IES LM-63)

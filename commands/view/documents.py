@@ -19,6 +19,7 @@ from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...compiler.diagnostics.render import render_all
 from ...compiler.diagnostics.style import Style
 from ...compiler.documents.writing import to_json
+from ...targets.runner.textures.kinds import without_prefix
 from ..as_asked import wishes
 from ..console import remark, say, show
 from ..failures import drawing_errors
@@ -105,7 +106,7 @@ class Documents:
     def others(self) -> set[Path]:
         """The files besides sources that are drawn, as far as they exist."""
         values = (*self._asked.wished, *self._asked.values)
-        named = (text.removeprefix("srgb:") for _name, text in values)
+        named = (without_prefix(text) for _name, text in values)
         paths = [Path(part) for text in named for part in text.split(",")]
         paths.append(Path(self._request.environment))
         scene = self._request.scene

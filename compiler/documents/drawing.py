@@ -20,7 +20,7 @@ from ..ir.render_state import (
     StencilState,
     Winding,
 )
-from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
+from ..ir.types import DIMENSION_WORDS, Border, Dimension, Intent, Sample, Wrap
 from .steps import StepRow
 
 Primitive = Literal["point", "line", "triangle", "line_adjacency", "triangle_adjacency", "patch"]
@@ -37,6 +37,8 @@ TOPOLOGY_WORDS: Spelling = {
 """WebGPU's words for the primitives of a draw call, ``GPUPrimitiveTopology``."""
 ADDRESS_MODES: Spelling = {
     "repeat": "repeat", "clamp": "clamp-to-edge", "mirror": "mirror-repeat",
+    # WebGPU has none, and Vulkan and OpenGL name it so.
+    "border": "clamp-to-border",
 }  # fmt: skip
 """WebGPU's words for the texels beyond the edges, ``GPUAddressMode``."""
 
@@ -115,7 +117,10 @@ class TextureRow:
 class SamplerState:
     """The state of a sampler: its filters, its comparison, and the texels beyond the edges."""
 
-    WORDS: ClassVar = {"wrap": ADDRESS_MODES, "compare": COMPARE_WORDS}
+    WORDS: ClassVar = {
+        **dict.fromkeys(("wrap", "wrap_u", "wrap_v", "wrap_w"), ADDRESS_MODES),
+        "compare": COMPARE_WORDS,
+    }
 
     filter: Literal["linear", "nearest"]
     """Filter between the texels of a level, a GPUFilterMode."""
@@ -124,8 +129,20 @@ class SamplerState:
 
     ``none``: only the first level is read, for which hosts set the largest level of detail to 0.
     """
-    wrap: Literal["repeat", "clamp", "mirror"]
-    """Texels beyond the edges, a GPUAddressMode that holds for all axes."""
+    wrap: Wrap
+    """Texels beyond the edges, a GPUAddressMode: of each axis that says nothing else below."""
+    wrap_u: Wrap | None = None
+    """Texels beyond the left and the right edge; left out where ``wrap`` holds."""
+    wrap_v: Wrap | None = None
+    """Texels beyond the upper and the lower edge; left out where ``wrap`` holds."""
+    wrap_w: Wrap | None = None
+    """Texels beyond the first and the last slice; left out where ``wrap`` holds."""
+    border: Border | None = None
+    """Texel beyond the edges of an axis that is ``clamp-to-border``; left out where none is.
+
+    ``transparent`` has zeros, ``black`` has an alpha of one, and all lanes of ``white`` are one. Of
+    depths, ``black`` is 0 and ``white`` is 1.
+    """
     compare: Compare | None
     """Comparison of a reference, on the left, with a depth, a GPUCompareFunction.
 

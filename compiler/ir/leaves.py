@@ -85,6 +85,8 @@ class Texture(Leaf):
     default: str = "white"
     state: tuple[tuple[str, str], ...] = ()
     """The sampler's state as sorted (key, value) pairs: ``filter`` linear/nearest, ``wrap`` …"""
+    meaning: Meaning | None = None
+    """The meaning of its texels, if it is declared."""
 
 
 @frozen(key=True)

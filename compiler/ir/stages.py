@@ -38,6 +38,8 @@ TARGET = "target"
 """The kind of a result that is written to a render target."""
 DISCARD = "discard"
 """The kind of the result that says where nothing is written."""
+FRAGMENT_DEPTH = "fragment_depth"
+"""The kind of the result that takes the place of the depth of the face, in 0..1."""
 EDGE_LEVEL = "edge_level"
 """The kind of the results that say into how many steps each edge of a patch is divided.
 
@@ -240,7 +242,7 @@ FRAGMENT = StageRow(
         # True if the counter-clockwise side is seen.
         SystemInput("front_facing", BOOL, FRAGMENTS),
     ),
-    delivers=(TARGET, DISCARD),
+    delivers=(TARGET, DISCARD, FRAGMENT_DEPTH),
     has_derivatives=True,
 )  # fmt: skip
 

@@ -22,6 +22,12 @@ Sample = Literal["float", "depth", "int", "uint"]
 """The content of a texture: colours, depths to compare with, or whole numbers."""
 Intent = Literal["color", "data"]
 """The sense of a texture's numbers: a picture's colours, or others, such as a height."""
+Wrap = Literal["repeat", "clamp", "mirror", "border"]
+"""The texels beyond the edges: those of copies, those at the edge, or a border of one colour."""
+Border = Literal["transparent", "black", "white"]
+"""The texel of a border; of a texture of depths, 0 is black and 1 is white."""
+AXES = ("u", "v", "w")
+"""The axes along which a texture can wrap, by the ends of their settings' names."""
 
 
 @frozen(interned=True)

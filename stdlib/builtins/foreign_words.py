@@ -24,7 +24,7 @@ _TESTED = "how depths are tested and written is `depth { write = false }` of a p
 _BY_ITSELF = "nothing is made of it by itself: the slot `color` would have to read it"
 _TO_EYE = "what a surface sends to the eye is its slot `color`"
 _COVERS = "how much a surface covers is its slot `alpha`"
-_NO_DEPTH = "a pass draws with the depth of the surface: no text writes another one"
+_OWN_DEPTH = "a pass gives fragments a depth of their own by `depth { value = … }`"
 _NO_CLIP = "a surface is cut at the sides of clip space, or by `discard when` in a pass"
 _NO_POINTS = "points have no size of their own: `expand point` makes a square of each"
 _IN_CLIP = "where a vertex is drawn is the slot `clip_position`"
@@ -41,7 +41,7 @@ OF_SURFACES: Mapping[str, str] = {
                      "glfragcolor", "svtarget", "finalcolor"), _TO_EYE),
     **dict.fromkeys(("opacity", "transparency", "coverage", "alfa"), _COVERS),
     **dict.fromkeys(("discard", "clip", "kill", "alphatest", "alphacutoff"), _DISCARD),
-    **dict.fromkeys(("fragdepth", "glfragdepth", "svdepth", "pixeldepth"), _NO_DEPTH),
+    **dict.fromkeys(("depth", "fragdepth", "glfragdepth", "svdepth", "pixeldepth"), _OWN_DEPTH),
     **dict.fromkeys(("clipdistance", "glclipdistance", "svclipdistance", "culldistance",
                      "svculldistance", "glculldistance"), _NO_CLIP),
     **dict.fromkeys(("pointsize", "glpointsize", "psize"), _NO_POINTS),

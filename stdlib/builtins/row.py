@@ -17,8 +17,13 @@ MeaningRule = Literal[
     "sum", "difference", "product", "quotient", "remainder", "negation",
     "numbers", "lanes", "limits", "blend", "change", "angle",
     "measure", "distance", "perpendicular", "unit", "reflected", "turned", "reversed",
+    "texel", "of_texture",
 ]  # fmt: skip
-"""``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are."""
+"""``numbers`` come out as mere numbers; ``lanes`` and ``limits`` leave colours what they are.
+
+A ``texel`` means what its texture declares, and whatever else is known ``of_texture`` is mere
+numbers.
+"""
 
 RangeRule = Callable[[tuple[Fact, ...], bool], Fact]
 """A function from the operands' facts to the result's fact.

@@ -50,7 +50,7 @@ def _counted(_facts: tuple[Fact, ...], _same: bool) -> Fact:
 ROWS = (
     Builtin(
         name="sample",
-        meaning="numbers",
+        meaning="texel",
         method="",
         parameters=("coordinate",),
         signatures=("F, K -> vec4", "texture2d_array, vec2, int -> vec4"),
@@ -62,7 +62,7 @@ ROWS = (
     ),
     Builtin(
         name="sample_level",
-        meaning="numbers",
+        meaning="texel",
         method="level",
         parameters=("coordinate", "level"),
         signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
@@ -73,7 +73,7 @@ ROWS = (
     ),
     Builtin(
         name="sample_grad",
-        meaning="numbers",
+        meaning="texel",
         method="grad",
         parameters=("coordinate", "dx", "dy"),
         signatures=("F, K, K, K -> vec4", "texture2d_array, vec2, int, vec2, vec2 -> vec4"),
@@ -85,7 +85,7 @@ ROWS = (
     ),
     Builtin(
         name="gather",
-        meaning="numbers",
+        meaning="of_texture",
         method="gather",
         parameters=("coordinate", "lane"),
         signatures=(
@@ -102,7 +102,7 @@ ROWS = (
     ),
     Builtin(
         name="compare",
-        meaning="numbers",
+        meaning="of_texture",
         method="",
         parameters=("coordinate", "reference"),
         signatures=("D, K, float -> float", "depth2d_array, vec2, int, float -> float"),
@@ -120,7 +120,7 @@ ROWS = (
     ),
     Builtin(
         name="gather_compare",
-        meaning="numbers",
+        meaning="of_texture",
         method="gather",
         parameters=("coordinate", "reference"),
         signatures=("depth2d, vec2, float -> vec4", "depth2d_array, vec2, int, float -> vec4"),
@@ -136,7 +136,7 @@ ROWS = (
     ),
     Builtin(
         name="load",
-        meaning="numbers",
+        meaning="texel",
         method="load",
         parameters=("place", "level"),
         optional=(0,),
@@ -151,7 +151,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_size",
-        meaning="numbers",
+        meaning="of_texture",
         method="size",
         parameters=("level",),
         optional=(0,),
@@ -167,7 +167,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_layers",
-        meaning="numbers",
+        meaning="of_texture",
         method="layers",
         signatures=("H -> int",),
         doc="The number of layers.",
@@ -177,7 +177,7 @@ ROWS = (
     ),
     Builtin(
         name="texture_levels",
-        meaning="numbers",
+        meaning="of_texture",
         method="levels",
         signatures=("X -> int",),
         doc="The number of levels of detail.",

@@ -73,7 +73,7 @@ def sample_textures(instance: HostValues, seed: int) -> None:
     """Give every texture a picture of its own: smooth, and different in all lanes and directions.
 
     Integer textures get arbitrary numbers; those with 8 bits get few different ones, as palettes
-    have.
+    have. Colours are encoded as sRGB, as those of pictures are, but not what stands for normals.
     """
     for number, row in enumerate(instance.declared.textures):
         chance = random.Random(f"{seed} {row.name}")
@@ -97,7 +97,10 @@ def _sampled_texture(row: TextureDeclaration, chance: random.Random, turn: int) 
     texels = array[0] if dimension == "2d" else array
     if sample == "depth":
         return Texture.of_array(texels[..., :1].clip(0, 1), dimension=dimension, sample="depth")
-    return Texture.of_array(np.rint(texels * 255).astype(np.uint8), dimension=dimension)
+    encoded = row.intent == "color" and row.default != "flat_normal"
+    return Texture.of_array(
+        np.rint(texels * 255).astype(np.uint8), srgb=encoded, dimension=dimension
+    )
 
 
 def _value(shape: Shape, chance: random.Random) -> Any:

@@ -55,6 +55,8 @@ INSTANCES = Need(
 OF_INPUTS = {"vertex_index": VERTEX_NUMBERS, "instance_index": INSTANCES}
 """The values of the pipeline that profiles may refuse, and the need of each."""
 SEVERAL_TARGETS = Need("second render target", lambda profile: profile.limits.render_targets > 1)
+OWN_DEPTHS = Need("depths of fragments", lambda profile: profile.fragment_depths)
+BORDERS = Need("borders of textures", lambda profile: profile.borders)
 INTEGER_ATTRIBUTES = Need("vertex inputs of integers", lambda profile: profile.integer_attributes)
 FLAT_VALUES = Need("values of a single vertex at fragments", lambda profile: profile.flat_varyings)
 COMPUTED_PLACES = Need("places that are computed", lambda profile: profile.computed_indices)
@@ -181,6 +183,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "level by them.",
         (Way((some_builtins("derivatives", "ddx", "ddy"),)),),
         "compute the difference yourself, and read textures with `.level(…)`",
+    ),
+    Capability(
+        "depths of fragments",
+        "A pass gives each fragment a depth of its own, in place of that of the face: "
+        "`depth { value = 0.5 }`.",
+        (Way((OWN_DEPTHS,)),),
+        "move the vertices to the depth: `position = …`",
     ),
     Capability(
         "expansions",
@@ -334,6 +343,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "have the numbers in a `texture2d`",
     ),
     COMPARED_AND_LOADED,
+    Capability(
+        "borders",
+        "Beyond the edges of a texture there is one colour: "
+        "`map t : texture2d with { wrap = border, border = black }`.",
+        (Way((BORDERS,)),),
+        "have the colour in the outermost texels of the picture, and `wrap = clamp`",
+    ),
     Capability(
         "integers of 32 bits",
         "Integers without a sign, and what depends on bits: `uint`, `a & b`, `a << 2`, "

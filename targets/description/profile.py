@@ -215,6 +215,10 @@ class Profile:
     """The ways in which the targets of one pass may differ in blending."""
     blends_floats: bool = True
     """True if render targets of 32-bit floats can be blended."""
+    fragment_depths: bool = True
+    """True if fragments can have depths of their own."""
+    borders: bool = True
+    """True if samplers can have a border of one colour beyond the edges of a texture."""
     single_file: bool = False
     """True if all stages can stand in one text."""
     samplers: Samplers = Samplers()

@@ -18,6 +18,7 @@ from ...compiler.ir.stages import (
     DISCARD,
     EDGE_LEVEL,
     EXTENT,
+    FRAGMENT_DEPTH,
     IMAGE,
     INNER_LEVEL,
     LAYER,
@@ -42,7 +43,7 @@ from .statements import INDENT, Statements
 from .views import EntryView, ExpansionView, FunctionView, InputView, StoreView
 
 LEVELS = (EDGE_LEVEL, INNER_LEVEL)
-PLACED = (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, IMAGE, LAYER)
+PLACED = (*LEVELS, CLIP_POSITION, DISCARD, EXTENT, FRAGMENT_DEPTH, IMAGE, LAYER)
 """The kinds of results for which skeletons have other places than outputs."""
 
 
@@ -120,6 +121,7 @@ class StagePrinter:
             opening=opening,
             guard=guard,
             work_group=() if group is None else group,
+            depth=self._value(expressions, stage.value_of(FRAGMENT_DEPTH)),
             discard=self._discard(expressions, stage.value_of(DISCARD)),
             capture_stride=self._fields.capture_stride(),
             expansion=self._expansion(),

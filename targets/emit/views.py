@@ -212,6 +212,8 @@ class EntryView:
     in kernels in which all invocations go on to the end."""
     work_group: tuple[int, ...]
     """The size of a kernel's work group along x, y and z; empty in other stages."""
+    depth: str
+    """The depth of the fragment, if it has one of its own; else empty."""
     discard: list[str]
     """Lines that discard the fragment; empty if nothing is discarded."""
     capture_stride: int = 0

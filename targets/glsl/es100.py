@@ -82,6 +82,8 @@ def es100(framebuffer: Framebuffer) -> Profile:
         draws_edges=False,
         blending="alike",
         blends_floats=False,
+        fragment_depths=False,
+        borders=False,
         samplers=Samplers(combined=True, precision="precision highp {type};"),
         framebuffer=framebuffer,
         # Fragments are promised only 16 vectors of uniforms, which a few lamps fill.

@@ -285,6 +285,7 @@ ES = Profile(
     draws_edges=False,
     blending="alike",
     blends_floats=False,
+    borders=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=0),
@@ -308,6 +309,7 @@ ES_31 = Profile(
     draws_edges=False,
     blending="alike",
     blends_floats=False,
+    borders=False,
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     # Only kernels are guaranteed to have storage buffers.

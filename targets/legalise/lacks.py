@@ -10,16 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence, Set
 
 from ...compiler.ir.blending import REPLACES
+from ...compiler.ir.leaves import Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
-from ...compiler.ir.stages import CAPTURE, CONTROL, GEOMETRY, TARGET
+from ...compiler.ir.stages import CAPTURE, CONTROL, FRAGMENT_DEPTH, GEOMETRY, TARGET
 from ...compiler.ir.types import TextureType
 from ...compiler.ir.walks import visible
 from ...support.frozen import frozen
 from ..description.capabilities import (
     BLENDED_APART,
     BLENDED_FLOATS,
+    BORDERS,
     CAPTURED_NUMBERS,
     CAPTURES,
     COMPARED_AND_LOADED,
@@ -29,6 +31,7 @@ from ..description.capabilities import (
     GATHERED_COMPARISONS,
     INSTANCES,
     NUMBERED_CAPTURES,
+    OWN_DEPTHS,
     SEPARATE_SAMPLERS,
     SEVERAL_TARGETS,
     SOME_BLENDED,
@@ -86,6 +89,8 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         return
     if program.shader.render_state.fill == "lines" and not EDGES.is_met(profile):
         yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
+    if (own := program.results_of(FRAGMENT_DEPTH)) and not OWN_DEPTHS.is_met(profile):
+        yield Lack(OWN_DEPTHS.feature, own[0].value.id)
     yield from _of_targets(program, profile)
     if captured is None or STREAM_OUTPUT.is_met(profile):
         values = features_of_values(program, profile)
@@ -129,14 +134,23 @@ def _textures(program: Program, profile: Profile) -> Iterator[Lack]:
         builtins = {read.builtin for read in program.reads if read.texture == texture}
         feature = feature_of_texture(texture_type(texture), profile)
         yield Lack(feature, node, needed_for=_way_of_comparing(builtins))
+    bordered = set() if BORDERS.is_met(profile) else _bordered(program)
     for read in program.reads:
         if read.texture in absent:
             continue
         if read.builtin in profile.cannot:
             yield Lack(feature_of_builtin(read.builtin), read.node)
+        if read.texture in bordered:
+            bordered.remove(read.texture)
+            yield Lack(BORDERS.feature, read.node)
         compared = _is_depth(read) and read.texture in program.sampled
         if compared and read.builtin == "load" and not SEPARATE_SAMPLERS.is_met(profile):
             yield Lack(SEPARATE_SAMPLERS.feature, read.node)
+
+
+def _bordered(program: Program) -> set[Texture]:
+    """The textures that samplers read which give them a border."""
+    return {texture for texture in program.sampled if "border" in dict(texture.state)}
 
 
 def _way_of_comparing(builtins: Set[str]) -> Capability | None:

@@ -178,4 +178,7 @@ def _texture(row: TextureRow, backend: BackendRow, state: SamplerState | None) -
     )
     if state is None:
         return slot
-    return replace(slot, filter=state.filter, mip=state.mip, wrap=state.wrap, compare=state.compare)
+    return replace(
+        slot, filter=state.filter, mip=state.mip, wrap=state.wrap, wrap_u=state.wrap_u,
+        wrap_v=state.wrap_v, wrap_w=state.wrap_w, border=state.border, compare=state.compare,
+    )  # fmt: skip

@@ -157,6 +157,7 @@ WEBGPU = Profile(
     agrees=AGREES,
     draws_edges=False,
     blends_floats=False,
+    borders=False,
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),

@@ -111,7 +111,8 @@ def test_meshes(mesh: str, tmp_path: Path) -> None:
         ("weights[1]=0.5", (0, 0, 188)),
         ("coats[1].tint=#ff8000 coats[1].gloss=1 coats[1].on=true", (255, 128, 0)),
         ("paint=#ff8000", (255, 128, 0)),
-        ("paint=half.png", (188, 0, 0)),
+        ("paint=half.png", (128, 0, 0)),
+        ("paint=linear:half.png", (188, 0, 0)),
         ("paint=srgb:half.png", (128, 0, 0)),
     ],
 )

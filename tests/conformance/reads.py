@@ -188,7 +188,9 @@ def _state(chance: random.Random, kind: TextureType) -> str:
     if kind.sample == "float":
         settings["mip"] = chance.choice(["linear", "linear", "nearest", "none"])
     if kind.dimension != "cube":
-        settings["wrap"] = chance.choice(["repeat", "clamp", "mirror"])
+        axes = ("wrap", "wrap_u", "wrap_v", "wrap_w")[: 1 + _extents(kind.dimension)]
+        for axis in (axes[0], *(axis for axis in axes[1:] if chance.random() < 0.3)):
+            settings[axis] = chance.choice(["repeat", "clamp", "mirror"])
     if kind.sample == "depth":
         settings["compare"] = chance.choice(["less", "less_equal", "greater", "greater_equal"])
     return ", ".join(f"{name} = {value}" for name, value in settings.items())

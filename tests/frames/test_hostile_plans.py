@@ -190,7 +190,8 @@ HOSTILE: dict[str, tuple[Change, str]] = {
     ),
     "no word of samplers": (
         sampler_of, "`Shadows.Shadowed.Clay.json` is no reflection that can be read:\n"
-        '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp-to-edge" or "mirror-repeat"'
+        '  /samplers/0/state/wrap: "mirrored" is not "repeat", "clamp-to-edge", "mirror-repeat" or '
+        '"clamp-to-border"'
     ),
     "a block of other bytes than its members": (
         size_of, "Shadows.Shadowed.Clay, Frame: its members have 80 bytes, and it has 100000000"

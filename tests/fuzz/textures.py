@@ -21,7 +21,7 @@ DEFAULTS = {
 SETTINGS = {
     "filter": ("linear", "nearest"),
     "mip": ("linear", "nearest", "none"),
-    "wrap": ("repeat", "clamp", "mirror"),
+    **dict.fromkeys(("wrap", "wrap_u", "wrap_v", "wrap_w"), ("repeat", "clamp", "mirror")),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
 }
 
@@ -30,7 +30,8 @@ def settings_of(type_: str) -> tuple[str, ...]:
     """The settings that a texture's sampler has."""
     if type_ in INTEGERS:
         return ()
-    wrap = () if "cube" in type_ else ("wrap",)
+    axes = () if "cube" in type_ else ("wrap", "wrap_u", "wrap_v")
+    wrap = (*axes, "wrap_w") if "3d" in type_ else axes
     return ("filter", *wrap, "compare") if type_ in DEPTHS else ("filter", "mip", *wrap)
 
 

@@ -135,7 +135,8 @@ def test_words_are_those_of_webgpu() -> None:
     found = json_schema(Reflection)["$defs"]
     assert found["DepthState"]["properties"]["compare"]["enum"][3] == "less-equal"
     assert found["SamplerState"]["properties"]["compare"]["enum"][-1] is None
-    assert '  wrap: "repeat" | "clamp-to-edge" | "mirror-repeat";' in typescript(Reflection)
+    modes = '"repeat" | "clamp-to-edge" | "mirror-repeat" | "clamp-to-border"'
+    assert f"  wrap: {modes};" in typescript(Reflection)
 
 
 def test_bounds_are_keywords() -> None:

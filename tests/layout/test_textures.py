@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import burnish
+from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.writing import to_json
@@ -135,6 +136,90 @@ def test_a_declaration_has_the_last_word(intent: str) -> None:
     assert to_json(sampler.state) == {**STATES["texture2d"], "wrap": "clamp-to-edge"}
 
 
+def test_a_map_that_holds_colours_says_so() -> None:
+    for type_ in ("texture2d", "texture2d_array", "texture3d", "texture_cube"):
+        for content in ("rgb", "rgba"):
+            (row,) = reflection(f"{type_} of {content}", "vec3(0)").textures
+            assert (row.type, row.intent) == (type_, "color")
+
+
+def test_texels_of_a_map_that_holds_colours_are_colours() -> None:
+    """They are no vectors, and what is gathered or counted of them is no colour."""
+    for texel in ("t(uv)", "t.level(uv, 1)", "t.grad(uv, uv, uv)", "t.load(ivec2(0))"):
+        with pytest.raises(burnish.CompileError, match="nothing between rgb and normal<world>"):
+            reflection("texture2d of rgb", f"{texel}.rgb + normal")
+    for numbers in ("t.load(ivec2(0)).xyz.zyx", "vec3(vec2(t.size()), 0)", "vec3(t(uv).a)"):
+        reflection("texture2d of rgb", f"vec3({numbers} + normal)")
+
+
+def test_functions_take_maps_that_hold_colours() -> None:
+    """What a function reads of a ``texture2d`` are bare numbers, which fit everywhere."""
+    source = """
+        fn twice(t: texture2d, uv: vec2) -> vec4 = t(uv) + t(uv * 2)
+        fn once<T: textures>(t: T) -> vec4 = t.load(ivec2(0))
+        material M {
+            map paint : texture2d of rgb
+            map plain : texture2d
+            color = (twice(paint, uv).rgb + once(paint).rgb) * plain(uv).r
+        }
+    """
+    (material,) = burnish.compile(source, ("wgsl",))
+    found = {row.name: row.intent for row in material.reflection.textures}
+    assert found == {"paint": "color", "plain": "data"}
+
+
+def test_the_words_of_a_map_do_not_change_its_text() -> None:
+    def text(declared: str) -> str:
+        source = f"material M {{ map t : {declared}  color = t(uv).rgb }}"
+        (material,) = burnish.compile(source, ("wgsl",))
+        return material.text("wgsl", "fragment")
+
+    assert text("texture2d of rgb") == text("texture2d") == text("texture2d of rgba")
+
+
+def test_axes_wrap_each_in_its_own_way() -> None:
+    """One that is said to wrap as all do is like one that says nothing."""
+    state = "with { wrap = clamp, wrap_u = clamp, wrap_w = mirror }"
+    (sampler,) = reflection("texture3d", "t(position).rgb", state).samplers
+    assert to_json(sampler.state) == {
+        **STATES["texture2d"], "wrap": "clamp-to-edge", "wrap_w": "mirror-repeat",
+    }  # fmt: skip
+
+
+BORDERS = {
+    ("texture2d", "wrap = border"): ("clamp-to-border", "transparent"),
+    ("texture2d", "wrap_v = border, border = white"): ("repeat", "white"),
+    ("depth2d", "wrap = border"): ("clamp-to-border", "white"),
+    ("depth2d", "wrap = border, border = near"): ("clamp-to-border", "black"),
+}
+
+
+@pytest.mark.parametrize(("said", "expected"), BORDERS.items(), ids=str)
+def test_borders_have_a_colour(said: tuple[str, str], expected: tuple[str, str]) -> None:
+    color = "vec3(t(uv, 0.5))" if said[0] == "depth2d" else "t(uv).rgb"
+    source = f"material M {{ map t : {said[0]} with {{ {said[1]} }} color = {color} }}"
+    (sampler,) = burnish.compile(source, ("glsl",))["M"].reflection.samplers
+    found = to_json(sampler.state)
+    assert (found["wrap"], found["border"]) == expected
+
+
+@pytest.mark.parametrize(
+    ("type_", "state", "message"),
+    [
+        ("texture2d", "border = black", "`border` does not apply to `texture2d with { wrap = repe"),
+        ("texture2d", "wrap_w = clamp", "`wrap_w` does not apply to `texture2d`"),
+        ("texture_cube", "wrap_u = clamp", "`wrap_u` does not apply to `texture_cube`"),
+        ("texture2d", "addressModeV = clamp", "did you mean `wrap_v`"),
+        ("texture2d", "wrap = clamp_to_border", "did you mean `border`"),
+        ("texture2d", "wrap = border, border = gray", "one of `transparent`, `black`, `white`"),
+    ],
+)
+def test_settings_of_edges_that_mean_nothing(type_: str, state: str, message: str) -> None:
+    with pytest.raises(burnish.CompileError) as raised:
+        reflection(type_, "vec3(0)", f"with {{ {state} }}")
+    assert message in render_all(raised.value.diagnostics)
+
+
 def test_a_kernel_says_what_it_reads() -> None:
     (kernel,) = burnish.compile(
         "kernel K { map t : texture2d with { intent = color }  map u : texture2d\n"
@@ -174,3 +259,9 @@ def test_only_textures_of_colours_have_an_intent() -> None:
         reflection("depth2d", "vec3(t(uv, 0.5))", "with { intent = data }")
     with pytest.raises(burnish.CompileError, match="unknown value for `intent` `colour`"):
         reflection("texture2d", "t(uv).rgb", "with { intent = colour }")
+    with pytest.raises(burnish.CompileError, match="`of rgb` does not apply to `depth2d`"):
+        reflection("depth2d of rgb", "vec3(t(uv, 0.5))")
+    with pytest.raises(burnish.CompileError, match="`intent` does not apply to `texture2d of rgb`"):
+        reflection("texture2d of rgb", "t(uv).rgb", "with { intent = data }")
+    with pytest.raises(burnish.CompileError, match="unknown content of a texture `srgb`"):
+        reflection("texture2d of srgb", "t(uv).rgb")

@@ -31,7 +31,7 @@ def test_what_may_be_discarded_may_be_nearer_than_its_depth(off: float, shaky: b
     written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
     canvas = Canvas(1, [BLUE], written, rounds=False)
     first = np.array([True, False])
-    shades = Shades([np.zeros((3, 2, 4))], first, first, np.arange(2))
+    shades = Shades([np.zeros((3, 2, 4))], None, first, first, np.arange(2))
     canvas.draw(
         np.zeros(2, dtype=np.int64),
         np.array([0.5, 0.495]),
@@ -58,7 +58,7 @@ def drawn_over_half(test: DepthState, depth: float, off: float = 0.0) -> Canvas:
     for place, (value, at, by, how) in enumerate(
         [(1.0, HALF, 0.0, DepthState()), (0.25, depth, off, test)]
     ):
-        shades = Shades([np.full((3, 1, 4), value)], sure, sure, ALONE)
+        shades = Shades([np.full((3, 1, 4), value)], None, sure, sure, ALONE)
         canvas.draw(pixel, np.array([at]), np.array([by]), np.array([place]), shades, how)
     return canvas
 
@@ -101,7 +101,7 @@ def test_equal_depths_of_copies_are_compared(compare: Compare) -> None:
     canvas = Canvas(1, [BLUE], written, rounds=False)
     sure = np.zeros(1, dtype=np.bool_)
     for value, test in ((1.0, DepthState()), (0.25, DepthState(compare))):
-        shades = Shades([np.full((3, 1, 4), value)], sure, sure, ALONE)
+        shades = Shades([np.full((3, 1, 4), value)], None, sure, sure, ALONE)
         of_pixel = np.zeros(1, dtype=np.int64)
         canvas.draw(of_pixel, np.array([HALF]), np.array([0.1]), of_pixel, shades, test)
     passes = compare in ("equal", "less_equal", "greater_equal", "always")
@@ -128,7 +128,7 @@ def test_what_settles_an_undecided_pixel(test: DepthState, shaky: bool) -> None:
     written = [(row.state, row.value.type) for row in given.results_of(TARGET) if row.state]
     canvas = Canvas(1, [BLUE], written, rounds=False)
     unsure = np.array([True, False])
-    shades = Shades([np.zeros((3, 2, 4))], unsure & False, unsure, np.arange(2))
+    shades = Shades([np.zeros((3, 2, 4))], None, unsure & False, unsure, np.arange(2))
     depths, places = np.array([0.5, 0.25]), np.arange(2)
     first, second = (np.array([number]) for number in (0, 1))
     for number, how in ((first, DepthState()), (second, test)):
@@ -149,6 +149,6 @@ def test_a_fragment_behind_what_may_have_stayed_settles_nothing() -> None:
         (0.4, DepthState(), sure),
     ]
     for place, (depth, test, undecided) in enumerate(rows):
-        shades = Shades([np.zeros((3, 1, 4))], sure, undecided, ALONE)
+        shades = Shades([np.zeros((3, 1, 4))], None, sure, undecided, ALONE)
         canvas.draw(pixel, np.array([depth]), np.zeros(1), np.array([place]), shades, test)
     assert canvas.shaky.tolist() == [True]

@@ -70,6 +70,10 @@ FOUR = texels([[1.0, 2.0, 4.0, 8.0]])
         ("repeat", [1, 2, 4, 8, 1, 2, 4, 8]),
         ("clamp", [1, 1, 1, 1, 1, 2, 4, 8]),
         ("mirror", [8, 4, 2, 1, 1, 2, 4, 8]),
+        ("border", [0, 0, 0, 0, 1, 2, 4, 8]),
+        ("border, border = white", [1, 1, 1, 1, 1, 2, 4, 8]),
+        ("clamp, wrap_v = repeat", [1, 1, 1, 1, 1, 2, 4, 8]),
+        ("clamp, wrap_u = mirror", [8, 4, 2, 1, 1, 2, 4, 8]),
     ],
 )
 def test_wrapping(wrap: str, expected: list[float]) -> None:
@@ -85,12 +89,32 @@ def test_wrapping(wrap: str, expected: list[float]) -> None:
         ("repeat", [4.5, 1.5, 3, 6, 4.5, 1.5, 3, 6]),
         ("clamp", [1, 1, 1, 1, 1, 1.5, 3, 6]),
         ("mirror", [8, 6, 3, 1.5, 1, 1.5, 3, 6]),
+        ("border", [0, 0, 0, 0, 0.5, 1.5, 3, 6]),
+        ("border, border = white", [1, 1, 1, 1, 1, 1.5, 3, 6]),
     ],
 )
 def test_half_way_between_texels(wrap: str, expected: list[float]) -> None:
     # Shifted by half a texel, every read is half way between two.
     found = row(FOUR, f"mip = none, wrap = {wrap}", (-1.125, 0.875))
     assert found == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("border", "lanes"), [("transparent", [0, 0]), ("black", [0, 1]), ("white", [1, 1])]
+)
+def test_a_border_has_four_lanes(border: str, lanes: list[float]) -> None:
+    """A texture of one texel is read a whole texel beside it, in the smallest level as well."""
+    single = texels([[0.5]])
+    found = read(single, f"wrap = border, border = {border}", (2, 3)).targets[0][0, 0]
+    assert found.tolist() == [lanes[0]] * 3 + [lanes[1]]
+
+
+def test_axes_wrap_each_in_its_own_way() -> None:
+    texture = texels([[1.0, 2.0], [3.0, 4.0]])
+    state = "filter = nearest, mip = none, wrap = clamp, wrap_v = mirror"
+    found = read(texture, state, (-1, 3), (-1, 3)).targets[0][..., 0]
+    assert found[0].tolist() == [3, 3, 3, 4, 4, 4, 4, 4]
+    assert found[:, 0].tolist() == [3, 1, 1, 3, 3, 1, 1, 3]
 
 
 def test_the_first_texel_is_at_the_top_left() -> None:

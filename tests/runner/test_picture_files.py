@@ -74,6 +74,15 @@ def test_a_text_says_whether_colours_are_srgb(tmp_path: Path) -> None:
     assert Texture.parse("#0a141e") == Texture.solid("#0a141e")
 
 
+def test_a_text_without_a_word_about_it_is_taken_as_the_texture_is_meant(tmp_path: Path) -> None:
+    path = saved(tmp_path / "a.png", Image.new("RGB", (1, 1), (10, 20, 30)))
+    floats = saved(tmp_path / "a.tiff", Image.new("F", (1, 1), 0.25))
+    assert Texture.parse(str(path), intent="color") == Texture.load(path, srgb=True)
+    assert Texture.parse(f"linear:{path}", intent="color") == Texture.load(path)
+    assert Texture.parse(f"linear:{path}") == Texture.load(path)
+    assert Texture.parse(str(floats), intent="color") == Texture.load(floats)
+
+
 def test_pictures_for_each_layer(tmp_path: Path) -> None:
     paths = [saved(tmp_path / f"{n}.png", Image.new("RGB", (2, 2), (n, 20, 30))) for n in range(6)]
     listed = ", ".join(map(str, paths))

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.slots import Mip, Wrap
+from burnish.compiler.ir.types import Wrap
+from burnish.targets.runner.drivers.slots import Mip
 from burnish.targets.runner.drivers.texels import TextureFormat
 
 from . import textual_kit as kit

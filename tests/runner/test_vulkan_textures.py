@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from burnish.targets.runner.drivers.slots import BlockSlot, Mip, Place, TextureSlot, Wrap
+from burnish.compiler.ir.types import Wrap
+from burnish.targets.runner.drivers.slots import BlockSlot, Mip, Place, TextureSlot
 from burnish.targets.runner.drivers.texels import Image, TextureFormat
 
 from .jobs_kit import draw_job

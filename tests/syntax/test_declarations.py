@@ -123,10 +123,13 @@ def test_a_param_with_everything() -> None:
 
 
 def test_a_map_with_everything() -> None:
-    (made,) = members("map m : texture2d per draw = white with { filter = linear, wrap = repeat }")
+    (made,) = members(
+        "map m : texture2d of rgb per draw = white with { filter = linear, wrap = repeat }"
+    )
     assert isinstance(made, ast.Texture)
-    assert made.group and made.default
-    assert (made.group.text, made.default.text) == ("draw", "white")
+    assert made.content and made.group and made.default
+    said = (made.content.text, made.group.text, made.default.text)
+    assert said == ("rgb", "draw", "white")
     state = [(name.text, value.text) for name, value in made.state]
     assert state == [("filter", "linear"), ("wrap", "repeat")]
 

@@ -90,6 +90,11 @@ PROBES: Mapping[str, Probe] = {
         map paint : texture2d
         color = paint(uv).rgb + vec3(ddx(uv.x), ddy(uv.y), 0)
     }"""),
+    "depths of fragments": Probe(
+        "material M { color = vec3(uv, 0) }"
+        " pass Own : Forward { depth { value = frag_coord.z + 0.1 * material.uv.x } }",
+        options={"pass_": "Own"},
+    ),
     "expansions": Probe(
         EXPANSION.format("triangle", step=1),
         native={"native_stages": True},
@@ -209,6 +214,9 @@ PROBES: Mapping[str, Probe] = {
     ),
     "comparing and loading": Probe(
         "material M { map d : depth2d  color = vec3(d(uv, 0.5), d.load(ivec2(0)), uv.x) }"
+    ),
+    "borders": Probe(
+        "material M { map t : texture2d with { wrap = border }  color = t(3 * uv - 1).rgb }"
     ),
     "integers of 32 bits": Probe("material M { color = vec3(uv, float(int(9 * uv.x) & 3)) }"),
     "vertex inputs of integers": Probe(

@@ -32,7 +32,7 @@ _MISSING = (0.0, 0.0, 0.0, 1.0)
 Ends = Floats
 """Colours (3, …, 4): their values, and between which numbers those of a device are."""
 NOWHERE = -1
-"""The place of samples where no face was drawn."""
+"""The place of samples where no face was drawn, and of fragments with depths of their own."""
 _OF_A_SAMPLE = 80
 """Bytes of a canvas for each sample: depths, stencil values, and undecided states."""
 _OF_A_TARGET = 200
@@ -49,6 +49,8 @@ class Shades:
 
     colours: Sequence[Ends]
     """The colours of each target, (3, fragments, 4)."""
+    depth: Ends | None
+    """The depths of the fragments, (3, fragments), if they have their own."""
     discarded: Bools
     undecided: Bools
     of_sample: Ints
@@ -58,8 +60,15 @@ class Shades:
         """The shades of some samples, each by itself."""
         which = self.of_sample[samples]
         colours = [colour[:, which] for colour in self.colours]
+        depth = None if self.depth is None else self.depth[:, which]
         each = np.arange(len(which))
-        return Shades(colours, self.discarded[which], self.undecided[which], each)
+        return Shades(colours, depth, self.discarded[which], self.undecided[which], each)
+
+    def own_depths(self) -> tuple[Floats, Floats]:
+        """The own depths of all samples, and by how much those of a device may differ."""
+        assert self.depth is not None
+        depth, low, high = self.depth[:, self.of_sample]
+        return depth, np.maximum(high - depth, depth - low)
 
 
 def size_of(samples: int, targets: int) -> int:
@@ -142,7 +151,7 @@ class Canvas:
         """Draw at samples in this order, several times at the same one or not.
 
         ``off`` says by how much a device's depths may differ, except between fragments of the same
-        ``place``.
+        ``place`` that are somewhere.
         """
         tested = StencilTest(StencilState(), sample >= 0) if stencil is None else stencil
         for layer in in_layers(sample):
@@ -177,7 +186,7 @@ class Canvas:
         at, fragment = sample[members], shades.of_sample[members]
         before, new = self.depth[at], depth[members]
         margin = off[members] + self.depth_off[at]
-        same = place[members] == self.place[at]
+        same = (place[members] == self.place[at]) & (place[members] != NOWHERE)
         new = np.where(same, before, new)
         nearer = Outcomes(*self._tested(test, new, before, margin, same))
         through = self.stencil.tested(stencil, at)

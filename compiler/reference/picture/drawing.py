@@ -18,7 +18,7 @@ from ..cost import check_operations
 from ..kept_numbers import KeptNumbers
 from ..namespace import Lanes
 from .assembly import faces_of
-from .canvas import BLACK, Canvas, Shades, check_layers, nearest, size_of, with_missing
+from .canvas import BLACK, NOWHERE, Canvas, Shades, check_layers, nearest, size_of, with_missing
 from .coverage import Coverage, Fragments, coverage_within, has_level_edges, joined
 from .faces import Faces
 from .hulls import Hulls
@@ -160,6 +160,7 @@ class _Drawing:
         self._stencil = shader.render_state.stencil
         self._nearest_wins = (
             not shader.results_of(DISCARD)
+            and not self._stages.has_own_depths
             and canvas.is_opaque
             and canvas.has_depth
             and self._depth.keeps_nearest
@@ -204,7 +205,8 @@ class _Drawing:
         seen = self._let_through(fragments)
         fragments, sure = fragments.only(seen), sure[seen]
         doubtful = self._not_behind(coverage.doubtful.only(self._let_through(coverage.doubtful)))
-        if self._depth.is_biased:
+        has_own = self._stages.has_own_depths
+        if self._depth.is_biased and not has_own:
             # APIs leave the depths open that a bias moves out of their range.
             beyond = sure & out_of_range(self._faces, fragments, self._rules)
             doubtful, sure = joined([doubtful, fragments.only(beyond)]), sure & ~beyond
@@ -220,6 +222,9 @@ class _Drawing:
         place = self._places[fragments.face]
         check_layers(fragments.sample)
         shades = self._shaded(fragments, progress)
+        if has_own:
+            depth, off = shades.own_depths()
+            place = np.full_like(place, NOWHERE)
         canvas.doubt(doubtful.sample, self._depth, self._stencil)
         canvas.draw(
             fragments.sample, depth, off, place, shades, self._depth, self._test_of(fragments)
@@ -229,9 +234,15 @@ class _Drawing:
             hulls.extend(
                 every,
                 certain & (not self._may_hide),
-                lambda some: depths_of(self._faces, some, self._rules),
+                self._depths_of,
                 lambda some: self._shaded(some, None),
             )
+
+    def _depths_of(self, fragments: Fragments) -> tuple[Floats, Floats]:
+        """The depths of fragments, and by how much those of a device may differ."""
+        if self._stages.has_own_depths:
+            return self._shaded(fragments, None).own_depths()
+        return depths_of(self._faces, fragments, self._rules)
 
     @property
     def _may_hide(self) -> bool:
@@ -261,7 +272,7 @@ class _Drawing:
         is_changed = self._depth.write and self._depth.compare != "equal"
         if is_changed or self._stencil.writes:
             return doubtful
-        depth, off = depths_of(self._faces, doubtful, self._rules)
+        depth, off = self._depths_of(doubtful)
         return doubtful.only(self._canvas.may_pass(self._depth, doubtful.sample, depth, off))
 
     def _not_hidden(self, doubtful: Fragments, certain: Fragments, farthest: Floats) -> Fragments:
@@ -288,8 +299,9 @@ class _Drawing:
         lanes, of_sample = np.unique(lane, return_inverse=True)
         count = len(lanes)
         colours = [np.empty((3, count, 4)) for _ in self._lanes]
+        depth = np.empty((3, count)) if self._stages.has_own_depths else None
         discarded, undecided = np.empty(count, dtype=np.bool_), np.empty(count, dtype=np.bool_)
-        shades = Shades(colours, discarded, undecided, np.asarray(of_sample.ravel()))
+        shades = Shades(colours, depth, discarded, undecided, np.asarray(of_sample.ravel()))
         step = max(self._stages.pixels_at_once // quads.side**2, 1)
         for begin in range(0, len(quads), step):
             limits = np.array([begin, begin + step]) * quads.side**2
@@ -316,6 +328,10 @@ class _Drawing:
         doubtful = discarded.low != discarded.high
         into.undecided[members] = chosen(np.where(discarded.low, False, unsure) | doubtful)
         into.discarded[members] = chosen(discarded.value)
+        if into.depth is not None:
+            own = as_bounded(shaded.depth)
+            ends = (own.value, own.low, own.high)
+            into.depth[:, members] = np.stack([chosen(end) for end in ends])
         for colours, lanes in zip(into.colours, shaded.targets, strict=True):
             for i, values in enumerate(with_missing(lanes, len(lanes))):
                 bounded = as_bounded(values)

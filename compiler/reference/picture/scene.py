@@ -124,6 +124,8 @@ class Texels:
     """True if some texels were drawn that are undefined; they are NaN."""
     stored: Stored = "float"
     """The numbers of the texture's format."""
+    lanes: int = 4
+    """The lanes that the format has, of those in ``levels``."""
 
 
 @dataclass(frozen=True, slots=True)

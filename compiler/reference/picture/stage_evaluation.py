@@ -17,7 +17,7 @@ from ...ir.leaves import Attribute, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
-from ...ir.stages import CLIP_POSITION, DISCARD, RASTERISED, TARGET
+from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT_DEPTH, RASTERISED, TARGET
 from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..bounds.deciding import Case, Deciding
@@ -72,6 +72,8 @@ class Shaded:
     """The results of the fragment stage for some quads; lanes broadcast to (quads, side, side)."""
 
     targets: tuple[Lanes, ...]
+    depth: Lane | None
+    """The depth of each fragment, if it has one of its own."""
     discarded: Lane
     undecided: Bools
     """True where a promise is broken."""
@@ -100,21 +102,22 @@ class StageEvaluator:
         self._errors = errors or _no_error
         self.bounds = Bounds(self._errors)
         self._xp: Namespace = self.bounds if self.has_bounds else np
-        ((self._position,), self._targets, discards) = (
+        ((self._position,), self._targets, discards, depths) = (
             tuple(result.value for result in shader.results_of(kind))
-            for kind in (CLIP_POSITION, TARGET, DISCARD)
+            for kind in (CLIP_POSITION, TARGET, DISCARD, FRAGMENT_DEPTH)
         )
-        self._discard = next(iter(discards), None)
-        self.discards = self._discard is not None
+        self.discards = bool(discards)
         """True if fragments may be discarded."""
-        nodes = reachable((*self._targets, *([self._discard] if self._discard else [])))
+        self.has_own_depths = bool(depths)
+        """True if fragments have depths of their own."""
+        self._at_pixels = (*discards, *depths, *self._targets)
+        nodes = reachable(self._at_pixels)
         self._crossings = [node for node in nodes if node.op == "cross"]
         compared = _compared(nodes, rules)
         self.side = 2 if compared else 1
         self._compared = frozenset(node.id for node in reachable(compared))
         """The ids of nodes that pixels of a quad compare, whose decisions cases leave open."""
         self._at_vertices = (*(node.operands[0] for node in self._crossings), self._position)
-        self._at_pixels = (*((self._discard,) if self._discard else ()), *self._targets)
         self._vertices_at_once = at_once(self._at_vertices, VERTICES_AT_ONCE)
         self.pixels_at_once = at_once(self._at_pixels, PIXELS_AT_ONCE)
         """The number of pixels for which ``fragments`` may be called at once."""
@@ -169,10 +172,12 @@ class StageEvaluator:
         leaves = self._pixel_leaves(place, front, vertices)
         evaluator = Evaluator(leaves, self._xp, watch, stored=all_remembered, kept=self._kept)
         found = evaluator.values(self._at_pixels)
-        discarded: Any = found.pop(0)[0] if self._discard else False
-        watch.end((*(lane for target in found for lane in target), discarded))
+        discarded: Any = found.pop(0)[0] if self.discards else False
+        depth: Any = found.pop(0)[0] if self.has_own_depths else None
+        tests = (discarded,) if depth is None else (discarded, depth)
+        watch.end((*(lane for target in found for lane in target), *tests))
         targets = tuple(map(watch.as_defined, found))
-        return Shaded(targets, discarded, watch.undecided)
+        return Shaded(targets, depth, discarded, watch.undecided)
 
     def cases(
         self, numbers: Ints, place: Barycentric, front: Bools, vertices: Vertices

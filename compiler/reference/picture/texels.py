@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 
 from ....support.frozen import cached_property
 from ...ir.leaves import Texture
-from ...ir.types import TextureType
+from ...ir.types import AXES, TextureType
 from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
 from .blending import BLENDING
+from .canvas import with_missing
 from .cube import across_edges, beyond_corner
 from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
@@ -39,6 +40,12 @@ limit no error: there it is assumed, and Direct3D's exception is not, that 0 and
 """
 
 EVERY_LANE = slice(None)
+_ON_BORDER = -1
+"""The index of whatever is beyond an edge that has a border."""
+BORDERS: Mapping[str, tuple[float, float]] = {
+    "transparent": (0.0, 0.0), "black": (0.0, 1.0), "white": (1.0, 1.0),
+}  # fmt: skip
+"""The colours of borders: their first three lanes, and their alpha."""
 
 
 class Image:
@@ -52,11 +59,14 @@ class Image:
         shapes = [level.shape[:-1] if level.ndim == 4 else (1, *level.shape[:-1])
                   for level in texels.levels]  # fmt: skip
         layers, heights, widths = np.array(shapes).T
-        counts = layers * heights * widths
+        self._border = layers * heights * widths
+        """The number of the border's texel in each level, behind all others."""
+        border = _border(self.state, texels)
+        counts = self._border + len(border)
         self.stored = texels.stored
         self._starts = np.cumsum(counts) - counts
-        self._table = _table(texels.levels)
-        self._ends = None if self.is_exact else _ends_of(self._table, texels)
+        self._table = _table(texels.levels, border)
+        self._ends = None if self.is_exact else _ends_of(self._table, texels, border)
         """Between which numbers the texels of a device are, if it does not have just these."""
         self._size = np.stack([widths, heights, layers])
         self.layers = int(layers[0])
@@ -132,9 +142,8 @@ class Image:
         self, place: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
     ) -> Bounded:
         """Texels as the sampler sees them: beyond the edges, too, but not beyond those of faces."""
-        wrap = "clamp" if self.type.dimension == "cube" else self.state["wrap"]
-        sizes = self.sizes(level)
-        within = [_wrapped(i, size, wrap) for i, size in zip(place, sizes, strict=True)]
+        sizes = zip(place, self.sizes(level), self._wraps, strict=True)
+        within = [_wrapped(i, size, wrap) for i, size, wrap in sizes]
         return self._texels(within, layer, level, lanes)
 
     def cell(
@@ -148,10 +157,9 @@ class Image:
         sizes = self.sizes(level)
         if self.type.dimension == "cube":
             return [self._around_cube(place, layer, level, lanes) for place in product(*pairs)]
-        wrap = self.state["wrap"]
         within = [
             tuple(_wrapped(i, size, wrap) for i in pair)
-            for pair, size in zip(pairs, sizes, strict=True)
+            for pair, size, wrap in zip(pairs, sizes, self._wraps, strict=True)
         ]
         return [self._texels(place, layer, level, lanes) for place in product(*within)]
 
@@ -164,6 +172,13 @@ class Image:
             least, greatest = least.min(axis=1), greatest.max(axis=1)
             level, least, greatest = np.zeros_like(level), least[:, None], greatest[:, None]
         return least[:, level], greatest[:, level]
+
+    @cached_property
+    def _wraps(self) -> list[str]:
+        """The texels beyond the edges along each axis."""
+        if self.type.dimension == "cube":
+            return ["clamp"] * self.axes
+        return [self.state.get(f"wrap_{axis}", self.state["wrap"]) for axis in AXES[: self.axes]]
 
     @cached_property
     def _hulls(self) -> tuple[Floats, Floats]:
@@ -207,12 +222,15 @@ class Image:
     def _texels(
         self, place: Sequence[Ints], layer: Ints, level: Ints, lanes: slice = EVERY_LANE
     ) -> Bounded:
-        """Texels by indices that are within the texture."""
+        """Texels by indices that are within the texture, or on its border."""
         column, row = place[0], place[1]
         slice_ = place[2] if len(place) == 3 else layer
         row = slice_ * self._size[1][level] + row
-        index = self._starts[level] + row * self._size[0][level] + column
-        return self._texel_at(index, lanes)
+        index = row * self._size[0][level] + column
+        if "border" in self.state:
+            outside = reduce(np.logical_or, (i == _ON_BORDER for i in place))
+            index = np.where(outside, self._border[level], index)
+        return self._texel_at(self._starts[level] + index, lanes)
 
     def _texel_at(self, index: Any, lanes: slice = EVERY_LANE) -> Bounded:
         """Texels by their numbers in the table."""
@@ -223,9 +241,29 @@ class Image:
         return Bounded(found, low, high)
 
 
-def _table(levels: Sequence[Floats | Ints]) -> NDArray[Any]:
-    """The texels of all levels, one behind the other: (lanes, texels)."""
-    rows = [level.reshape(-1, level.shape[-1]) for level in levels]
+def _border(state: Mapping[str, str], texels: Texels) -> Floats:
+    """The texel of the border as a table of one row, or of none if there is no border.
+
+    Lanes that the format lacks are what they are of its texels: APIs replace a texel, and make
+    four lanes of it then.
+    """
+    count = texels.levels[0].shape[-1]
+    if "border" not in state:
+        return np.empty((0, count))
+    value, alpha = BORDERS[state["border"]]
+    return np.array([with_missing((value, value, value, alpha), texels.lanes)[:count]])
+
+
+def _table(levels: Sequence[Floats | Ints], border: Floats) -> NDArray[Any]:
+    """The texels of all levels, one behind the other: (lanes, texels).
+
+    If there is a ``border``, its texel follows those of each level.
+    """
+    rows = [
+        part.astype(level.dtype, copy=False)
+        for level in levels
+        for part in (level.reshape(-1, level.shape[-1]), border)
+    ]
     return np.ascontiguousarray(np.concatenate(rows).T)
 
 
@@ -236,13 +274,15 @@ def _any_depth(mean: Bounded, three: Sequence[Bounded]) -> Bounded:
     return Bounded(mean.value, np.where(same, mean.low, 0.0), np.where(same, mean.high, 1.0))
 
 
-def _ends_of(table: NDArray[Any], texels: Texels) -> tuple[Floats, Floats] | None:
+def _ends_of(table: NDArray[Any], texels: Texels, border: Floats) -> tuple[Floats, Floats] | None:
     """The bounds of the texels that a device decodes; ``None`` if it reads just the table.
 
     The result of an earlier step is stored somewhere between its bounds, and is decoded then.
     """
     was_drawn = bool(texels.low)
-    low, high = (_table(texels.low), _table(texels.high)) if was_drawn else (table, table)
+    low, high = table, table
+    if was_drawn:
+        low, high = _table(texels.low, border), _table(texels.high, border)
     below, above = _errors_of(low, texels.is_srgb), _errors_of(high, texels.is_srgb)
     if below is not None:
         low = np.maximum(low - below, np.minimum(low, 0.0))
@@ -275,6 +315,8 @@ def _wrapped(index: Ints, size: Ints, wrap: str) -> Ints:
     """The texel that an index outside of the texture means."""
     if wrap == "clamp":
         return np.clip(index, 0, size - 1)
+    if wrap == "border":
+        return np.where((index < 0) | (index >= size), _ON_BORDER, index)
     if np.min(index, initial=0) >= 0 and np.all(index < size):
         return index
     if wrap == "repeat":

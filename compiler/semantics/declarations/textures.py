@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import get_args
 
-from ....support.frozen import EMPTY, frozen
+from ....support.frozen import EMPTY, changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import respelling, respelt
 from ...ir import default_textures
 from ...ir.leaves import Texture
+from ...ir.meaning import COLORS as COLOR_MEANINGS
+from ...ir.meaning import RGBA
 from ...ir.shader import TextureInfo
-from ...ir.types import Array, Intent, TextureType
+from ...ir.types import AXES, Array, Border, Intent, TextureType, Wrap
 from ...syntax import ast
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
@@ -22,7 +24,9 @@ Settings = Mapping[str, tuple[str, ...]]
 """The settings of a sampler, each with its words; the first one is the default."""
 
 COLOR_DEFAULTS = tuple(default_textures.COLORS)
-WRAP = ("repeat", "clamp", "mirror")
+WRAP: tuple[Wrap, ...] = get_args(Wrap)
+BORDERS: Mapping[str, Border] = {word: word for word in get_args(Border)}
+DEPTH_BORDERS: Mapping[str, Border] = {"far": "white", "near": "black"}
 FILTERED: Settings = {"filter": ("linear", "nearest"), "mip": ("linear", "nearest", "none")}
 
 
@@ -37,22 +41,44 @@ class Kind:
     """State that goes without saying."""
     intents: tuple[Intent, ...] = ()
     """The possible intents, if a declaration may say one."""
+    axes: tuple[str, ...] = ()
+    """The axes that may wrap each in its own way."""
+    borders: Mapping[str, Border] = EMPTY
+    """The words for the texel of a border, if there may be one; the first is the default."""
+
+    @property
+    def sampling(self) -> Settings:
+        """All settings of the sampler that a declaration may have, with their words."""
+        by_axis = {wrap_of(axis): self.settings["wrap"] for axis in self.axes}
+        borders = {"border": tuple(self.borders)} if self.borders else {}
+        return {**self.settings, **by_axis, **borders}
 
     @property
     def words(self) -> Settings:
         """All settings that a declaration may have, with their words."""
-        return {**self.settings, "intent": self.intents} if self.intents else self.settings
+        return {**self.sampling, "intent": self.intents} if self.intents else self.sampling
+
+
+def wrap_of(axis: str) -> str:
+    """The name of the setting that says how a texture continues along one axis."""
+    return f"wrap_{axis}"
 
 
 INTENTS: tuple[Intent, ...] = get_args(Intent)
-COLORS = Kind(COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS)
+COLORS = Kind(
+    COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS, axes=AXES[:2], borders=BORDERS
+)
+VOLUMES = changed(COLORS, axes=AXES)
 CUBES = Kind(COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"}, INTENTS)
 COMPARED: Settings = {
     "filter": ("linear", "nearest"),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
 }
 _DEPTH_DEFAULTS = tuple(default_textures.DEPTHS)
-DEPTHS = Kind(_DEPTH_DEFAULTS, {**COMPARED, "wrap": ("clamp", "repeat", "mirror")}, {"mip": "none"})
+DEPTHS = Kind(
+    _DEPTH_DEFAULTS, {**COMPARED, "wrap": ("clamp", "repeat", "mirror", "border")},
+    {"mip": "none"}, axes=AXES[:2], borders=DEPTH_BORDERS,
+)  # fmt: skip
 DEPTH_CUBES = Kind(_DEPTH_DEFAULTS, COMPARED, {"mip": "none", "wrap": "clamp"})
 INTEGERS = Kind(tuple(default_textures.INTEGERS))
 """Textures of integers: nothing filters them, so they have no sampler."""
@@ -66,7 +92,7 @@ def kind_of(texture: TextureType) -> Kind:
     is_cube = texture.dimension == "cube"
     match texture.sample:
         case "float":
-            return CUBES if is_cube else COLORS
+            return {"cube": CUBES, "3d": VOLUMES}.get(texture.dimension, COLORS)
         case "depth":
             return DEPTH_CUBES if is_cube else DEPTHS
         case _:
@@ -98,15 +124,66 @@ def texture_of(
         default = member.default.text
         if default not in kind.defaults:
             unknown_word(ctx, "texture default", member.default, kind.defaults)
-    said = _settings(ctx, member, kind, declared.text)
-    written = said.pop("intent", None)
+    holds_colors = _says_colors(ctx, member, kind, declared.text)
+    words, text = kind.words, declared.text
+    if holds_colors:
+        assert member.content is not None
+        words, text = kind.sampling, f"{text} of {member.content.text}"
+    said = _settings(ctx, member, words, text)
+    written = "color" if holds_colors else said.pop("intent", None)
     intent = next((each for each in kind.intents if each == written), None)
-    state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
-    found = Texture(name, declared.type, group, owner, default, tuple(sorted(state.items())))
+    state = _state(ctx, member, kind, said, text)
+    found = Texture(
+        name, declared.type, group, owner, default, tuple(sorted(state.items())),
+        RGBA if holds_colors else None,
+    )  # fmt: skip
     is_brought = member.brought is not None
     return TextureInfo(
         found, declared.text, member.doc, member.name.span, is_brought=is_brought, intent=intent
     )
+
+
+def _state(
+    ctx: Context, member: ast.Texture, kind: Kind, said: Mapping[str, str], type_: str
+) -> dict[str, str]:
+    """The state of the sampler, with what is left out, and without what goes without saying.
+
+    An axis is only in it if it wraps in another way than ``wrap`` says, and a border if there is
+    one. Reports a border that none of the axes has.
+    """
+    state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
+    wrapped = {state.get(wrap_of(axis), state["wrap"]) for axis in kind.axes}
+    for axis in kind.axes:
+        if state.get(wrap_of(axis)) == state["wrap"]:
+            del state[wrap_of(axis)]
+    if "border" in wrapped:
+        state["border"] = kind.borders[said.get("border", next(iter(kind.borders)))]
+    elif state.pop("border", None) is not None:
+        (span,) = (key.span for key, _ in member.state if key.text == "border")
+        text = f"{type_} with {{ wrap = {state['wrap']} }}"
+        ctx.report.add(rules.SETTING_WITHOUT_USE, span, name="border", type=text)
+    return state
+
+
+def _says_colors(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> bool:
+    """True for a ``map`` that holds colours by its declaration: ``texture2d of rgb``.
+
+    Reports anything else that is written behind ``of``.
+    """
+    if member.content is None:
+        return False
+    if not kind.intents:
+        name = f"of {member.content.text}"
+        ctx.report.add(rules.SETTING_WITHOUT_USE, member.content.span, name=name, type=type_)
+    elif member.content.text not in COLOR_MEANINGS:
+        ctx.report.add(
+            rules.UNKNOWN_NAME, member.content.span, kind="content of a texture",
+            name=member.content.text,
+            hint="colours are `of rgb`; without `of`, texels are colours if they become some",
+        )  # fmt: skip
+    else:
+        return True
+    return False
 
 
 def _check_bringer(ctx: Context, definition: Definition) -> None:
@@ -121,18 +198,21 @@ def _check_bringer(ctx: Context, definition: Definition) -> None:
         )  # fmt: skip
 
 
-def _settings(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> dict[str, str]:
-    """The settings that a declaration says; wrong ones have been reported, and are left out."""
+def _settings(ctx: Context, member: ast.Texture, words: Settings, type_: str) -> dict[str, str]:
+    """The settings that a declaration says, of those that textures of its type have, ``words``.
+
+    Wrong ones have been reported, and are left out.
+    """
     check_once(ctx.report, (key for key, _ in member.state))
     said: dict[str, str] = {}
-    known = {**COLORS.words, **DEPTHS.words}
+    known = {**VOLUMES.words, **DEPTHS.words}
     for key, value in member.state:
-        if key.text not in known and kind.words:
-            unknown_word(ctx, "texture setting", key, kind.words)
-        elif key.text not in kind.words:
+        if key.text not in known and words:
+            unknown_word(ctx, "texture setting", key, words)
+        elif key.text not in words:
             ctx.report.add(rules.SETTING_WITHOUT_USE, key.span, name=key.text, type=type_)
-        elif value.text not in kind.words[key.text]:
-            unknown_word(ctx, f"value for `{key.text}`", value, kind.words[key.text])
+        elif value.text not in words[key.text]:
+            unknown_word(ctx, f"value for `{key.text}`", value, words[key.text])
         else:
             said[key.text] = value.text
     return said

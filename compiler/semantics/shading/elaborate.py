@@ -24,11 +24,12 @@ from ...ir.stages import (
     CLIP_POSITION,
     DISCARD,
     FRAGMENT,
+    FRAGMENT_DEPTH,
     TARGET,
     VERTEX,
     Chain,
 )
-from ...ir.types import BOOL, VEC4
+from ...ir.types import BOOL, FLOAT, VEC4
 from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.externs import read_externs
@@ -49,7 +50,7 @@ from .passes.captures import capture_of, captures, captures_of
 from .passes.clears import clears_of
 from .passes.formats import texel_value
 from .passes.layers import layer_count, layer_of
-from .passes.render_states import render_state_of
+from .passes.render_states import DEPTH_VALUE, render_state_of
 from .slot_checks import check_rig, check_slots
 
 UNRESOLVED = frozenset(("r32f", "rg32f", "rgba32f"))
@@ -126,6 +127,7 @@ def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
         *layer_of(ctx, passing, layers),
         *_targets(ctx, passing.record, passing, layers),
         *_discard(ctx, passing.record, passing),
+        *_own_depth(ctx, passing.record, passing),
         *captures_of(ctx, passing),
     )
 
@@ -279,3 +281,26 @@ def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]
         )  # fmt: skip
     if combined is not None:
         yield Result(DISCARD, FRAGMENT, combined)
+
+
+def _own_depth(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
+    """The depth that a pass gives its fragments, limited to what depths can be.
+
+    There is none if the pass neither compares nor keeps depths: WebGPU refuses a shader that gives
+    one where there is no attachment for depths.
+    """
+    nearest: Result | None = None
+    for member, owner, level in drawn.every(ast.Depth):
+        for name, value in member.settings:
+            if name.text == DEPTH_VALUE:
+                depth = typed(ctx, value, pass_scope(owner, passing, level), FLOAT, "float")
+                nearest = None if isinstance(depth, Failure) else _limited_depth(ctx, depth, value)
+    if nearest is not None and render_state_of(ctx, drawn).depth.is_used:
+        yield nearest
+
+
+def _limited_depth(ctx: Context, depth: Node, written: ast.Expression) -> Result:
+    ctx.notes.names.setdefault(depth.id, "depth")
+    limited = ctx.tree.node("call", FLOAT, (depth,), "saturate")
+    ctx.places.note(limited, written.span)
+    return Result(FRAGMENT_DEPTH, FRAGMENT, limited)

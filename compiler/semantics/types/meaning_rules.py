@@ -263,6 +263,16 @@ def _numbers(sides: tuple[Side, ...], _result: Type) -> Found:
     return apart(sides)
 
 
+def _texel(sides: tuple[Side, ...], _result: Type) -> Found:
+    """The rule of reads of whole texels, which mean what their texture declares."""
+    return apart(sides[1:]) or sides[0].meaning
+
+
+def _of_texture(sides: tuple[Side, ...], _result: Type) -> Found:
+    """The rule of other questions to a texture, whose results are mere numbers."""
+    return apart(sides[1:])
+
+
 def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
     """The rule of operations lane by lane: colours stay colours, and geometry is lost."""
     known = _first(sides)
@@ -350,6 +360,8 @@ RULES: Mapping[str, AlgebraRule] = {
     "remainder": _remainder,
     "negation": _negation,
     "numbers": _numbers,
+    "texel": _texel,
+    "of_texture": _of_texture,
     "lanes": _lanes,
     "limits": _limits,
     "blend": _blend,

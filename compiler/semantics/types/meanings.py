@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ....stdlib.builtins import BUILTINS
 from ...ir.binding import Moved
-from ...ir.leaves import Attribute, Buffer, Parameter
+from ...ir.leaves import Attribute, Buffer, Parameter, Texture
 from ...ir.meaning import ARROWS, COLORS, GEOMETRY, RGB, Meaning
 from ...ir.node import Folding, Graph, Node, Roots
 from ...ir.operations import CROSS
@@ -91,8 +91,11 @@ def _ascription(node: Node, _operands: Operands) -> Found:
     return node.data if isinstance(node.data, Meaning) else None
 
 
+_LEAVES = (Parameter, Buffer, Attribute, Texture)
+
+
 def _leaf(node: Node, _operands: Operands) -> Found:
-    return node.data.meaning if isinstance(node.data, Parameter | Buffer | Attribute) else None
+    return node.data.meaning if isinstance(node.data, _LEAVES) else None
 
 
 def _select(node: Node, operands: Operands) -> Found:
@@ -152,6 +155,7 @@ _RULES: Mapping[str, Callable[[Node, Operands], Found]] = {
     "parameter": _leaf,
     "buffer": _leaf,
     "attribute": _leaf,
+    "texture": _leaf,
     "as": _ascription,
     "call": _call,
     "native": _call,

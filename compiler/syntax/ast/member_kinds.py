@@ -82,10 +82,10 @@ class MemberKind:
 
 
 def _texture(
-    span: Span, doc: str, name: Name, type_: TypeName, group: Name | None, default: Name | None,
-    result: Name | None, *state: tuple[Name, Name],
+    span: Span, doc: str, name: Name, type_: TypeName, content: Name | None, group: Name | None,
+    default: Name | None, result: Name | None, *state: tuple[Name, Name],
 ) -> members.Texture:  # fmt: skip
-    return members.Texture(span, doc, name, type_, group, default, result, state)
+    return members.Texture(span, doc, name, type_, content, group, default, result, state)
 
 
 def _untyped_slot(span: Span, doc: str, name: Name, value: Expression) -> members.Slot:
@@ -149,8 +149,8 @@ KINDS: tuple[MemberKind, ...] = (
         records=RECORD_KINDS,
         inheritance="overridden",
         contribution="leaf",
-        form="a texture is `map name : texture2d per group = white with { filter = nearest }`, "
-        "where everything after the type is optional",
+        form="a texture is `map name : texture2d of rgb per group = white with { filter = "
+        "nearest }`, where everything after the type is optional",
         doc="a texture that the host binds, with its sampler",
         has_default=True,
     ),

@@ -31,12 +31,14 @@ class Param:
 
 @frozen(eq=False)
 class Texture:
-    """``map albedo : texture2d = white with { filter = linear, wrap = repeat }``."""
+    """``map albedo : texture2d of rgb = white with { filter = linear, wrap = repeat }``."""
 
     span: Span
     doc: str
     name: Name
     type: TypeName
+    content: Name | None
+    """The meaning of its texels, if the declaration says one: ``rgb``."""
     group: Name | None
     default: Name | None
     """A word for a texture that a host may bind if it has no picture; or a step of the light."""

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ....compiler.ir.render_state import Compare
+from ....compiler.ir.types import Border, Wrap
 from .render_state import TargetFormat
 from .texels import Dimension, Sample
 
 Filter = Literal["linear", "nearest"]
 Mip = Literal["linear", "nearest", "none"]
-Wrap = Literal["repeat", "clamp", "mirror"]
 Sampling = Literal["filtering", "non-filtering", "comparison"]
 """The use of a sampler by a shader."""
 
@@ -79,9 +79,20 @@ class TextureSlot:
     filter: Filter = "linear"
     mip: Mip = "linear"
     wrap: Wrap = "repeat"
+    wrap_u: Wrap | None = None
+    """The texels beyond the edges of one axis; ``None`` if they are as ``wrap`` says."""
+    wrap_v: Wrap | None = None
+    wrap_w: Wrap | None = None
+    border: Border | None = None
+    """The texel of a border, if there is one."""
     compare: Compare | None = None
     """The comparison of a reference with depths; ``None`` if the sampler does not compare."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"
     """The use of the sampler; ``None`` if texels are only loaded, without a sampler."""
+
+    @property
+    def wraps(self) -> tuple[Wrap, Wrap, Wrap]:
+        """The texels beyond the edges of each axis."""
+        return self.wrap_u or self.wrap, self.wrap_v or self.wrap, self.wrap_w or self.wrap

@@ -18,7 +18,7 @@ from ....compiler.documents.drawing import ADDRESS_MODES, TOPOLOGY_WORDS
 from ....compiler.documents.writing import to_json
 from ....compiler.ir.blending import BlendEquation
 from ....compiler.ir.render_state import COMPARE_WORDS, StencilSide
-from ....compiler.ir.types import DIMENSION_WORDS
+from ....compiler.ir.types import AXES, DIMENSION_WORDS
 from .checks import lane_count
 from .pipeline import Pipeline, VertexInput
 from .render_state import RenderTarget
@@ -113,11 +113,11 @@ def _equation(equation: BlendEquation) -> Mapping[str, str]:
 
 def sampler(slot: TextureSlot) -> Mapping[str, Any]:
     """The sampler of a texture."""
-    wrap = ADDRESS_MODES[slot.wrap]
     state: dict[str, Any] = {
-        "address_mode_u": wrap,
-        "address_mode_v": wrap,
-        "address_mode_w": wrap,
+        **{
+            f"address_mode_{axis}": ADDRESS_MODES[wrap]
+            for axis, wrap in zip(AXES, slot.wraps, strict=True)
+        },
         "mag_filter": slot.filter,
         "min_filter": slot.filter,
         "mipmap_filter": "nearest" if slot.mip == "none" else slot.mip,

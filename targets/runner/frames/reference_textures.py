@@ -102,7 +102,7 @@ class DrawnTexture:
             for level, undecided in zip(self.levels, self.undecided, strict=True)
         )
         is_srgb = self.format.endswith("srgb")
-        return Texels(value, is_srgb, low, high, has_undefined, self._stored)
+        return Texels(value, is_srgb, low, high, has_undefined, self._stored, self.lanes)
 
     @property
     def _stored(self) -> Stored:

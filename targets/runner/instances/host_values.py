@@ -155,7 +155,8 @@ class HostValues:
         """Set a parameter or texture from a text, as on a command line.
 
         ``texts`` explains how values are written. A texture is a colour such as ``#b5651d``, or the
-        file of a picture, whose colours are taken as sRGB if its name begins with ``srgb:``.
+        file of a picture, whose colours are taken as sRGB if the texture's intent is ``color``, or
+        if its name begins with ``srgb:``, and not if it begins with ``linear:``.
         Layers, slices or faces are files separated by commas. A storage buffer is a JSON file with
         a list of elements.
 
@@ -169,7 +170,9 @@ class HostValues:
             from ..textures.texture import Texture
 
             row = self._names.textures[name]
-            self._textures[name] = Texture.parse(text, dimension=row.dimension, sample=row.sample)
+            self._textures[name] = Texture.parse(
+                text, dimension=row.dimension, sample=row.sample, intent=row.intent
+            )
         elif name in self._buffers:
             self.set(name, elements_in_file(name, text))
         else:

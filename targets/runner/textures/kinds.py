@@ -1,4 +1,4 @@
-"""The kinds of texels, and the error for a picture that has texels of another kind."""
+"""The kinds of texels, how texts name them, and the error for a picture of another kind."""
 
 from __future__ import annotations
 
@@ -9,6 +9,15 @@ Kind = Literal["float", "depth", "int", "uint"]
 
 FACES = ("+x", "-x", "+y", "-y", "+z", "-z")
 """The faces of a cube, in the order in which they are stored."""
+
+SRGB_PREFIX = "srgb:"
+LINEAR_PREFIX = "linear:"
+"""The beginnings of texts that say themselves how the numbers in a file are meant."""
+
+
+def without_prefix(text: str) -> str:
+    """The names of files in a text for ``Texture.parse``."""
+    return text.removeprefix(SRGB_PREFIX).removeprefix(LINEAR_PREFIX)
 
 
 class PictureError(ValueError):

@@ -19,16 +19,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from ....compiler.ir.default_textures import OF_SAMPLES
+from ....compiler.ir.types import Intent
 from ....support.arguments import expect, expect_all
 from ..drivers.texels import TEXELS, Dimension, Image, TextureFormat
 from ..instances.literals import color_channels
-from .kinds import FACES, Kind, PictureError
+from .kinds import FACES, SRGB_PREFIX, Kind, PictureError, without_prefix
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-SRGB_PREFIX = "srgb:"
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +68,7 @@ class Texture:
         have more than 8192 texels, or 2048 for 3D textures. Raises ``BudgetError`` if they take
         more memory than is allowed.
         """
-        from .files import read_pictures
-
-        _check_kind(dimension, sample)
-        given = [path] if isinstance(path, str | PathLike) else path
-        paths = expect_all("path", given, (str, PathLike), "the path of a picture, or several")
-        array = read_pictures([Path(each) for each in paths], dimension, sample)
+        array = _read(path, dimension, sample)
         return cls.of_array(array, srgb=srgb, dimension=dimension, sample=sample)
 
     @classmethod
@@ -136,8 +130,19 @@ class Texture:
         return _texel(np.rint(lanes * 255).astype(np.uint8), dimension, "float")
 
     @classmethod
-    def parse(cls, text: str, *, dimension: Dimension = "2d", sample: Kind = "float") -> Texture:
-        """A texture from a command line: ``picture.png``, ``srgb:picture.png`` or ``#b5651d``.
+    def parse(
+        cls,
+        text: str,
+        *,
+        dimension: Dimension = "2d",
+        sample: Kind = "float",
+        intent: Intent = "data",
+    ) -> Texture:
+        """A texture from a command line: ``picture.png`` or ``#b5651d``.
+
+        The numbers of a file are decoded from sRGB if the ``intent`` of the texture is ``color``,
+        as its reflection says, unless they are floats. ``srgb:picture.png`` and
+        ``linear:picture.png`` say themselves how a picture is meant.
 
         If the dimension is not ``2d``, the pictures of layers, slices or faces are separated by
         commas: ``srgb:px.png,nx.png,py.png,ny.png,pz.png,nz.png``. Raises ``PictureError``.
@@ -151,9 +156,12 @@ class Texture:
         srgb = text.startswith(SRGB_PREFIX)
         if srgb and sample != "float":
             raise PictureError(f"{_HELD[sample]} are never sRGB: leave out `{SRGB_PREFIX}`")
-        names = text.removeprefix(SRGB_PREFIX)
+        names = without_prefix(text)
         paths = [names] if dimension == "2d" else [name.strip() for name in names.split(",")]
-        return cls.load(paths, srgb=srgb, dimension=dimension, sample=sample)
+        array = _read(paths, dimension, sample)
+        if names == text:
+            srgb = intent == "color" and array.dtype.kind != "f"
+        return cls.of_array(array, srgb=srgb, dimension=dimension, sample=sample)
 
     @property
     def sample(self) -> Kind:
@@ -189,6 +197,18 @@ class Texture:
 _HELD: dict[Kind, str] = {
     "float": "colours", "depth": "depths", "int": "integers", "uint": "unsigned integers",
 }  # fmt: skip
+
+
+def _read(
+    path: str | Path | Sequence[str | Path], dimension: Dimension, sample: Kind
+) -> NDArray[Any]:
+    """The array of a texture from its files. Raises as ``Texture.load`` does."""
+    from .files import read_pictures
+
+    _check_kind(dimension, sample)
+    given = [path] if isinstance(path, str | PathLike) else path
+    paths = expect_all("path", given, (str, PathLike), "the path of a picture, or several")
+    return read_pictures([Path(each) for each in paths], dimension, sample)
 
 
 def _check_kind(dimension: Dimension, sample: Kind) -> None:

@@ -25,7 +25,11 @@ import { present } from "../present.js";
 const BINDS = {
   "2d": "TEXTURE_2D", "2d-array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
-/** @type {Record<GPUAddressMode, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT">} */
+/**
+ * The texels beyond the edges. WebGL has no borders, and no text for it reads a texture with one.
+ * @typedef {Exclude<SamplerRow["state"]["wrap"], "clamp-to-border">} AddressMode
+ */
+/** @type {Record<AddressMode, "REPEAT" | "CLAMP_TO_EDGE" | "MIRRORED_REPEAT">} */
 const WRAPS = {
   "repeat": "REPEAT", "clamp-to-edge": "CLAMP_TO_EDGE", "mirror-repeat": "MIRRORED_REPEAT",
 };
@@ -252,14 +256,16 @@ export function makeSampler(gl, state) {
   const sampler = gl.createSampler();
   /** @type {(name: number, value: number) => void} */
   const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-  const { filter, mip, wrap, compare } = state ?? LOADED;
+  const { filter, mip, wrap, wrap_u, wrap_v, wrap_w, compare } = state ?? LOADED;
   const words = [filter, mip === "linear" ? "linear" : "nearest"];
   const [near, between] = words.map((word) => word.toUpperCase());
   set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
   set(gl.TEXTURE_MIN_FILTER, constant(gl, `${near}_MIPMAP_${between}`));
-  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R]) {
-    set(name, gl[WRAPS[wrap]]);
-  }
+  /** @type {(own: typeof wrap_u) => AddressMode} */
+  const mode = (own) => /** @type {AddressMode} */ (own ?? wrap);
+  set(gl.TEXTURE_WRAP_S, gl[WRAPS[mode(wrap_u)]]);
+  set(gl.TEXTURE_WRAP_T, gl[WRAPS[mode(wrap_v)]]);
+  set(gl.TEXTURE_WRAP_R, gl[WRAPS[mode(wrap_w)]]);
   // A sampler stays on the first level by this; other levels can still be loaded.
   if (mip === "none") gl.samplerParameterf(sampler, gl.TEXTURE_MAX_LOD, 0);
   if (compare) {

@@ -84,6 +84,11 @@ class Real:
 
 
 @frozen
+class Computed:
+    """A setting that is no state: each fragment computes it."""
+
+
+@frozen
 class StateSetting:
     """A setting: the fields of the state that it sets, and its values."""
 
@@ -92,7 +97,9 @@ class StateSetting:
     values: Meant
 
 
-Meant = Words | Whole | OneOf | Real
+Meant = Words | Whole | OneOf | Real | Computed
+DEPTH_VALUE = "value"
+"""The setting of depths that each fragment computes; ``elaborate.py`` makes a result of it."""
 SWITCH = Words(("true", "false"))
 BYTE = Whole(0, STENCIL_MOST)
 SIDES = ("front", "back")
@@ -132,7 +139,7 @@ SETTINGS: Mapping[Stated, Mapping[str, StateSetting]] = {
     ),
     ast.Depth: _plain(
         compare=COMPARISONS, write=SWITCH, bias=Whole(-MOST_BIAS, MOST_BIAS), slope_bias=Real(),
-        bias_clamp=Real(),
+        bias_clamp=Real(), value=Computed(),
     ),
     ast.Stencil: {
         **_plain(reference=BYTE, read_mask=BYTE, write_mask=BYTE),
@@ -198,6 +205,8 @@ def _said(ctx: Context, drawn: Record, kind: Stated) -> Said:
             if setting is None:
                 _report_unknown(ctx, ast.kind_of(member).word, name, known)
                 continue
+            if isinstance(setting.values, Computed):
+                continue
             meant = _value(ctx, name, value, setting.values, scope)
             if meant is not None:
                 found |= dict.fromkeys(setting.fields, meant)
@@ -241,6 +250,8 @@ def _value(
                 )
                 return None
             return number
+        case Computed():
+            return None
         case Real():
             return ctx.constants.number(typed(ctx, written, scope, FLOAT, "float"), span)
 

@@ -104,7 +104,10 @@ def _reflection(number: int, pipeline: Pipeline, profile: str) -> dict[str, Any]
 
 
 def _sampler(slot: TextureSlot) -> Mapping[str, Any]:
-    state = SamplerState(filter=slot.filter, mip=slot.mip, wrap=slot.wrap, compare=slot.compare)
+    state = SamplerState(
+        filter=slot.filter, mip=slot.mip, wrap=slot.wrap, wrap_u=slot.wrap_u, wrap_v=slot.wrap_v,
+        wrap_w=slot.wrap_w, border=slot.border, compare=slot.compare,
+    )  # fmt: skip
     return cast(Mapping[str, Any], document_json(state))
 
 

@@ -25,7 +25,7 @@ from .texture_units import (
     GL_TEXTURE_CUBE_MAP_SEAMLESS,
     GL_UNSIGNED_BYTE,
     TARGETS,
-    state_of,
+    set_state,
 )
 
 GL_PACK_ALIGNMENT = 0x0D05
@@ -81,8 +81,7 @@ class MadeTexture:
         functions.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS)
         functions.glActiveTexture(GL_TEXTURE0 + unit)
         functions.glBindTexture(self.target, self.name)
-        for key, value in state_of(slot, self.description.levels).items():
-            functions.glTexParameteri(self.target, key, value)
+        set_state(functions, self.target, slot, self.description.levels)
 
     def bind_image(self, unit: int) -> None:
         """Bind the first level as an image that a kernel writes."""

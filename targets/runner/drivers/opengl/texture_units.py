@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from .....compiler.ir.render_state import Compare
+from .....compiler.ir.types import Border, Wrap
 from ..checks import level_size
-from ..slots import Filter, Mip, TextureSlot, Wrap
+from ..slots import Filter, Mip, TextureSlot
 from ..texels import Dimension, Image, TextureFormat
 from .context import Functions
 
@@ -40,10 +41,15 @@ STORAGE: dict[TextureFormat, tuple[int, int, int]] = {
 
 GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER = 0x2800, 0x2801
 GL_TEXTURE_MAX_LOD, GL_TEXTURE_MAX_LEVEL, MOST_LEVELS = 0x813B, 0x813D, 1000
-GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R = 0x2802, 0x2803, 0x8072
+GL_TEXTURE_WRAPS = 0x2802, 0x2803, 0x8072
+"""The parameters of the axes: S, T and R."""
 GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC = 0x884C, 0x884D
 GL_COMPARE_REF_TO_TEXTURE, GL_NONE = 0x884E, 0
-WRAPS: dict[Wrap, int] = {"repeat": 0x2901, "clamp": 0x812F, "mirror": 0x8370}
+WRAPS: dict[Wrap, int] = {"repeat": 0x2901, "clamp": 0x812F, "mirror": 0x8370, "border": 0x812D}
+GL_TEXTURE_BORDER_COLOR = 0x1004
+BORDERS: dict[Border, tuple[int, int, int, int]] = {
+    "transparent": (0, 0, 0, 0), "black": (0, 0, 0, 1), "white": (1, 1, 1, 1),
+}  # fmt: skip
 MAGNIFY: dict[Filter, int] = {"linear": 0x2601, "nearest": 0x2600}
 MINIFY: dict[tuple[Filter, Mip], int] = {
     ("linear", "none"): 0x2701,
@@ -77,8 +83,7 @@ def bound_texture(
     functions.glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
     for level in range(len(image.levels)):
         _upload(functions, image, level)
-    for key, value in state_of(slot, len(image.levels)).items():
-        functions.glTexParameteri(target, key, value)
+    set_state(functions, target, slot, len(image.levels))
     try:
         yield
     finally:
@@ -104,6 +109,15 @@ def _upload(functions: Functions, image: Image, level: int) -> None:
         )  # fmt: skip
 
 
+def set_state(functions: Functions, target: int, slot: TextureSlot, levels: int) -> None:
+    """Set the state of a slot's sampler for the texture of so many levels that is bound there."""
+    for key, value in state_of(slot, levels).items():
+        functions.glTexParameteri(target, key, value)
+    if slot.border is not None:
+        color = (ctypes.c_float * 4)(*BORDERS[slot.border])
+        functions.glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, color)
+
+
 def state_of(slot: TextureSlot, levels: int) -> dict[int, int]:
     """The parameters of the texture; one without a sampler must not use any filter."""
     minify: tuple[Filter, Mip] = (
@@ -114,9 +128,7 @@ def state_of(slot: TextureSlot, levels: int) -> dict[int, int]:
         GL_TEXTURE_MAX_LEVEL: levels - 1,
         GL_TEXTURE_MIN_FILTER: MINIFY[minify],
         GL_TEXTURE_MAG_FILTER: MAGNIFY[minify[0]],
-        **dict.fromkeys(
-            (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R), WRAPS[slot.wrap]
-        ),
+        **{axis: WRAPS[wrap] for axis, wrap in zip(GL_TEXTURE_WRAPS, slot.wraps, strict=True)},
     }
     state[GL_TEXTURE_COMPARE_MODE] = GL_NONE
     if slot.compare is not None:

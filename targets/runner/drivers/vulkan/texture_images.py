@@ -8,8 +8,9 @@ from typing import Any
 import vulkan as vk
 
 from .....compiler.ir.render_state import Compare
+from .....compiler.ir.types import Border, Wrap
 from ..checks import level_size
-from ..slots import Filter, Mip, TextureSlot, Wrap
+from ..slots import Filter, Mip, TextureSlot
 from ..texels import TEXELS, Image
 from .device import Gpu, recording
 from .formats import TEXTURES, VIEWS
@@ -28,6 +29,12 @@ WRAPS: dict[Wrap, int] = {
     "repeat": vk.VK_SAMPLER_ADDRESS_MODE_REPEAT,
     "clamp": vk.VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
     "mirror": vk.VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT,
+    "border": vk.VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER,
+}
+BORDERS: dict[Border, int] = {
+    "transparent": vk.VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK,
+    "black": vk.VK_BORDER_COLOR_FLOAT_OPAQUE_BLACK,
+    "white": vk.VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE,
 }
 COMPARES: dict[Compare, int] = {
     "never": vk.VK_COMPARE_OP_NEVER,
@@ -43,14 +50,15 @@ COMPARES: dict[Compare, int] = {
 
 def make_sampler(owned: ExitStack, gpu: Gpu, slot: TextureSlot) -> Any:
     """The sampler that a slot describes. Without mip levels it only reads the first level."""
-    wrap = WRAPS[slot.wrap]
+    across, down, behind = (WRAPS[wrap] for wrap in slot.wraps)
     info = vk.VkSamplerCreateInfo(
         magFilter=FILTERS[slot.filter],
         minFilter=FILTERS[slot.filter],
         mipmapMode=MIPS[slot.mip],
-        addressModeU=wrap,
-        addressModeV=wrap,
-        addressModeW=wrap,
+        addressModeU=across,
+        addressModeV=down,
+        addressModeW=behind,
+        borderColor=BORDERS[slot.border or "transparent"],
         compareEnable=slot.compare is not None,
         compareOp=COMPARES[slot.compare or "never"],
         maxLod=0.0 if slot.mip == "none" else vk.VK_LOD_CLAMP_NONE,
