@@ -1,8 +1,9 @@
 """``python -m tests.docs.generate``: writes the pages that are made from the compiler's tables.
 
 Run it after changing the grammar, the library or its examples, a builtin, a diagnostic, a
-simplification rule, a profile, a capability, a limit, a route or a driver's row, and after keeping
-new numbers of tolerances. A test fails if a page is not up to date.
+simplification rule, a profile, a capability, a limit, a route or a driver's row, or a step of the
+tutorial, and after keeping new numbers of tolerances. It draws the pictures of pages, too. A test
+fails if a page or a picture is not up to date.
 """
 
 from __future__ import annotations
@@ -27,9 +28,11 @@ from burnish.targets.toolchain.limits import EVERY_LIMIT, in_words
 
 from .builtins_page import builtins_page
 from .library_page import library_page
+from .pictures import draw_all
 from .tables import DOCS, NOTE, cell, codes, spliced, table
 from .targets_page import targets_page
 from .tolerances_page import tolerances_page
+from .tutorial_page import tutorial_page
 
 ROOT = Path(__file__).parents[2]
 GRAMMAR = ROOT / "compiler" / "syntax" / "burnish.lark"
@@ -220,6 +223,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "security.md": security_page,
     "targets.md": targets_page,
     "tolerances.md": tolerances_page,
+    "tutorial.md": tutorial_page,
 }
 
 
@@ -227,3 +231,5 @@ if __name__ == "__main__":
     for name, page in PAGES.items():
         (DOCS / name).write_text(page(), encoding="utf-8")
         print(f"docs/{name}")
+    for picture in draw_all():
+        print(picture.relative_to(ROOT))

@@ -8,11 +8,14 @@ What stands behind a block's language says how it is tried:
 ```burnish error=B0203           must fail with this code and no other
 ```burnish rig=R pass=P          compiled with that rig and pass
 ```burnish targets=glsl,hlsl     compiled for these instead of the default ones
+```burnish error=B0203 as=clay   likewise, in a file that its message calls `clay.burnish`
 ```wgsl from=plastic:fragment    lines of the text that the example becomes; `…` stands for others
+```glsl made                    lines that `generate` writes, and compares with the page
 ```json from=own_light            a row of the example's reflection; of `plastic`, if none is named
 ```text from=B0203               how the error of the block before is shown
 ```python                        run, together with the page's other ones, among the examples
 ```python comparer               a test with a comparer, which tests/comparers runs
+```console picture=pictures/x.png the same; what `-o` names is that picture of the page's folder
 ```console                       lines that begin with `$ burnish` are run there as well; what is
                                  quoted below one is in what it prints, with `…` for other lines
 ```
@@ -25,6 +28,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
 PAGES = (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")))
 
 _FENCE = re.compile(r"^```(\w+)([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)

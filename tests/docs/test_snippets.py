@@ -7,7 +7,6 @@ import io
 import json
 import re
 import shlex
-import shutil
 from itertools import pairwise
 from pathlib import Path
 
@@ -16,46 +15,14 @@ from click.testing import CliRunner
 
 import burnish
 from burnish.commands.group import burnish as group
-from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.documents.writing import to_json
-from burnish.targets.selection import DEFAULT
 
-from .kit import PAGES, ROOT, Block, all_blocks, blocks
+from .kit import EXAMPLES, PAGES, ROOT, Block, all_blocks, blocks
+from .outcomes import outcome, source_of, told
+from .pictures import among_examples, assert_alike, output_of
 
-EXAMPLES = ROOT / "examples"
-HEAD = "import std.lights\nimport std.terms\nmaterial Sample {\n"
-MATERIAL = re.compile(r"^material ", re.MULTILINE)
 (PLASTIC,) = burnish.compile(EXAMPLES / "plastic.burnish").materials
-ERRORS = [block for block in all_blocks("burnish") if block.value("error")]
-
-
-def whole(block: Block) -> str:
-    """The file that a block stands for."""
-    if "in-material" in block.marks:
-        return f"{HEAD}{block.text}}}\n"
-    if MATERIAL.search(block.text) or block.value("file") or block.value("error"):
-        return block.text
-    return f"{block.text}\nmaterial Sample {{}}\n"
-
-
-def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
-    """The diagnostics of a block, compiled beside the files that its page declares before it."""
-    for other in blocks(block.page, "burnish"):
-        if (name := other.value("file")) and other.line < block.line:
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(whole(other), encoding="utf-8")
-    path = folder / "sample.burnish"
-    path.write_text(whole(block), encoding="utf-8")
-    rig, pass_ = block.value("rig"), block.value("pass")
-    targets = block.value("targets") or DEFAULT
-    try:
-        result = burnish.compile(path, targets, search_path=[EXAMPLES], rig=rig, pass_=pass_)
-    except burnish.CompileError as error:
-        return error.diagnostics
-    assert result.materials or block.value("file")
-    return result.diagnostics
 
 
 ENDLESS = frozenset(("--watch", "view"))
@@ -74,16 +41,17 @@ def test_burnish(block: Block, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("block", all_blocks("text"), ids=str)
 def test_text(block: Block, tmp_path: Path) -> None:
-    code = block.value("from")
-    if code is None:
+    if block.value("from") is None:
         return
-    source = [b for b in ERRORS if b.page == block.page and b.line < block.line][-1]
-    assert source.value("error") == code
-    shown = render_all(outcome(source, tmp_path)).replace(f"{tmp_path}/sample", "plastic")
-    assert block.text.rstrip("\n") == shown
+    assert block.text == told(source_of(block), tmp_path)
 
 
-@pytest.mark.parametrize("block", [*all_blocks("wgsl"), *all_blocks("hlsl")], ids=str)
+QUOTED = [
+    block for block in (*all_blocks("wgsl"), *all_blocks("hlsl")) if "made" not in block.marks
+]
+
+
+@pytest.mark.parametrize("block", QUOTED, ids=str)
 def test_excerpt(block: Block) -> None:
     example, stage = (block.value("from") or ":").split(":")
     (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", (block.language,)).materials
@@ -130,14 +98,13 @@ def test_the_table_of_buffers() -> None:
 
 
 @pytest.fixture
-def among_examples(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A folder like a reader's: the examples lie in it."""
-    shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
-    shutil.copytree(EXAMPLES, tmp_path / "examples")
+    among_examples(tmp_path)
     monkeypatch.chdir(tmp_path)
 
 
-@pytest.mark.usefixtures("among_examples")
+@pytest.mark.usefixtures("reader")
 @pytest.mark.parametrize("page", [p for p in PAGES if blocks(p, "python")], ids=lambda p: p.name)
 def test_python(page: Path) -> None:
     names: dict[str, object] = {}
@@ -148,7 +115,7 @@ def test_python(page: Path) -> None:
             exec(compile(block.text, str(block), "exec"), names)
 
 
-@pytest.mark.usefixtures("among_examples")
+@pytest.mark.usefixtures("reader")
 @pytest.mark.parametrize("block", all_blocks("console"), ids=str)
 def test_console(block: Block) -> None:
     """Every command succeeds, and prints what is quoted below it; `…` stands for other lines."""
@@ -159,3 +126,5 @@ def test_console(block: Block) -> None:
             result = CliRunner().invoke(group, command[2:])
             assert result.exit_code == 0, result.output
             assert_in_order(quoted, result.stdout)
+    if picture := block.value("picture"):
+        assert_alike(Path(output_of(block)), block.page.parent / picture)

@@ -7,7 +7,7 @@ files in ``examples/pictures``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,10 @@ from PIL import Image
 
 from burnish.targets.runner.textures.high_range import encoded_floats, format_of
 
-FOLDER = Path(__file__).parents[2] / "examples" / "pictures"
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FOLDER = EXAMPLES / "pictures"
+OF_TUTORIAL = ("brick_normals", "bricks")
+"""Pictures that the tutorial has as well: a comment may name files of its own folder only."""
 SIDE = 96
 
 Floats = NDArray[np.float64]
@@ -266,6 +269,14 @@ def painted(name: str) -> Image.Image:
     return Image.fromarray(np.rint(255 * np.clip(PICTURES[name](), 0, 1)).astype(np.uint8))
 
 
+def files() -> Iterator[tuple[str, Path]]:
+    """The files of pictures in 8 bits, each with the name of what is painted there."""
+    for name in PICTURES:
+        yield name, FOLDER / f"{name}.png"
+    for name in OF_TUTORIAL:
+        yield name, EXAMPLES / "tutorial" / "pictures" / f"{name}.png"
+
+
 def panorama(name: str) -> Floats:
     """A picture in linear light."""
     colors = np.maximum(PANORAMAS[name](), 0)
@@ -274,9 +285,9 @@ def panorama(name: str) -> Floats:
 
 def main() -> None:
     """Write all files anew."""
-    FOLDER.mkdir(exist_ok=True)
-    for name in PICTURES:
-        painted(name).save(FOLDER / f"{name}.png", optimize=True)
+    for name, path in files():
+        path.parent.mkdir(exist_ok=True)
+        painted(name).save(path, optimize=True)
     for name in PANORAMAS:
         path = FOLDER / f"{name}.hdr"
         form = format_of(path)

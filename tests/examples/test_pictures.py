@@ -18,8 +18,8 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def test_pictures_in_8_bits_are_those_that_are_painted() -> None:
-    for name in pictures.PICTURES:
-        with Image.open(pictures.FOLDER / f"{name}.png") as found:
+    for name, path in pictures.files():
+        with Image.open(path) as found:
             painted = pictures.painted(name)
             assert (found.mode, found.size) == (painted.mode, painted.size), name
             difference = np.asarray(found).astype(int) - np.asarray(painted).astype(int)
