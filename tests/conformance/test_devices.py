@@ -26,7 +26,8 @@ from burnish.targets.toolchain import Toolchain
 from ..cli.kit import invoke
 
 ROOT = Path(__file__).parents[2]
-FILES = tuple(f"examples/{name}.burnish" for name in ("plastic", "shadow_map", "blending", "x_ray"))
+FILES = tuple(f"examples/{name}.burnish" for name in ("plastic", "shadow_map", "x_ray"))
+MATERIALS = tuple(f"tests/conformance/materials/{name}.burnish" for name in ("kinds", "blended"))
 SOFTWARE = "llvmpipe"
 """The name of lavapipe's device."""
 
@@ -54,7 +55,7 @@ def rows(file: str, route: Route, runner: Runner, toolchain: Toolchain) -> list[
 
 
 @pytest.mark.xdist_group("wgpu")
-@pytest.mark.parametrize("file", [*FILES, "tests/conformance/materials/kinds.burnish"])
+@pytest.mark.parametrize("file", [*FILES, *MATERIALS])
 def test_wgpu_agrees(file: str, wgpu: Runner, toolchain: Toolchain) -> None:
     for row in rows(file, WGPU, wgpu, toolchain):
         assert row.status == "agrees", row.material
