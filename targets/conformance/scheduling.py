@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-LONG = 1 / 8
+LONG = 1 / 16
 """The part of a process's share of the whole work from which on a subject is long."""
 
 

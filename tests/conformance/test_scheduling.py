@@ -80,7 +80,7 @@ def test_all_examples(off: float, most: float, processes: int, estimates: dict[s
         assert share(real, order, processes) <= most * ideal
 
 
-@pytest.mark.parametrize("processes", [2, 4, 8, 16])
+@pytest.mark.parametrize("processes", [2, 4, 8, 16, 32])
 def test_all_examples_as_measured(processes: int, estimates: dict[str, Work]) -> None:
     """The order is that of the estimates, and the times are real ones."""
     seconds = json.loads(MEASURED.read_text("utf-8"))
@@ -88,9 +88,9 @@ def test_all_examples_as_measured(processes: int, estimates: dict[str, Work]) ->
     assert len(known) > 0.9 * len(estimates), "most examples are still there"
     order = begun([whole(work) for work in known.values()], processes)
     works = [scaled(work, seconds[label] / whole(work)) for label, work in known.items()]
-    assert share(works, order, processes) <= 1.06 / processes
+    assert share(works, order, processes) <= (1.06 if processes <= 16 else 1.2) / processes
     alone = [[whole(work)] for work in works]
-    if processes == 16:
+    if processes == 32:
         assert share(alone, order, processes) >= 1.3 / processes, "help is worth while"
         assert max(map(shortest, works)) <= 0.06 * sum(map(whole, works))
 

@@ -234,7 +234,7 @@ def material(members: str) -> str:
         (
             material("mixing alpha"),
             "error[B0213]: `mixing` does not belong in a material",
-            "`mixing` belongs in a pass",
+            "`mixing` belongs in a pass, such as `pass Drawn : Forward { mixing alpha }`",
         ),
         (material("b = vec3(1 +\nknob a = 2"), "error[B0108]: this `(` is never closed", ""),
     ],
