@@ -80,19 +80,28 @@ def test_all_examples(off: float, most: float, processes: int, estimates: dict[s
         assert share(real, order, processes) <= most * ideal
 
 
-@pytest.mark.parametrize("processes", [2, 4, 8, 16, 32])
-def test_all_examples_as_measured(processes: int, estimates: dict[str, Work]) -> None:
-    """The order is that of the estimates, and the times are real ones."""
+def as_measured(processes: int, estimates: dict[str, Work]) -> tuple[list[Work], list[int]]:
+    """The works of the examples with real times, and their order by the estimates."""
     seconds = json.loads(MEASURED.read_text("utf-8"))
     known = {label: work for label, work in estimates.items() if label in seconds}
     assert len(known) > 0.9 * len(estimates), "most examples are still there"
-    order = begun([whole(work) for work in known.values()], processes)
     works = [scaled(work, seconds[label] / whole(work)) for label, work in known.items()]
-    assert share(works, order, processes) <= (1.06 if processes <= 16 else 1.2) / processes
+    return works, begun([whole(work) for work in known.values()], processes)
+
+
+@pytest.mark.parametrize("processes", [2, 4, 8, 16])
+def test_all_examples_as_measured(processes: int, estimates: dict[str, Work]) -> None:
+    """The order is that of the estimates, and the times are real ones."""
+    works, order = as_measured(processes, estimates)
+    assert share(works, order, processes) <= 1.06 / processes
+    assert max(map(shortest, works)) <= 0.06 * sum(map(whole, works))
+
+
+def test_help_is_worth_while(estimates: dict[str, Work]) -> None:
+    """Many processes end earlier if those that have nothing to do help with long subjects."""
+    works, order = as_measured(32, estimates)
     alone = [[whole(work)] for work in works]
-    if processes == 32:
-        assert share(alone, order, processes) >= 1.3 / processes, "help is worth while"
-        assert max(map(shortest, works)) <= 0.06 * sum(map(whole, works))
+    assert share(alone, order, 32) >= 1.3 * share(works, order, 32)
 
 
 def test_the_order_of_files() -> None:
