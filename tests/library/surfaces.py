@@ -22,6 +22,8 @@ LIGHTS = {
 ALONG = unit(np.cross(NORMAL_IN_WORLD, (0.3, 1.0, -0.2)))
 ACROSS = np.cross(NORMAL_IN_WORLD, ALONG)
 TANGENT = np.linalg.solve(WORLD[:3, :3], ALONG)
+BACK = unit(NORMAL_IN_WORLD - 1.2 * (NORMAL_IN_WORLD @ TO_EYE) * TO_EYE)
+"""A normal that faces away from the eye, and towards two of the lights."""
 COAT_NORMAL = unit(NORMAL_IN_WORLD + np.array((0.2, -0.1, 0.15)))
 
 Knobs = Mapping[str, Any]
@@ -63,10 +65,8 @@ class Angles(NamedTuple):
 
 def angles(light: Floats, normal: Floats = NORMAL_IN_WORLD) -> Angles:
     half = unit(light + TO_EYE)
-    nl, nv, nh, lh = (
-        float(x @ y) for x, y in ((normal, light), (normal, TO_EYE), (normal, half), (light, half))
-    )
-    return Angles(light, TO_EYE, half, max(nl, 0.0), nv, nh, lh)
+    nl, nv, nh = (max(float(normal @ arrow), 0.0) for arrow in (light, TO_EYE, half))
+    return Angles(light, TO_EYE, half, nl, nv, nh, float(light @ half))
 
 
 # --- what is published ---------------------------------------------------------------------------
@@ -83,6 +83,8 @@ def luminous(f0: Any, lh: float) -> Any:
 
 def ggx(a: Angles, ax: float, ay: float) -> float:
     """Density and visibility of stretched facets (Burley 2012; Heitz 2014, equation 99)."""
+    if ax == ay:
+        return round_ggx(a, ax)
     x, y = a.half @ ALONG, a.half @ ACROSS
     density = 1 / (np.pi * ax * ay * ((x / ax) ** 2 + (y / ay) ** 2 + a.nh**2) ** 2)
 
@@ -97,12 +99,12 @@ def ggx(a: Angles, ax: float, ay: float) -> float:
 
 
 def round_ggx(a: Angles, width: float) -> float:
-    """The same for a normal whose angles are given, by one width."""
+    """The same by one width (Walter 2007, equation 33; Lagarde and de Rousiers 2014, 3.1.2)."""
     density = width**2 / (np.pi * (a.nh**2 * (width**2 - 1) + 1) ** 2)
     if a.nl <= 0:
         return 0.0
-    both = sum(np.sqrt(1 + width**2 * (1 / c**2 - 1)) for c in (a.nl, a.nv)) / 2
-    return float(density / (4 * a.nl * a.nv * both))
+    light, eye = (np.sqrt(c**2 + width**2 * (1 - c**2)) for c in (a.nl, a.nv))
+    return float(density / (2 * (a.nl * eye + a.nv * light)))
 
 
 def fresnel(ior: float, cosine: float) -> float:

@@ -10,6 +10,7 @@ import pytest
 from .kit import NORMAL_IN_WORLD, Floats, close
 from .surfaces import (
     AROUND,
+    BACK,
     COAT_NORMAL,
     GLOSS,
     MATT,
@@ -42,6 +43,10 @@ GLTF: dict[str, Knobs] = {
     "cloth": {"metallic": 0.0, "base_color": (0.4, 0.3, 0.2), "sheen_color": (0.8, 0.5, 0.6),
               "sheen_roughness": 0.6},
     "brushed": {"roughness": 0.3, "anisotropy_strength": 0.7, "base_color": (0.9, 0.6, 0.2)},
+    "from behind": {"normal": BACK, "clearcoat_normal": BACK, "clearcoat": 0.6,
+                    "clearcoat_roughness": 0.5, "metallic": 0.3, "roughness": 0.5,
+                    "sheen_color": (0.1, 0.2, 0.7), "sheen_roughness": 0.7},
+    "mirror": {"metallic": 0.0, "ior": 9.0, "specular_color": (1.0, 4.0, 0.5), "roughness": 0.5},
     "oil": {"metallic": 0.3, "roughness": 0.4, "iridescence": 0.6, "iridescence_ior": 1.5,
             "iridescence_thickness": 350.0, "base_color": (0.6, 0.5, 0.7)},
 }  # fmt: skip
@@ -64,7 +69,7 @@ def gltf(knobs: Knobs, light: Floats) -> Floats:
         "sheen_color": (0, 0, 0), "sheen_roughness": 0, "anisotropy_strength": 0, "iridescence": 0,
         "iridescence_ior": 1.3, "iridescence_thickness": 400, **knobs,
     }  # fmt: skip
-    a, c = angles(light), angles(light, k["clearcoat_normal"])
+    a, c = angles(light, k.get("normal", NORMAL_IN_WORLD)), angles(light, k["clearcoat_normal"])
     base, width = np.asarray(k["base_color"]), k["roughness"] ** 2
     along = width + k["anisotropy_strength"] ** 2 * (1 - width)
     gloss = ggx(a, along, width)
@@ -81,7 +86,7 @@ def gltf(knobs: Knobs, light: Floats) -> Floats:
     color = np.asarray(k["sheen_color"])
     rough = max(k["sheen_roughness"], 0.045) ** 2
     fibres = (2 + 1 / rough) * (1 - a.nh**2) ** (0.5 / rough) / (2 * np.pi)
-    cloth = GLOSS * color * fibres / (4 * (a.nl + a.nv - a.nl * a.nv))
+    cloth = GLOSS * color * fibres / (4 * max(a.nl + a.nv - a.nl * a.nv, 1e-30))
     left_eye, left_light = (1 - color.max() * sheen_share(x, rough) for x in (a.nv, a.nl))
     coat = k["clearcoat"] * (0.04 + 0.96 * fifth(c.nv))
     below = a.nl * (min(left_eye, left_light) * body + cloth)

@@ -11,6 +11,7 @@ import pytest
 from .kit import NORMAL_IN_WORLD, TO_EYE, Floats, close, unit
 from .surfaces import (
     AROUND,
+    BACK,
     COAT_NORMAL,
     GLOSS,
     MATT,
@@ -48,12 +49,14 @@ OPEN_PBR: dict[str, Knobs] = {
                "emission_luminance": 2.0, "emission_color": (0.5, 0.7, 0.2), "base_metalness": 0.3},
     "fuzzy": {"fuzz_weight": 0.8, "fuzz_color": (0.9, 0.7, 0.5), "fuzz_roughness": 0.3,
               "emission_luminance": 1.0},
+    "from behind": {"normal": BACK, "geometry_coat_normal": BACK, "coat_weight": 0.5,
+                    "coat_roughness": 0.5, "base_metalness": 0.4, "base_color": (0.2, 0.5, 0.9)},
     "film": {"thin_film_weight": 0.6, "thin_film_thickness": 0.4, "thin_film_ior": 1.6,
              "base_metalness": 0.5, "base_color": (0.6, 0.5, 0.7)},
 }  # fmt: skip
 
 
-def fuzz(a: Angles, y: float) -> tuple[float, float]:
+def fuzz(a: Angles, normal: Floats, y: float) -> tuple[float, float]:
     """The share and the density of Zeltner's fuzz, by its matrix in the axes of the eye."""
     x = a.nv
     s = y * (0.0206607 + 1.58491 * y) / (0.0379424 + y * (1.32227 + y))
@@ -67,8 +70,8 @@ def fuzz(a: Angles, y: float) -> tuple[float, float]:
         * y**3
         / (0.0000254053 + 1.71228 * x - 1.71506 * x * y + 1.34174 * y * y)
     )
-    forward = unit(a.eye - x * NORMAL_IN_WORLD)
-    w = np.array((a.light @ forward, a.light @ np.cross(NORMAL_IN_WORLD, forward), a.nl))
+    forward = unit(a.eye - x * normal)
+    w = np.array((a.light @ forward, a.light @ np.cross(normal, forward), a.nl))
     turned = np.array(((ai, 0, bi), (0, ai, 0), (0, 0, 1))) @ w
     return float(share), float(max(turned[2], 0) / np.pi * (ai / (turned @ turned)) ** 2)
 
@@ -118,8 +121,8 @@ def base_of(k: Mapping[str, Any], a: Angles) -> tuple[Any, Any, float]:
     clear = tint * boost(f0, share) * filmed(total, f0)
     eon = from_library(
         "eon_reflectance(rgb(albedo), r, n, l, e)", "std.reflectances", "vec3",
-        albedo=[k["base_color"]], r=k["base_diffuse_roughness"], n=[NORMAL_IN_WORLD], l=[a.light],
-        e=[TO_EYE],
+        albedo=[k["base_color"]], r=k["base_diffuse_roughness"],
+        n=[k.get("normal", NORMAL_IN_WORLD)], l=[a.light], e=[TO_EYE],
     )  # fmt: skip
     below = np.asarray(k["subsurface_color"])
     matt = lerp(k["base_weight"] * eon, below / np.pi, k["subsurface_weight"])
@@ -146,7 +149,8 @@ def darkening(k: Mapping[str, Any], cosine: float, f0: float) -> Any:
 def open_pbr(knobs: Knobs, light: Floats) -> Floats:
     """The model's layers, one on top of the other."""
     k = {**DEFAULTS, **knobs}
-    a, c = angles(light), angles(light, k["geometry_coat_normal"])
+    normal = k.get("normal", NORMAL_IN_WORLD)
+    a, c = angles(light, normal), angles(light, k["geometry_coat_normal"])
     base, even, f0 = base_of(k, a)
     n, weight, tints = k["coat_ior"], k["coat_weight"], np.asarray(k["coat_color"])
     width = max(k["coat_roughness"], 0.045) ** 2
@@ -160,7 +164,7 @@ def open_pbr(knobs: Knobs, light: Floats) -> Floats:
         return (1 - coat_share) * darkening(k, c.nv, f0) * lerp(1, absorbed, weight)
 
     coat = weight * GLOSS * fresnel(n, c.lh) * round_ggx(c, width)
-    fuzz_share, density = fuzz(a, k["fuzz_roughness"])
+    fuzz_share, density = fuzz(a, normal, k["fuzz_roughness"])
     kept, fibres = k["fuzz_weight"] * fuzz_share, np.asarray(k["fuzz_color"])
     lit = (1 - kept) * (a.nl * passed(c.nl) * base + c.nl * coat) + GLOSS * kept * fibres * density
     even = kept * fibres + (1 - kept) * (coat_share + passed(c.nv) * even)

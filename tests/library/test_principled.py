@@ -10,6 +10,7 @@ import pytest
 from .kit import NORMAL_IN_WORLD, Floats, close
 from .surfaces import (
     AROUND,
+    BACK,
     GLOSS,
     MATT,
     Knobs,
@@ -30,6 +31,7 @@ PRINCIPLED: dict[str, Knobs] = {
     "lacquer": {"clearcoat": 0.8, "clearcoat_gloss": 0.3, "roughness": 0.7, "specular": 0.9,
                 "specular_tint": 0.6, "metallic": 0.3},
     "brushed": {"anisotropic": 0.8, "metallic": 1.0, "roughness": 0.45},
+    "from behind": {"normal": BACK, "clearcoat": 0.7, "clearcoat_gloss": 0.2, "metallic": 0.3},
     "black": {"base_color": (0.0, 0.0, 0.0), "sheen": 1.0, "sheen_tint": 1.0},
 }  # fmt: skip
 
@@ -41,7 +43,7 @@ def principled(knobs: Knobs, light: Floats) -> Floats:
         "specular_tint": 0, "roughness": 0.5, "anisotropic": 0, "sheen": 0, "sheen_tint": 0.5,
         "clearcoat": 0, "clearcoat_gloss": 1, **knobs,
     }  # fmt: skip
-    a, base = angles(light), np.asarray(k["base_color"])
+    a, base = angles(light, k.get("normal", NORMAL_IN_WORLD)), np.asarray(k["base_color"])
     bright = base @ (0.3, 0.6, 0.1)
     hue = base / bright if bright > 0 else np.ones(3)
     spec0 = k["specular"] * 0.08 * (1 + k["specular_tint"] * (hue - 1))
@@ -50,7 +52,7 @@ def principled(knobs: Knobs, light: Floats) -> Floats:
     f90 = a.lh**2 * k["roughness"]
     matt = (1 + fl * (2 * f90 - 0.5)) * (1 + fv * (2 * f90 - 0.5))
     flat = (1 + fl * (f90 - 1)) * (1 + fv * (f90 - 1))
-    flat = 1.25 * (flat * (1 / (a.nl + a.nv) - 0.5) + 0.5)
+    flat = 1.25 * (flat * (1 / max(a.nl + a.nv, 1e-30) - 0.5) + 0.5)
     scattered = base / np.pi * (matt + k["subsurface"] * (flat - matt))
     cloth = fh * k["sheen"] * (1 + k["sheen_tint"] * (hue - 1))
     aspect = np.sqrt(1 - 0.9 * k["anisotropic"])
