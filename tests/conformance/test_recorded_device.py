@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from burnish.support.frozen import changed
+from burnish.targets.conformance import sample
 from burnish.targets.conformance.bounds import Bounds, bounds_of, promised
 from burnish.targets.conformance.drivers import DRIVERS
 from burnish.targets.conformance.profiles import keep
@@ -55,6 +57,15 @@ class Pixel:
     case: str
     at: tuple[int, int]
     drawn: tuple[float, ...]
+
+
+@pytest.fixture(autouse=True)
+def data_in_textures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No texture was encoded as sRGB when these were drawn, as those of colours are now."""
+    sampled = sample._sampled_texture
+    monkeypatch.setattr(
+        sample, "_sampled_texture", lambda row, *rest: sampled(changed(row, intent="data"), *rest)
+    )
 
 
 PIXELS = [Pixel(**row) for row in RECORD["pixels"]]
