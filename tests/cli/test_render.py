@@ -122,7 +122,9 @@ def test_values(
     monkeypatch.chdir(tmp_path)
     Image.new("RGB", (4, 4), (128, 0, 0)).save("half.png")
     given = [values] if "=" not in values.partition(" ")[2] else values.split()
-    options = [word for value in (*NOTHING, *given) for word in ("--set", value)]
+    names = {value.partition("=")[0] for value in given}
+    others = [value for value in NOTHING if value.partition("=")[0] not in names]
+    options = [word for value in (*others, *given) for word in ("--set", value)]
     assert middle(draw(FLAT, tmp_path, *options)) == pytest.approx(wanted, abs=1)
 
 

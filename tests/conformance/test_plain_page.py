@@ -99,7 +99,8 @@ def test_it_draws_the_same(
     found = drawn_by_page(page, material, state, to_json(material.reflection))
     expected = drawn_by_runtime(studio, material, state)
     assert len(np.unique(expected.reshape(-1, 4), axis=0)) > 100
-    assert (found == expected).all()
+    # Devices may round what they encode as sRGB to either neighbour.
+    assert np.abs(found.astype(int) - expected.astype(int)).max() <= 1
 
 
 Reflection = dict[str, Any]
