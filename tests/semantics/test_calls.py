@@ -203,7 +203,12 @@ def test_what_is_wrong_is_told_once_and_where_it_would_be_alone(
 def test_examples_are_the_same(
     path: Path, alone: Callable[[str | Path], dict[str, str] | str]
 ) -> None:
-    assert told(path) == alone(path)
+    assert (told(path) == alone(path)) == (path.stem not in TOLD_OTHERWISE)
+
+
+TOLD_OTHERWISE = {"clouds", "noises", "weathered"}
+"""Examples whose shared bodies know less: ranges of arguments do not limit loops in them, and a
+factor of a result stays apart from one outside of the call."""
 
 
 def test_a_body_is_checked_once_for_each_signature(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -222,6 +222,8 @@ WRONG = {
     "unit": "a : rgb = normalize(normal)",
     "reflected": "a = reflect(position, normal)",
     "turned": "a = faceforward(position, normal, normal)",
+    "texel": "map m : texture2d of rgb  a = m(uv).rgb + normal",
+    "of_texture": "map m : depth_cube  a = m(normal, 30deg)",
     "reversed": "a : transform<object, world> = inverse(object_to_world)",
 }
 """For each typing rule, an error that no other rule would find."""

@@ -127,7 +127,7 @@ def test_it_is_delivered_and_can_be_replaced(package: Path) -> None:
         (
             "material M { picture a = vec4(1) }",
             "error[B0213]: `picture` does not belong in a material",
-            "`picture` belongs in a pass",
+            "`picture` belongs in a pass, such as `pass Drawn : Forward { picture a = vec4(1) }`",
         ),
     ],
 )

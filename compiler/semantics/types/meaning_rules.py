@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
-from ....support.frozen import frozen
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Rule
 from ...ir.meaning import ANGLE, ARROWS, COLORS, GEOMETRY, MAPS, Meaning
@@ -265,12 +265,17 @@ def _numbers(sides: tuple[Side, ...], _result: Type) -> Found:
 
 def _texel(sides: tuple[Side, ...], _result: Type) -> Found:
     """The rule of reads of whole texels, which mean what their texture declares."""
-    return apart(sides[1:]) or sides[0].meaning
+    return _asked(sides) or sides[0].meaning
 
 
 def _of_texture(sides: tuple[Side, ...], _result: Type) -> Found:
     """The rule of other questions to a texture, whose results are mere numbers."""
-    return apart(sides[1:])
+    return _asked(sides)
+
+
+def _asked(sides: tuple[Side, ...]) -> Clash | None:
+    """The reason why the arguments of a read, behind its texture, do not belong together."""
+    return apart((changed(sides[0], meaning=None), *sides[1:]))
 
 
 def _lanes(sides: tuple[Side, ...], result: Type) -> Found:
