@@ -14,11 +14,29 @@ import pytest
 import burnish
 from burnish.targets.runner.frames.scenery import in_a_row
 
+from ..library.kit import Place
 from ..semantics.kit import color
 from .kit import Floats, drawn
 
 LIBRARY = Path(burnish.__file__).parent / "stdlib"
+PLAIN = Place((1.0, 1.0, 1.0, 1.0))
+SIZES, CONES = (0.001, 1000.0), (0.0, math.radians(90))
+FURTHER: dict[tuple[str, str], dict[str, tuple[float, float]]] = {
+    ("Rectangle", "area_lights"): {"width": SIZES, "height": SIZES},
+    ("Disc", "area_lights"): {"radius": SIZES},
+    ("Sphere", "area_lights"): {"radius": SIZES},
+    ("Tube", "area_lights"): {"size": SIZES, "radius": (0.001, 100.0)},
+    ("PhotometricPoint", "photometry"): {"lumens": (0.0, 1e7)},
+    ("PhotometricSpot", "photometry"): {"lumens": (0.0, 1e7), "inner": CONES, "outer": CONES},
+    ("PhotometricSun", "photometry"): {"lux": (0.0, 1e6)},
+    ("Projector", "projectors"): {
+        "spread": (math.radians(1), math.radians(170)), "aspect": (0.01, 100.0),
+    },
+    ("Luminaire", "ies"): {"dimming": (0.0, 1000.0)},
+}  # fmt: skip
+"""Lights whose ranges are tried at all of their ends together, by their files."""
 TESTED = {
+    **{light: set(ranges) for (light, _), ranges in FURTHER.items()},
     "Spot": {"inner", "outer"},
     "FocusedSpot": {"peak", "focus"},
     "PunctualPoint": {"reach"},
@@ -160,3 +178,23 @@ def test_a_wide_filter_blurs_a_shadow_and_no_more() -> None:
     places, lit = on_the_floor("resolution = 256", outer=math.radians(40), spread=8.0)
     assert lit[radii(places) < 0.3].max() < 0.3
     assert lit[(radii(places) > 1.3) & (radii(places) < 1.4)].min() > 0.1
+
+
+@pytest.mark.parametrize(("light", "module"), FURTHER)
+def test_light_is_a_number_at_the_ends_of_all_ranges(light: str, module: str) -> None:
+    """Below the lamp, beside it, above it, and so near that a large lamp has the point inside."""
+    text = (
+        f"import std.{module}.{{{light}}}\nimport std.terms.{{lambert}}\n"
+        f"material M {{ color = lambert(vec3(1)) }}\nrig R {{ lamp : {light} }}"
+    )
+    ranges = FURTHER[light, module]
+    for ends in product(*ranges.values()):
+        given: dict[str, Any] = {
+            f"lamp.{name}": end for name, end in zip(ranges, ends, strict=True)
+        }
+        given |= {"lamp.place": (0.0, 2.0, 0.0), "lamp.slide": PLAIN, "lamp.profile": PLAIN}
+        for place in ((0.0, 0.0, 0.0), (3.0, 1.0, -1.0), (0.5, 5.0, 0.5), (0.1, 1.9, 0.0)):
+            found = color(
+                text, {"vertex_position": place, "vertex_normal": (0.0, 1.0, 0.0), **given}
+            )
+            assert all(math.isfinite(lane) and lane >= 0 for lane in found), (ends, place)
