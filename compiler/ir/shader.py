@@ -64,6 +64,8 @@ class ParameterInfo(LeafInfo):
     """The rig's entry that it belongs to."""
     library: str = ""
     """The declaration of the library that it is: ``std.file.Record.name``; empty for others."""
+    declared_by: str = ""
+    """The material, mixin, light or other record that declares it; empty if none does."""
 
 
 @frozen
@@ -96,6 +98,8 @@ class TextureInfo(LeafInfo):
     leaf: Texture
     library: str = ""
     """The declaration of the library that it is, as for parameters."""
+    declared_by: str = ""
+    """The record that declares it, as for parameters."""
     is_brought: bool = False
     """True if it belongs to a light that brings the steps to make it, which frames run."""
     intent: Intent | None = None

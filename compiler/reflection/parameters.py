@@ -78,6 +78,7 @@ def _parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -
     return ParameterRow(
         name=parameter.name,
         **_declaration(info),
+        declared_by=info.declared_by or None,
         role=role_of(info),
         group=parameter.group,
         **places.row(parameter),

@@ -52,6 +52,7 @@ class TextureRows:
             stages=tuple(name for name, read in self._stages.items() if texture in read),
             doc=info.doc,
             library=info.library or None,
+            declared_by=info.declared_by or None,
             brought=info.is_brought,
         )
 

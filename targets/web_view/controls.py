@@ -31,6 +31,7 @@ def controls(host: FrameHost) -> list[dict[str, Any]]:
 
     Parameters of one name have one row if they are set together: those of several shaders of a
     material, and of the rig. Those of several materials are told apart, as ``Clay.base``.
+    ``inherited_from`` names the declaration that brings one, if it is not the section's own.
     """
     found: dict[str, dict[str, Any]] = {}
     of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan.rig)
@@ -103,10 +104,17 @@ def _of_shaders(host: FrameHost) -> Iterator[dict[str, Any]]:
             if _belongs(row, reflection.lights):
                 continue
             section = reflection.rig if row.group == "rig" else titles
-            yield from _of_parameter(row, instance, section)
+            for control in _of_parameter(row, instance, section):
+                yield {**control, "inherited_from": _base(row.declared_by, section)}
         for texture in reflection.textures:
             if texture.stages and texture.name not in given.get(number, ()):
-                yield _texture(texture, instance, titles)
+                control = _texture(texture, instance, titles)
+                yield {**control, "inherited_from": _base(texture.declared_by, titles)}
+
+
+def _base(declared_by: str | None, section: str) -> str | None:
+    """The base, mixin or pass that brings a parameter to a section; ``None`` if it is its own."""
+    return None if declared_by == section else declared_by
 
 
 def _given(plan: FramePlan) -> Mapping[int, frozenset[str]]:
@@ -135,7 +143,8 @@ def _titles(plan: FramePlan, shader: int) -> str:
 
 def _texture(row: TextureDeclaration, instance: HostValues, section: str) -> dict[str, Any]:
     return {
-        "name": row.name, "section": section, "is_light": False, "element": None,
+        "name": row.name, "section": section, "inherited_from": None,
+        "is_light": False, "element": None,
         "doc": row.doc,
         "kind": "texture", "type": row.type, "dimension": row.dimension,
         "sample": row.sample, "intent": row.intent, "value": row.default,
@@ -150,7 +159,8 @@ def _of_parameter(
         return
     for name, shape in _parts(row.name, shape_of(row), section if is_light else None):
         yield {
-            "name": name, "section": section, "is_light": is_light, "element": None,
+            "name": name, "section": section, "inherited_from": None,
+            "is_light": is_light, "element": None,
             "doc": shape.doc or (row.doc if name == row.name else ""),
             "kind": _kind(shape), "type": shape.type, "lanes": shape.lanes,
             "columns": shape.columns, "whole": shape.kind in ("int", "uint"),

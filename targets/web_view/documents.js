@@ -10,6 +10,8 @@
  * @typedef {object} Control
  * @property {string} name
  * @property {string} section
+ * @property {string | null} inherited_from The base, mixin or pass that declares it; null if its
+ *   section does.
  * @property {string} doc
  * @property {"number" | "angle" | "vector" | "direction" | "matrix" | "color" | "checkbox"
  *   | "checkboxes" | "texture"} kind

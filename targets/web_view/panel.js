@@ -178,6 +178,12 @@ export class Panel {
     this.#rows.clear();
     /** @type {Map<string, HTMLElement>} */
     const sections = new Map();
+    /** What each section inherits, by the section and the declaration that it is from. */
+    /** @type {Map<string, { section: HTMLElement, inside: HTMLElement }>} */
+    const inherited = new Map();
+    const haveOwn = new Set(
+      controls.filter((each) => !each.inherited_from).map((each) => each.section),
+    );
     for (const control of controls) {
       let section = sections.get(control.section);
       if (!section) {
@@ -185,7 +191,20 @@ export class Panel {
         section = this.#section(control.section, begins);
         sections.set(control.section, section);
       }
-      section.append(this.#row(control).element);
+      const from = control.inherited_from;
+      let inside = section;
+      if (from) {
+        const key = `${control.section} ← ${from}`;
+        // A section that has nothing of its own shows what it inherits.
+        const begins = open.get(key) ?? !haveOwn.has(control.section);
+        const known = inherited.get(key);
+        inside = known?.inside ?? this.#section(key, begins, `from ${from}`);
+        if (!known) inherited.set(key, { section, inside });
+      }
+      inside.append(this.#row(control).element);
+    }
+    for (const { section, inside } of inherited.values()) {
+      section.append(present(inside.parentElement));
     }
     const nothing = make("p", { class: "nothing" }, "Nothing to set: no parameters are declared.");
     this.#root.replaceChildren(...(sections.size
@@ -196,14 +215,16 @@ export class Panel {
   }
 
   /**
-   * @param {string} title
+   * A section that can be folded; `key` tells it from all others when the panel is built again.
+   * @param {string} key
    * @param {boolean} open
+   * @param {string} title
    * @returns {HTMLElement}
    */
-  #section(title, open) {
+  #section(key, open, title = key) {
     const inside = make("div", { class: "controls" });
     const details = make("details", { open }, make("summary", {}, title), inside);
-    details.dataset.section = title;
+    details.dataset.section = key;
     return inside;
   }
 

@@ -115,3 +115,36 @@ def test_a_frame_sets_some_of_its_passes() -> None:
     host.set("Jade.base", (0, 0, 0))
     values = {row["name"]: row["value"] for row in controls(host)}
     assert values["Jade.base"] == (0, 0, 0) != values["Clay.base"]
+
+
+INHERITING = """
+abstract material Glazed {
+    param gloss : float in 0..1 = 0.5
+    param tint  : rgb = #ffffff
+    map   dirt  : texture2d of rgb = white
+    color = base * gloss * tint * dirt(uv).rgb
+    base  : rgb
+}
+
+material Tile : Glazed {
+    param glaze : rgb = #336699
+    param tint  : rgb = #ff0000
+    base = glaze
+}
+"""
+
+
+def test_what_a_material_inherits_is_told_from_its_own() -> None:
+    (material,) = burnish.compile(INHERITING, ("wgsl",)).materials
+    of = material.reflection
+    declared = {row.name: row.declared_by for row in of.parameters}
+    declared |= {row.name: row.declared_by for row in of.textures}
+    assert [declared[name] for name in ("glaze", "tint", "gloss", "dirt", "eye")] == [
+        "Tile", "Tile", "Glazed", "Glazed", "Surface",
+    ]  # fmt: skip
+    frame = single_frame(material)
+    found = controls(FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8)))
+    own = [row for row in found if not row["is_light"]]
+    assert {row["name"]: row["inherited_from"] for row in own} == {
+        "glaze": None, "tint": None, "gloss": "Glazed", "dirt": "Glazed",
+    }  # fmt: skip

@@ -235,6 +235,39 @@ def test_choices_are_in_the_address(browser: Browser, page: Page, viewer: Viewer
         shows(page, _of_normal(0, 0))
 
 
+INHERITING = """
+abstract material Shaded {
+    param level : float in 0..1 = 1
+    color = base * level
+    base : rgb
+}
+
+material Painted : Shaded {
+    param paint : rgb = #b5651d
+    base = paint
+}
+
+material Plain : Shaded { base = #ffffff }
+"""
+
+
+def test_what_is_inherited_is_folded(page: Page, viewer: Viewer) -> None:
+    write(viewer, INHERITING)
+    page.wait_for_selector("h2:has-text('Painted')")
+    shows(page, (0xB5, 0x65, 0x1D))
+    own, inherited = page.locator("[data-name=paint]"), page.locator("[data-name=level]")
+    assert (own.is_visible(), inherited.is_visible()) == (True, False)
+    page.locator("summary:text-is('from Shaded')").click()
+    inherited.locator("[type=number]").fill("0")
+    shows(page, (0, 0, 0))
+    write(viewer, INHERITING.replace("#b5651d", "#336699"))
+    until(lambda: own.locator(".code").inner_text() == "#336699", "the new default")
+    assert inherited.is_visible(), "what was opened stays open"
+    page.locator("#subject").select_option("Plain")
+    page.wait_for_selector("h2:has-text('Plain')")
+    assert inherited.is_visible(), "it is all that there is"
+
+
 NO_WEBGPU = "delete Navigator.prototype.gpu;"
 
 

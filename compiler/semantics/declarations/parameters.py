@@ -127,7 +127,7 @@ def _is_shared(info: LeafInfo) -> bool:
 
 def _leaves(ctx: Context, record: Record, owner: str, given: Mapping[str, Definition]) -> Leaves:
     return tuple(
-        changed(info, library=_library_name(record, name))
+        changed(info, library=_library_name(record, name), declared_by=definition.owner.name)
         if isinstance(info, ParameterInfo | TextureInfo)
         else info
         for name, definition in leaf_definitions(record, given)
