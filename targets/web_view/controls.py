@@ -103,18 +103,20 @@ def _of_shaders(host: FrameHost) -> Iterator[dict[str, Any]]:
                 continue
             if _belongs(row, reflection.lights):
                 continue
-            section = reflection.rig if row.group == "rig" else titles
+            is_of_rig = row.group == "rig"
+            section = reflection.rig if is_of_rig else titles
+            base = None if is_of_rig else _base(row.declared_by, section)
             for control in _of_parameter(row, instance, section):
-                yield {**control, "inherited_from": _base(row.declared_by, section)}
+                yield {**control, "inherited_from": base}
         for texture in reflection.textures:
             if texture.stages and texture.name not in given.get(number, ()):
                 control = _texture(texture, instance, titles)
                 yield {**control, "inherited_from": _base(texture.declared_by, titles)}
 
 
-def _base(declared_by: str | None, section: str) -> str | None:
-    """The base, mixin or pass that brings a parameter to a section; ``None`` if it is its own."""
-    return None if declared_by == section else declared_by
+def _base(declared_by: str | None, material: str) -> str | None:
+    """The base, mixin or pass that brings a parameter to a material; ``None`` if it is its own."""
+    return None if declared_by == material else declared_by
 
 
 def _given(plan: FramePlan) -> Mapping[int, frozenset[str]]:
