@@ -22,6 +22,7 @@ from ...compiler.diagnostics.display import harmless_lines
 from ...compiler.diagnostics.file_names import DEVICES
 from ...targets.conformance.html_pages import Embedded, environment
 from ...targets.conformance.rows import STATUSES
+from ...targets.conformance.summary import MEANINGS
 from ...targets.runner.routes import Route
 from ..catalogue import ENDING, Group, Listed
 from ..comments import paragraphs
@@ -82,7 +83,7 @@ def pages(
             source=burnish_text(page.entry["source"]),
             doc=paragraphs(page.entry["source"]),
             figures=_by_label(page.entry["figures"]),
-            verdicts=_by_label(page.entry["verdicts"]),
+            verdicts=_by_label(page.entry["verdicts"]), columns=MEANINGS,
             summary=in_short(page.entry), state=_state(page.entry),
             used_by=[_card(user, {}) for user in users.get(page.listed.name, ())],
         )  # fmt: skip

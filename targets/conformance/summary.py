@@ -16,7 +16,16 @@ from .rows import STATUSES, CaseResult, Row, Status
 FAILURES: frozenset[Status] = frozenset({"differs", "overflows", "failed"})
 """The statuses that make the exit code 1."""
 
-HEADINGS = ("route", "result", "max |difference|", "of bound", "bound in steps", "unproven")
+MEANINGS = {
+    "route": "The way to a picture: a language of shaders, and the API and device that draw.",
+    "result": "Whether every pixel lies between the bounds that a conforming device has to keep.",
+    "max |difference|": "How far a pixel is from the reference at most, in the target's numbers.",
+    "of bound": "How much of its bound the worst pixel needs.",
+    "bound in steps": "How wide bounds usually are, in steps of what the render target can hold.",
+    "unproven": "How many pixels the bounds say nothing about, or leave undecided.",
+}
+"""Columns of a table of verdicts, with what each of them says."""
+HEADINGS = tuple(MEANINGS)
 
 
 @dataclass(frozen=True, slots=True)
