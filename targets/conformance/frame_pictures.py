@@ -10,7 +10,6 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +21,7 @@ from ...compiler.reference.picture import Counted, RasterRules
 from ..runner import __file__ as runner_file
 from ..runner.frames.reference_textures import DrawnTexture
 from ..runner.frames.subjects import PlannedFrame
+from ..runner.kept_arrays import dumped_arrays, loaded_arrays
 from ..runner.kept_pictures import Rules, kept
 from ..runner.reference import code_digest
 from ..runner.store import Store, digest, digest_of_sources
@@ -82,27 +82,21 @@ def ingredients_of(
 
 
 def dumped(pictures: FramePictures) -> bytes:
-    """Pictures as a head and arrays, one after the other in NumPy's format."""
-    stream = BytesIO()
-    shown = [(name, each) for frame in pictures.frames for name, each in frame.items()]
+    """Pictures as bytes, from which ``loaded`` makes them again."""
+    shown = [each for frame in pictures.frames for each in frame.values()]
     names = [[(name, each.format) for name, each in frame.items()] for frame in pictures.frames]
-    head = np.array(json.dumps([names, sorted(pictures.counted)]))
-    for array in (head, *(part for _, each in shown for part in (each.ends, each.undecided))):
-        np.save(stream, array, allow_pickle=False)
-    return stream.getvalue()
+    parts = (part for each in shown for part in (each.ends, each.undecided))
+    return dumped_arrays([names, sorted(pictures.counted)], parts)
 
 
 def loaded(data: bytes) -> FramePictures:
-    """The pictures that were dumped. Unlike a pickle, this format cannot contain code."""
-    stream = BytesIO(data)
-    names, counted = json.loads(str(np.load(stream, allow_pickle=False)))
-    frames = []
-    for frame in names:
-        shown = {}
-        for name, format_ in frame:
-            ends, undecided = (np.load(stream, allow_pickle=False) for _ in range(2))
-            shown[name] = OutputPicture(format_, ends, undecided)
-        frames.append(shown)
+    """The pictures that were dumped."""
+    (names, counted), arrays = loaded_arrays(data)
+    rest = iter(arrays)
+    frames = [
+        {name: OutputPicture(format_, next(rest), next(rest)) for name, format_ in frame}
+        for frame in names
+    ]
     return FramePictures(frames, frozenset(map(tuple, counted)))
 
 

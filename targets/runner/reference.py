@@ -9,7 +9,6 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +28,7 @@ from .drivers.wire import to_json
 from .instances.derived import Inputs, computed
 from .instances.instance import Instance
 from .instances.shapes import shape_of
+from .kept_arrays import dumped_arrays, loaded_arrays
 from .kept_pictures import Rules, kept
 from .scene_state import SceneState
 from .store import Store, digest, digest_of_sources
@@ -180,25 +180,18 @@ def remembered(
 
 
 def dumped(picture: Expected) -> bytes:
-    """A picture as its arrays, one after the other in NumPy's format."""
-    stream = BytesIO()
+    """A picture as bytes, from which ``loaded`` makes it again."""
     ends = *picture.targets, *picture.low, *picture.high
-    counted = np.array(json.dumps(sorted(picture.counted)))
-    for array in (counted, picture.covered, picture.undecided, picture.layers, *ends):
-        np.save(stream, array, allow_pickle=False)
-    return stream.getvalue()
+    parts = picture.covered, picture.undecided, picture.layers, *ends
+    return dumped_arrays(sorted(picture.counted), parts)
 
 
 def loaded(data: bytes) -> Expected:
-    """The picture that was dumped. Unlike a pickle, this format cannot contain code."""
-    stream = BytesIO(data)
-    arrays = []
-    while stream.tell() < len(data):
-        arrays.append(np.load(stream, allow_pickle=False))
-    counted, covered, undecided, layers, *floats = arrays
+    """The picture that was dumped."""
+    counted, (covered, undecided, layers, *floats) = loaded_arrays(data)
     count = len(floats) // 3
     targets, low, high = (tuple(floats[i * count :][:count]) for i in range(3))
-    rules = frozenset(map(tuple, json.loads(str(counted))))
+    rules = frozenset(map(tuple, counted))
     return Expected(targets, covered, undecided, low, high, layers, counted=rules)
 
 
