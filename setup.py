@@ -68,7 +68,11 @@ setup(
     # Only editors read these files of the checkout; pages get them from the package `generated`.
     exclude_package_data={"burnish.targets": ["web_host/generated/*"]},
     package_data={
-        "burnish": ["py.typed"],
+        "burnish": [
+            "py.typed",
+            *(f"docs/**/*.{ending}" for ending in ("md", "png")),
+            *(f"examples/**/*.{ending}" for ending in ("burnish", "md", "said", "png", "hdr")),
+        ],
         "burnish.stdlib": ["*.burnish", "*.toml"],
         # Not every folder below these is a package.
         **{

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import NoReturn
 
 import click
 
+from ..support.installing import install_command
 from .console import remark, show
 from .terminal import FAILED
 
@@ -21,6 +23,12 @@ PACKAGES = {
     "watchfiles": ("the viewer needs watchfiles", "view"),
 }
 """The message about a missing package, and the extra that installs it, by its imported name."""
+REFERENCE = "reference"
+"""The route of `--on` that needs no driver."""
+COMMANDS = {"view": "view", "conform": "run"}
+"""The extra that a command never goes without."""
+_OF_SCENES = re.compile(r"\.(exr|hdr|glb|gltf)\b", re.IGNORECASE)
+"""The endings of files for which the extra ``scenes`` is needed."""
 
 
 def fail(text: str) -> NoReturn:
@@ -94,4 +102,17 @@ def lacking(error: ModuleNotFoundError) -> str:
     if package is None:
         raise error
     lack, extra = package
-    return f"{lack}, which is not installed: pip install 'burnish[{extra}]'"
+    return f"{lack}, which is not installed: {install_command({extra, *_extras_of_command()})}"
+
+
+def _extras_of_command() -> Iterator[str]:
+    """The extras that the running command needs besides, so that one installation is enough."""
+    context = click.get_current_context(silent=True)
+    if context is None:
+        return  # A thread of the viewer's server, which has its packages.
+    if context.info_name in COMMANDS:
+        yield COMMANDS[context.info_name]
+    if set(context.params.get("on") or ()) - {REFERENCE}:
+        yield "run"
+    if _OF_SCENES.search(repr(context.params)):
+        yield "scenes"

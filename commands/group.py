@@ -26,6 +26,8 @@ COMMANDS = (
     "corpus",
     "targets",
     "doctor",
+    "docs",
+    "example",
     "explain",
     "schema",
 )

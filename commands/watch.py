@@ -19,6 +19,7 @@ import click
 from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.frontend import Frontend
 from ..compiler.inputs import Inputs
+from ..support.installing import install_command
 from .console import remark
 
 _POLL = 1000
@@ -49,7 +50,8 @@ def watch(files: Sequence[Path], search_path: Sequence[Path], act: Callable[[], 
     try:
         import watchfiles  # noqa: F401
     except ImportError:
-        raise click.UsageError("--watch needs one more package: pip install watchfiles") from None
+        command = install_command(["watch"])
+        raise click.UsageError(f"--watch needs one more package: {command}") from None
     watcher = Watcher[Path]()
 
     def follow(file: Path) -> None:

@@ -435,6 +435,8 @@ class RenderStateRow:
 
     With several, the targets are resolved at the end: each pixel becomes the mean of its samples.
     """
+    alpha_to_coverage: bool
+    """True: the alpha of the first target says how many of the samples a fragment covers."""
     depth: DepthState
     """The depth test."""
     stencil: StencilState | None

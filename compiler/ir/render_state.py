@@ -167,6 +167,8 @@ class RenderState:
     """
     samples: Samples = 1
     """The number of places of a pixel where visibility is decided, one of ``SAMPLES``."""
+    alpha_to_coverage: bool = False
+    """True if a fragment covers a share of these that its alpha in the first target says."""
     depth: DepthState = DepthState()
     stencil: StencilState = StencilState()
 

@@ -158,6 +158,7 @@ def _render_state_row(state: RenderState) -> RenderStateRow:
         front=state.front,
         fill=state.fill,
         samples=state.samples,
+        alpha_to_coverage=state.alpha_to_coverage,
         depth=state.depth,
         stencil=state.stencil if state.stencil.is_used else None,
     )

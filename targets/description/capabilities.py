@@ -192,6 +192,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         "move the vertices to the depth: `position = …`",
     ),
     Capability(
+        "alpha to coverage",
+        "The alpha of a fragment says how many samples it covers: "
+        "`raster { samples = 4, alpha_to_coverage = true }`.",
+        (Way((a_stage(FRAGMENT),)),),
+    ),
+    Capability(
         "expansions",
         "A primitive of the mesh becomes triangles or lines: `expand triangle { … }`.",
         (Way((a_stage(GEOMETRY),)), Way((INSTANCES,), AS_INSTANCES)),

@@ -78,6 +78,7 @@ def pipeline(reflection: Reflection, route: Route, codes: Codes) -> Pipeline:
         cull=state.cull,
         fill=state.fill,
         samples=state.samples,
+        alpha_to_coverage=state.alpha_to_coverage,
         depth=state.depth,
         stencil=state.stencil,
         flip_y=backend.flip_y,

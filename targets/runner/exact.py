@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from ...compiler.documents.drawing import TargetRow
 from ...compiler.documents.reflection import Reflection
@@ -23,6 +24,9 @@ _FLOATS: Mapping[Type, str] = {
     TARGET_FORMATS[name].type: name for name in ("r32f", "rg32f", "rgba32f")
 }
 """For each type that is written to a target, a format that can hold every value of it."""
+
+_WHOLE: Any = {"samples": 1, "alpha_to_coverage": False}
+"""The state by which each fragment is written to a whole pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,7 @@ class Exact:
             changed(
                 reflection,
                 targets=tuple(map(_exact_row, reflection.targets)),
-                render_state=changed(reflection.render_state, samples=1),
+                render_state=changed(reflection.render_state, **_WHOLE),
             ),
         )
 
@@ -76,7 +80,7 @@ class Exact:
 def exact_shader(shader: Shader) -> Shader:
     """The shader with targets that keep what it writes."""
     results = tuple(map(_exact_result, shader.results))
-    return changed(shader, results=results, render_state=changed(shader.render_state, samples=1))
+    return changed(shader, results=results, render_state=changed(shader.render_state, **_WHOLE))
 
 
 def exact_format(declared: str) -> str:

@@ -13,8 +13,10 @@ from itertools import chain
 
 from ...compiler.diagnostics.nearest import suggestion
 from ...stdlib.builtins.accuracy import Platform
+from ...support.installing import install_command
 from ..toolchain.checkers import CHECKERS
 from ..toolchain.limits import BROWSERS, WORKERS, Limits
+from ..toolchain.sources import Extra
 from ..toolchain.surroundings import python_worker
 from ..toolchain.tools import ToolState, inspect_all, tool_named
 
@@ -283,8 +285,22 @@ def inspect_tools(routes: Iterable[Route]) -> dict[str, ToolState]:
 
 def problem(route: Route, states: Mapping[str, ToolState]) -> str | None:
     """The reasons why a route cannot draw, tool by tool; ``None`` if it can."""
-    problems = (states[name].problem for name in route.needs)
-    return "; ".join(text for text in problems if text) or None
+    needed = [states[name] for name in route.needs]
+    missing = {
+        state.tool.name: state.tool.source.name
+        for state in needed
+        if not state.paths and isinstance(state.tool.source, Extra)
+    }
+    others = [state.problem for state in needed if state.tool.name not in missing and state.problem]
+    return "; ".join([*others, *_lacking_packages(missing)]) or None
+
+
+def _lacking_packages(missing: Mapping[str, str]) -> Iterator[str]:
+    """One sentence about all packages of Python that are missing, each with its extra."""
+    if missing:
+        verb, what = ("is", "it") if len(missing) == 1 else ("are", "them")
+        command = install_command(missing.values())
+        yield f"{', '.join(missing)} {verb} missing; to install {what}: {command}"
 
 
 def versions(route: Route, states: Mapping[str, ToolState]) -> dict[str, str]:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...support.installing import install_command
+
 
 @dataclass(frozen=True, slots=True)
 class Debian:
@@ -35,7 +37,7 @@ class Extra:
 
     def command(self, _tool: str) -> str:
         """The command that a person types to install the tool."""
-        return f"pip install 'burnish[{self.name}]'"
+        return install_command([self.name])
 
 
 Source = Debian | OwnInstaller | Extra

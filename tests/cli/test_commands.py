@@ -247,7 +247,7 @@ def test_watching_without_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "watchfiles", None)
     result = invoke(*WATCH)
     assert result.exit_code == 2
-    assert "pip install watchfiles" in result.stderr
+    assert f"{sys.executable} -m pip install 'burnish[watch]'" in result.stderr
 
 
 def test_a_command_that_is_misspelt() -> None:

@@ -254,9 +254,8 @@ LACKING = (
     "nothing is drawn by llvmpipe:gl330, llvmpipe:gl450, llvmpipe:es310: "
     "llvmpipe is missing; to install it: apt-get install -y --no-install-recommends "
     "libegl1 libegl-mesa0 libgl1-mesa-dri; "
-    "moderngl is missing; to install it: pip install 'burnish[run]'; "
-    "numpy is missing; to install it: pip install 'burnish[render]'; "
-    "pillow is missing; to install it: pip install 'burnish[render]'\n"
+    "moderngl, numpy, pillow are missing; to install them: "
+    f"{sys.executable} -m pip install 'burnish[run]'\n"
 )
 
 
@@ -326,9 +325,10 @@ def test_missing_packages(module: str, lack: str, command: str, folder: Path) ->
     before = tree(folder)
     run = without(module, *command.split())
     assert (run.returncode, run.stdout) == (1, "")
-    extra = "scenes" if lack == FLOATS else "render"
+    extra = "scenes" if lack == FLOATS else "run" if command.startswith("conform") else "render"
     assert run.stderr == (
-        f"error: {lack}, which is not installed: pip install 'burnish[{extra}]'\n"
+        f"error: {lack}, which is not installed: "
+        f"{sys.executable} -m pip install 'burnish[{extra}]'\n"
     )
     assert tree(folder) == before
     assert without(module, "compile", "m.burnish", "-o", "out").returncode == 0

@@ -29,6 +29,8 @@ _STENCIL = {
     "front.pass": OPERATIONS, "back.pass": OPERATIONS, "back.compare": ("not_equal", "never"),
 }  # fmt: skip
 _SEVERAL = {"samples": ("4",)}
+_COVERED = {"samples": ("4", "4, alpha_to_coverage = true")}
+_ALPHA = re.compile(r"\b(rgba8|rgba8_srgb|bgra8|bgra8_srgb|rgb10a2|rgba16f)\b")
 _FLOATS = re.compile(r"\b(r|rg|rgba)32f\b")
 """The formats of which samples have no mean."""
 _NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float")))
@@ -41,7 +43,8 @@ def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
     ``program`` is all that has a part in what the pass draws.
     """
     found = []
-    raster = {**_RASTER, **_SEVERAL} if _may_have_samples(program) else _RASTER
+    several = _COVERED if _has_alpha(program) else _SEVERAL
+    raster = {**_RASTER, **several} if _may_have_samples(program) else _RASTER
     for kind, settings in (("raster", raster), ("depth", _DEPTH), ("stencil", _STENCIL)):
         if writer.maybe(0.2):
             chosen = [name for name in settings if writer.maybe(0.5)]
@@ -59,6 +62,16 @@ def _may_have_samples(program: Sequence[Node]) -> bool:
         or (node.role == "target" and _FLOATS.search(node.form))
         for part in program
         for _, node in walk(part)
+    )
+
+
+def _has_alpha(program: Sequence[Node]) -> bool:
+    """True if all targets of a pass have an alpha, or it has only those of its base."""
+    return all(
+        _ALPHA.search(node.form)
+        for part in program
+        for _, node in walk(part)
+        if node.role == "target"
     )
 
 

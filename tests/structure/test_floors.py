@@ -23,6 +23,7 @@ FLOORS: dict[str, str] = {
     "support.arguments": "",
     "support.stack": "",
     "support.locks": "",
+    "support.installing": "",
     "support.garbage": "stack locks",
     "support.late": "locks",
     "stdlib": "frozen",
@@ -87,7 +88,7 @@ FLOORS: dict[str, str] = {
     ),
     # Shaders in each language, and the programs that check, draw and compare them.
     "targets.closing": "",
-    "targets.toolchain": "cache budget closing",
+    "targets.toolchain": "installing cache budget closing",
     "targets.description": "frozen stdlib ir",
     "targets.legalise": "frozen stdlib ir passes expansion_templates description",
     "targets.emit": "frozen stdlib precomputed diagnostics ir documents description legalise",
@@ -98,7 +99,7 @@ FLOORS: dict[str, str] = {
     "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb ir documents promises reference "
-        "reflection budget closing toolchain serving"
+        "installing reflection budget closing toolchain serving"
     ),
     "targets.web_host": "frozen ir documents budget runner toolchain serving",
     "targets.conformance": (
@@ -122,9 +123,9 @@ FLOORS: dict[str, str] = {
         "runner compiled remembered compiling"
     ),
     "commands": (
-        "frozen garbage stack cache watching inputs diagnostics syntax ir documents passes "
-        "frontend formula budget closing description emit registry availability selection runner "
-        "web_host web_view conformance toolchain serving compiled entry_points"
+        "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
+        "passes frontend formula budget closing description emit registry availability selection "
+        "runner web_host web_view conformance toolchain serving compiled entry_points"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

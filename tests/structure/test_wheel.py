@@ -78,6 +78,11 @@ def test_content(wheel: Path) -> None:
     top = {f"burnish/{path.name}" for path in ROOT.glob("*.py")}
     top -= {"burnish/setup.py", "burnish/generate.py"}
     assert {"burnish/__init__.py", "burnish/__main__.py"} <= top
+    wanted |= {
+        f"burnish/{path.relative_to(ROOT).as_posix()}"
+        for folder in ("docs", "examples")
+        for path in files(ROOT / folder)
+    }
     generated = {f"burnish/generated/{name}.py" for name in GENERATED}
     assert packed == wanted | top | generated | {"burnish/py.typed"}
 
@@ -159,6 +164,19 @@ def test_drawing_where_it_is_installed(installed: Path, tmp_path: Path) -> None:
     assert drawn == (0, f"Plastic: {picture}\n")
     code, said = command(installed, "conform", "plastic.burnish", "--routes", "lavapipe:glsl")
     assert (code, said.splitlines()[-1]) == (0, "1 agrees"), said
+
+
+def test_pages_and_examples_where_it_is_installed(installed: Path, tmp_path: Path) -> None:
+    """An example is drawn from what was written, in a folder where nothing else lies."""
+    assert command(installed, "docs", "tutorial")[1].startswith("# Tutorial")
+    assert command(installed, "example", "glass", "-o", str(tmp_path))[0] == 0
+    there = {
+        path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()
+    }
+    assert there == {"glass.burnish", "pictures/garden.hdr"}
+    drawn = ("-o", str(tmp_path / "glass.png"), "--size", "8")
+    code, said = command(installed, "render", str(tmp_path / "glass.burnish"), *drawn)
+    assert code == 0, said
 
 
 HOST = """

@@ -95,6 +95,11 @@ PROBES: Mapping[str, Probe] = {
         " pass Own : Forward { depth { value = frag_coord.z + 0.1 * material.uv.x } }",
         options={"pass_": "Own"},
     ),
+    "alpha to coverage": Probe(
+        "material M { color = vec3(uv, 0) }"
+        " pass Thin : Forward { raster { samples = 4, alpha_to_coverage = true } }",
+        options={"pass_": "Thin"},
+    ),
     "expansions": Probe(
         EXPANSION.format("triangle", step=1),
         native={"native_stages": True},

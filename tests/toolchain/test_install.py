@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import multiprocessing
 import os
+import sys
 import time
 from pathlib import Path
 
@@ -175,7 +176,7 @@ def test_lists_of_packages_are_fetched_only_when_needed(
     [
         ("chromium", "it needs chromium: "),
         ("lavapipe", "it needs mesa-vulkan-drivers, libvulkan1: "),
-        ("moderngl", "pip install 'burnish[run]'"),
+        ("moderngl", f"{sys.executable} -m pip install 'burnish[run]'"),
     ],
 )
 def test_what_cannot_be_installed_is_not_passed_over(

@@ -164,4 +164,4 @@ def test_without_its_packages(
     monkeypatch.delitem(sys.modules, "burnish.commands.view.server", raising=False)
     result = invoke("view", tmp_path / "m.burnish", "--no-browser")
     assert result.exit_code
-    assert "pip install 'burnish[view]'" in result.stderr
+    assert f"{sys.executable} -m pip install 'burnish[view]'" in result.stderr

@@ -244,7 +244,8 @@ _REFLECTION: Document = {
     },
     "invariant_position": False,
     "render_state": {
-        "samples": 1, "cull": "none", "front": "ccw", "fill": "faces", "stencil": None,
+        "samples": 1, "alpha_to_coverage": False, "cull": "none", "front": "ccw", "fill": "faces",
+        "stencil": None,
         "depth": {
             "compare": "less", "write": True, "clear": 1, "bias": 0, "slope_bias": 0,
             "bias_clamp": 0,

@@ -221,6 +221,12 @@ ONE_SAMPLE = error(
     "bits or with layers that are drawn at once, and with several samples each API draws lines by "
     "rules of its own.",
 )
+NO_COVERAGE = error(
+    "B0538",
+    "`{name}` has no coverage that alpha could say: {reason}",
+    "With `alpha_to_coverage`, the alpha of the first target says how many of a pixel's samples a "
+    "fragment covers. So there are several samples, and that target has an alpha.",
+)
 NO_KERNEL_EXTENT = error(
     "B0540",
     "`{name}` does not say for how many elements it runs",

@@ -17,6 +17,7 @@ from ..bounds import Errors, as_bounded
 from ..cost import check_operations
 from ..kept_numbers import KeptNumbers
 from ..namespace import Lanes
+from .alpha_coverage import covered_by_alpha
 from .assembly import faces_of
 from .canvas import BLACK, NOWHERE, Canvas, Shades, check_layers, nearest, size_of, with_missing
 from .coverage import Coverage, Fragments, coverage_within, has_level_edges, joined
@@ -158,8 +159,10 @@ class _Drawing:
         self._lanes = [width(type_) for _, type_ in written_by(shader)]
         self._depth = shader.render_state.depth
         self._stencil = shader.render_state.stencil
+        self._covers_by_alpha = shader.render_state.alpha_to_coverage
         self._nearest_wins = (
             not shader.results_of(DISCARD)
+            and not self._covers_by_alpha
             and not self._stages.has_own_depths
             and canvas.is_opaque
             and canvas.has_depth
@@ -287,7 +290,8 @@ class _Drawing:
 
     def _not_discarded(self, doubtful: Fragments) -> Fragments:
         """The doubtful fragments that some device does not discard, if it draws them."""
-        if not self._stages.discards or not len(doubtful.sample):
+        may_be = self._stages.discards or self._covers_by_alpha
+        if not may_be or not len(doubtful.sample):
             return doubtful
         shades = self._shaded(doubtful, None).only(np.arange(len(doubtful.sample)))
         return doubtful.only(~shades.discarded | shades.undecided)
@@ -310,6 +314,8 @@ class _Drawing:
             self._shade(part, lanes[first:last] - limits[0], slice(first, last), shades)
             if progress is not None:
                 progress(float(last / count))
+        if self._covers_by_alpha:
+            return covered_by_alpha(shades, fragments.sample % self._rules.samples, self._rules)
         return shades
 
     def _shade(self, quads: Quads, lane: Ints, members: slice, into: Shades) -> None:

@@ -48,7 +48,7 @@ from .kernels.group_results import check_no_groups
 from .passes.blending import blending_of
 from .passes.captures import capture_of, captures, captures_of
 from .passes.clears import clears_of
-from .passes.formats import texel_value
+from .passes.formats import FORMATS, texel_value
 from .passes.layers import layer_count, layer_of
 from .passes.render_states import DEPTH_VALUE, render_state_of
 from .slot_checks import check_rig, check_slots
@@ -70,6 +70,22 @@ def check_samples(ctx: Context, drawn: Record, state: RenderState) -> None:
     if state.fill == "lines":
         filled = [written.span for name, written in _settings(drawn) if name.text == "fill"]
         _report(ctx, drawn, "it draws lines", filled[0])
+
+
+def check_coverage(ctx: Context, drawn: Record) -> None:
+    """Reports that a whole pass makes coverage of alpha, but has one sample or no alpha."""
+    state = render_state_of(ctx, drawn)
+    first = next((target.format for target, *_ in drawn.every(ast.Target)), None)
+    if not state.alpha_to_coverage or first is None:
+        return
+    if state.samples == 1:
+        reason = "it has one sample for each pixel"
+    elif FORMATS.get(first.text, VEC4) != VEC4:
+        reason = f"{first.text} has no alpha"
+    else:
+        return
+    said = [written.span for name, written in _settings(drawn) if name.text == "alpha_to_coverage"]
+    ctx.report.add(rules.NO_COVERAGE, said[0], name=drawn.name, reason=reason)
 
 
 def check_samples_of_lines(ctx: Context, drawn: Record, step: DerivedVertices) -> None:
@@ -103,6 +119,7 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
     Errors have been reported, and their results are left out.
     """
     ctx, surface, passing = setting.ctx, setting.surface, setting.passing
+    check_coverage(ctx, passing.record)
     parts, externs = setting.parts, ctx.externs
     found = (
         *_clip_position(ctx, passing, surface),

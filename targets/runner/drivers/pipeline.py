@@ -96,6 +96,8 @@ class Pipeline:
     fill: Fill = "faces"
     samples: int = 1
     """The number of samples of each pixel, in all attachments; the targets are then resolved."""
+    alpha_to_coverage: bool = False
+    """True if the alpha of the first target says how many of the samples a fragment covers."""
     depth: DepthState = NEAREST
     """The depth test, if there are depths, and their bias."""
     stencil: StencilState | None = None

@@ -30,6 +30,7 @@ export function setState(context, reflection, depths) {
   turn(gl, gl.CULL_FACE, state.cull !== "none");
   gl.cullFace(state.cull === "front" ? gl.FRONT : gl.BACK);
   gl.frontFace(backends[PROFILE].front_face === "cw" ? gl.CW : gl.CCW);
+  turn(gl, gl.SAMPLE_ALPHA_TO_COVERAGE, state.alpha_to_coverage);
   turn(gl, gl.DEPTH_TEST, depths !== null);
   gl.depthFunc(compareOf(gl, state.depth.compare));
   gl.depthMask(state.depth.write);

@@ -100,7 +100,10 @@ export class Pipelines {
       vertex: { ...vertices, buffers: webgpu.buffers },
       fragment: { ...fragments, targets },
       primitive: webgpu.primitive,
-      multisample: { count: state.samples },
+      multisample: {
+        count: state.samples,
+        alphaToCoverageEnabled: state.alpha_to_coverage,
+      },
       ...(formats.depth && { depthStencil: { ...webgpu.depthStencil, format: formats.depth } }),
     });
     return { groups, render };

@@ -136,6 +136,7 @@ SETTINGS: Mapping[Stated, Mapping[str, StateSetting]] = {
         cull=Words(get_args(Cull)), front=Words(get_args(Winding)), fill=Words(get_args(Fill)),
         invariant=SWITCH,
         samples=OneOf(SAMPLES),
+        alpha_to_coverage=SWITCH,
     ),
     ast.Depth: _plain(
         compare=COMPARISONS, write=SWITCH, bias=Whole(-MOST_BIAS, MOST_BIAS), slope_bias=Real(),

@@ -128,6 +128,7 @@ def _capture(pipeline: Pipeline) -> Mapping[str, Any] | None:
 def _render_state(pipeline: Pipeline) -> Mapping[str, Any]:
     return {
         "samples": pipeline.samples,
+        "alpha_to_coverage": pipeline.alpha_to_coverage,
         "cull": pipeline.cull,
         "fill": pipeline.fill,
         "depth": document_json(pipeline.depth),

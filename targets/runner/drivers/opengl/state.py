@@ -74,6 +74,7 @@ GL_FRONT, GL_BACK, GL_FRONT_AND_BACK = 0x0404, 0x0405, 0x0408
 GL_STENCIL_TEST = 0x0B90
 OFFSETS = (0x8037, 0x2A02)
 """``GL_POLYGON_OFFSET_FILL`` and ``GL_POLYGON_OFFSET_LINE``."""
+SAMPLE_ALPHA_TO_COVERAGE = 0x809E
 FILLS: Mapping[Fill, int] = {"faces": 0x1B02, "lines": 0x1B01}
 OPERATIONS: Mapping[StencilOperation, int] = {
     "keep": 0x1E00, "zero": 0, "replace": 0x1E01, "invert": 0x150A,
@@ -92,6 +93,8 @@ def set_state(
     functions.glDepthMask(pipeline.depth.write)
     _set_bias(functions, pipeline)
     _set_stencil(functions, pipeline)
+    covers = functions.glEnable if pipeline.alpha_to_coverage else functions.glDisable
+    covers(SAMPLE_ALPHA_TO_COVERAGE)
     functions.glPolygonMode(GL_FRONT_AND_BACK, FILLS[pipeline.fill])
     context.front_face = pipeline.front_face
     context.cull_face = "front" if pipeline.cull == "front" else "back"

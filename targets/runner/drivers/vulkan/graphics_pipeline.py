@@ -168,7 +168,8 @@ def make_pipeline(
             pViewportState=vk.VkPipelineViewportStateCreateInfo(viewportCount=1, scissorCount=1),
             pRasterizationState=_rasterization(pipeline),
             pMultisampleState=vk.VkPipelineMultisampleStateCreateInfo(
-                rasterizationSamples=pipeline.samples
+                rasterizationSamples=pipeline.samples,
+                alphaToCoverageEnable=pipeline.alpha_to_coverage,
             ),
             pDepthStencilState=_depth_stencil(pipeline),
             pColorBlendState=vk.VkPipelineColorBlendStateCreateInfo(pAttachments=blends),

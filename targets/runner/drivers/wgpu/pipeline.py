@@ -57,7 +57,10 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> MadePipel
             "targets": [_target(gpu, target) for target in pipeline.targets],
         },
         primitive=primitive(pipeline),
-        multisample={"count": pipeline.samples},
+        multisample={
+            "count": pipeline.samples,
+            "alpha_to_coverage_enabled": pipeline.alpha_to_coverage,
+        },
         depth_stencil=depths and {"format": depths, **depth_stencil(pipeline)},
     )
     return MadePipeline(handle, groups, layouts, buffers)
