@@ -145,6 +145,11 @@ class SamplerState:
     ``transparent`` has zeros, ``black`` has an alpha of one, and all lanes of ``white`` are one. Of
     depths, ``black`` is 0 and ``white`` is 1.
     """
+    anisotropy: Literal[2, 4, 8, 16] | None = None
+    """Most samples along the longer side of a footprint, GPUSamplerDescriptor.maxAnisotropy.
+
+    Left out where it is 1. A device that takes fewer gets as many as it takes.
+    """
     compare: Compare | None
     """Comparison of a reference, on the left, with a depth, a GPUCompareFunction.
 

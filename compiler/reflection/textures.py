@@ -91,6 +91,8 @@ def _type(texture: Texture) -> TextureType:
 
 def _state(texture: Texture) -> SamplerState:
     state: dict[str, Any] = dict(texture.state)
+    if "anisotropy" in state:
+        state["anisotropy"] = int(state["anisotropy"])
     return SamplerState(**{"compare": None, **state})
 
 

@@ -293,6 +293,7 @@ METHODS: Mapping[str, str] = MappingProxyType(
     {
         **dict.fromkeys(("Sample", "sample", "read", "rgba"), "name(coordinate)"),
         **dict.fromkeys(("SampleLevel", "lod", "sample_level"), "name.level(coordinate, level)"),
+        **dict.fromkeys(("SampleBias", "sample_bias"), "name.bias(coordinate, bias)"),
         **dict.fromkeys(("SampleGrad", "sample_grad"), "name.grad(coordinate, dx, dy)"),
         **dict.fromkeys(
             ("SampleCmp", "SampleCmpLevelZero", "sample_compare"), "name(coordinate, reference)"

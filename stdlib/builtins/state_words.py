@@ -47,6 +47,8 @@ _WORDS: Mapping[str, str] = MappingProxyType(
         "addressmodeu": "wrap_u", "addressmodev": "wrap_v", "addressmodew": "wrap_w",
         "texture_wrap_s": "wrap_u", "texture_wrap_t": "wrap_v", "texture_wrap_r": "wrap_w",
         "wrap_s": "wrap_u", "wrap_t": "wrap_v", "wrap_r": "wrap_w",
+        "max_anisotropy": "anisotropy", "maxanisotropy": "anisotropy", "aniso": "anisotropy",
+        "texture_max_anisotropy": "anisotropy", "texture_max_anisotropy_ext": "anisotropy",
         "point": "nearest",
         "msaa": "samples", "multisample": "samples", "sample_count": "samples",
         "alphatocoverage": "alpha_to_coverage", "alphatocoverageenable": "alpha_to_coverage",

@@ -23,6 +23,16 @@ def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
     return facts[-1].within(0.0, 1.0)
 
 
+MOST_BIAS = 15.0
+"""The largest bias of a level that devices of all APIs add; larger ones they clamp, each to its
+own limit."""
+
+
+def _bias_is_small(facts: tuple[Fact, ...]) -> bool:
+    """True if no device clamps a bias."""
+    return facts[-1].within(-MOST_BIAS, MOST_BIAS)
+
+
 FILTER_SLACK = 2.0**-20
 """The part by which a blend of zeros and ones may exceed 1.
 
@@ -55,6 +65,22 @@ ROWS = (
         parameters=("coordinate",),
         signatures=("F, K -> vec4", "texture2d_array, vec2, int -> vec4"),
         doc="The texture's colour at a coordinate, filtered; the level of detail is implicit.",
+        accuracy=FILTERED,
+        cost=16,
+        uniform_control_flow=True,
+        sampler="filtering",
+    ),
+    Builtin(
+        name="sample_bias",
+        meaning="texel",
+        method="bias",
+        parameters=("coordinate", "bias"),
+        signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
+        doc="The filtered colour at a coordinate; the last operand is added to the implicit level.",
+        domain=_bias_is_small,
+        needs="the bias lies in -15..15",
+        outside="Biases are clamped to -15..15, which all devices add.",
+        expansion="sample_bias",
         accuracy=FILTERED,
         cost=16,
         uniform_control_flow=True,

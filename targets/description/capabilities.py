@@ -319,6 +319,12 @@ CAPABILITIES: tuple[Capability, ...] = (
         "read `t(uv)`, where all pixels do so",
     ),
     Capability(
+        "biased levels",
+        "A read adds a number to the level that follows from the pixels around: `t.bias(uv, 1)`.",
+        (Way((some_builtins("reads of biased levels", "sample_bias"),)),),
+        "scale the coordinate's gradients: `t.grad(uv, a, b)`",
+    ),
+    Capability(
         "loading texels",
         "A texel is read by its numbers: `t.load(texel)`.",
         (Way((some_builtins("loading of texels", "load"),)),),

@@ -34,6 +34,9 @@ NATIVES: Spellings = {
     "and": Spelling(vectors="{type}(vec{lanes}({0}) * vec{lanes}({1}))"),
     "or": Spelling(vectors="{type}(vec{lanes}({0}) + vec{lanes}({1}))"),
     "sample": Read("texture2D({0}, {1})", types={"texture_cube": "textureCube({0}, {1})"}),
+    "sample_bias": Read(
+        "texture2D({0}, {1}, {2})", types={"texture_cube": "textureCube({0}, {1}, {2})"}
+    ),
 }
 
 FORMS = Forms(

@@ -90,6 +90,7 @@ NATIVES: Spellings = {
     "first_leading_bit": "findMSB",
     "first_trailing_bit": "findLSB",
     "sample": Read("texture({0}, {1})", "texture({0}, vec3({1}, {2}))"),
+    "sample_bias": Read("texture({0}, {1}, {2})", "texture({0}, vec3({1}, {2}), {3})"),
     "sample_level": Read("textureLod({0}, {1}, {2})", "textureLod({0}, vec3({1}, {2}), {3})"),
     "sample_grad": Read(
         "textureGrad({0}, {1}, {2}, {3})", "textureGrad({0}, vec3({1}, {2}), {3}, {4})"

@@ -108,6 +108,9 @@ NATIVES: Spellings = {
     "to_int": Spelling(usual="{type}({0})", integers="asint({0})", after={"to_float": _CAST}),
     "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})", after={"to_float": _CAST}),
     "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
+    "sample_bias": Read(
+        "{0}.SampleBias({sampler}, {1}, {2})", "{0}.SampleBias({sampler}, float3({1}, {2}), {3})"
+    ),
     "sample_level": Read(
         "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"
     ),

@@ -129,6 +129,10 @@ NATIVES: Spellings = {
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
     "sample": Read("{0}.sample({sampler}, {1})", f"{{0}}.sample({{sampler}}, {{1}}, {LAYER})"),
+    "sample_bias": Read(
+        "{0}.sample({sampler}, {1}, bias({2}))",
+        f"{{0}}.sample({{sampler}}, {{1}}, {LAYER}, bias({{3}}))",
+    ),
     "sample_level": Read(
         "{0}.sample({sampler}, {1}, level({2}))",
         f"{{0}}.sample({{sampler}}, {{1}}, {LAYER}, level({{3}}))",

@@ -352,6 +352,7 @@ struct sampler {};
 enum class component { x, y, z, w };
 
 struct level { explicit level(float); };
+struct bias { explicit bias(float); };
 struct gradient2d { gradient2d(float2, float2); };
 struct gradient3d { gradient3d(float3, float3); };
 struct gradientcube { gradientcube(float3, float3); };
@@ -364,6 +365,7 @@ template <typename T> struct texture2d<T, access::write> {
 };
 template <typename T> struct texture2d<T, access::sample> {
     vec<T, 4> sample(sampler, float2, int2 = int2(0)) const;
+    vec<T, 4> sample(sampler, float2, bias, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, level, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, gradient2d, int2 = int2(0)) const;
     vec<T, 4> gather(sampler, float2, int2 = int2(0), component = component::x) const;
@@ -375,6 +377,7 @@ template <typename T> struct texture2d<T, access::sample> {
 
 template <typename T> struct texture2d_array {
     vec<T, 4> sample(sampler, float2, uint, int2 = int2(0)) const;
+    vec<T, 4> sample(sampler, float2, uint, bias, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, uint, level, int2 = int2(0)) const;
     vec<T, 4> sample(sampler, float2, uint, gradient2d, int2 = int2(0)) const;
     vec<T, 4> gather(sampler, float2, uint, int2 = int2(0), component = component::x) const;
@@ -387,6 +390,7 @@ template <typename T> struct texture2d_array {
 
 template <typename T> struct texture3d {
     vec<T, 4> sample(sampler, float3, int3 = int3(0)) const;
+    vec<T, 4> sample(sampler, float3, bias, int3 = int3(0)) const;
     vec<T, 4> sample(sampler, float3, level, int3 = int3(0)) const;
     vec<T, 4> sample(sampler, float3, gradient3d, int3 = int3(0)) const;
     vec<T, 4> read(uint3, uint = 0) const;
@@ -398,6 +402,7 @@ template <typename T> struct texture3d {
 
 template <typename T> struct texturecube {
     vec<T, 4> sample(sampler, float3) const;
+    vec<T, 4> sample(sampler, float3, bias) const;
     vec<T, 4> sample(sampler, float3, level) const;
     vec<T, 4> sample(sampler, float3, gradientcube) const;
     vec<T, 4> gather(sampler, float3, component = component::x) const;

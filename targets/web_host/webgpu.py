@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from ...compiler.documents.plan import DrawStep, FramePlan, FrameTextureRow, RunStep
 from ...compiler.documents.reading import read
@@ -15,6 +16,7 @@ from ...compiler.ir.stages import COMPUTE
 from ..runner.binding import FORMATS, pipeline
 from ..runner.codes import Codes
 from ..runner.drivers import webgpu
+from ..runner.drivers.pipeline import Pipeline
 from ..runner.drivers.slots import BlockSlot, BufferSlot, ImageSlot, TextureSlot
 from ..runner.routes import ROUTES
 from .serving.packages import PackagedShader, PipelineRow, WebGPUPipeline
@@ -27,9 +29,19 @@ WGSL = _ROUTE.profile
 def webgpu_pipeline(reflection: Reflection, stages: Collection[str]) -> WebGPUPipeline:
     """The descriptors of the pipeline of a shader with texts for these stages, and what is bound in
     its groups."""
-    made = pipeline(reflection, _ROUTE, Codes({}))
+    made = _with_anisotropies(pipeline(reflection, _ROUTE, Codes({})), reflection)
     visibility = webgpu.COMPUTED if COMPUTE.name in stages else webgpu.DRAWN
     return read(WebGPUPipeline, webgpu.for_pages(made, visibility, _names(reflection)))
+
+
+def _with_anisotropies(made: Pipeline, reflection: Reflection) -> Pipeline:
+    """The pipeline with the filters that a page has for people, beside those that are compared."""
+    said = {row.texture: row.state.anisotropy or 1 for row in reflection.samplers}
+    names = _names(reflection)[TextureSlot]
+    slots = zip(names, made.textures, strict=True)
+    return replace(made, textures=tuple(
+        replace(slot, anisotropy=said.get(name, 1)) for name, slot in slots
+    ))  # fmt: skip
 
 
 def pipelines(plan: FramePlan, shaders: Sequence[PackagedShader]) -> Iterator[PipelineRow]:

@@ -88,6 +88,10 @@ NATIVES: Spellings = {
     "to_int": "{type}({0})",
     "to_uint": "{type}({0})",
     "sample": Read("textureSample({0}, {sampler}, {1})", "textureSample({0}, {sampler}, {1}, {2})"),
+    "sample_bias": Read(
+        "textureSampleBias({0}, {sampler}, {1}, {2})",
+        "textureSampleBias({0}, {sampler}, {1}, {2}, {3})",
+    ),
     "sample_level": Read(
         "textureSampleLevel({0}, {sampler}, {1}, {2})",
         "textureSampleLevel({0}, {sampler}, {1}, {2}, {3})",

@@ -59,6 +59,7 @@ def all_reads(texture: str) -> Iterator[Read]:
     if texture in COLORS:
         together = frozenset({UNIFORM, FRAGMENT})
         yield _read("", place, "vec4", needs=together)
+        yield _read(".bias", (*place, "float"), "vec4", needs=together)
         yield _read(".level", (*place, "float"), "vec4")
         yield _read(".grad", (*place, place[0], place[0]), "vec4")
     if texture in COLORS and "3d" not in texture:

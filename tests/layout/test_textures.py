@@ -186,6 +186,20 @@ def test_axes_wrap_each_in_its_own_way() -> None:
     }  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("state", "expected"),
+    [("with { anisotropy = 8 }", {"anisotropy": 8}), ("with { anisotropy = 1 }", {})],
+)
+@pytest.mark.parametrize("type_", ["texture2d", "texture_cube"])
+def test_an_anisotropy_is_a_number_for_hosts(
+    type_: str, state: str, expected: dict[str, int]
+) -> None:
+    (sampler,) = reflection(
+        type_, "t(normal).rgb" if "cube" in type_ else "t(uv).rgb", state
+    ).samplers
+    assert to_json(sampler.state) == {**STATES[type_], **expected}
+
+
 BORDERS = {
     ("texture2d", "wrap = border"): ("clamp-to-border", "transparent"),
     ("texture2d", "wrap_v = border, border = white"): ("repeat", "white"),
@@ -211,6 +225,15 @@ def test_borders_have_a_colour(said: tuple[str, str], expected: tuple[str, str])
         ("texture_cube", "wrap_u = clamp", "`wrap_u` does not apply to `texture_cube`"),
         ("texture2d", "addressModeV = clamp", "did you mean `wrap_v`"),
         ("texture2d", "wrap = clamp_to_border", "did you mean `border`"),
+        ("texture2d", "anisotropy = 3", "one of `1`, `2`, `4`, `8`, `16`"),
+        ("texture2d", "filter = 4", "one of `linear`, `nearest`"),
+        ("texture2d", "maxAnisotropy = 4", "did you mean `anisotropy`"),
+        ("depth2d", "anisotropy = 4", "`anisotropy` does not apply to `depth2d`"),
+        (
+            "texture2d",
+            "anisotropy = 4, mip = none",
+            "`anisotropy` does not apply to `texture2d with { mip = none }`",
+        ),
         ("texture2d", "wrap = border, border = gray", "one of `transparent`, `black`, `white`"),
     ],
 )

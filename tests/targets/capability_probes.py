@@ -206,6 +206,7 @@ PROBES: Mapping[str, Probe] = {
         "material M { map t : texture2d  color = vec3(uv * float(t.levels()), 0) }"
     ),
     "levels of textures": Probe("material M { map t : texture2d  color = t.level(uv, 2).rgb }"),
+    "biased levels": Probe("material M { map t : texture2d  color = t.bias(uv, 1).rgb }"),
     "loading texels": Probe("material M { map t : texture2d  color = t.load(ivec2(0)).rgb }"),
     "sizes of textures": Probe(
         "material M { map t : texture2d  color = vec3(vec2(t.size()), uv.x) / 64 }"

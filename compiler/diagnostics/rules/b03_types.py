@@ -149,8 +149,9 @@ SETTING_WITHOUT_USE = error(
     "B0352",
     "`{name}` does not apply to `{type}`",
     "Cubes do not wrap, flat textures have no axis w, and only where something wraps by `border` "
-    "has it a colour. Only depths are compared, depths are read at level 0, and whole numbers are "
-    "not filtered. Depths and whole numbers are always data, and textures `of rgb` are colours.",
+    "has it a colour. An anisotropy takes linear filters. Only depths are compared, depths are "
+    "read at level 0, and whole numbers are not filtered. Depths and whole numbers are always "
+    "data, and textures `of rgb` are colours.",
 )
 MEMBER_COUNT = error(
     "B0380",

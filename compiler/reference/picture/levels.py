@@ -35,6 +35,13 @@ class CoordinateSteps:
 
     across: Sequence[Bounded]
     down: Sequence[Bounded]
+    bias: Bounded | None = None
+    """The number that is added to the level which follows from the changes, if there is one."""
+
+    @property
+    def lanes(self) -> list[Bounded]:
+        """All that the level depends on."""
+        return [*self.across, *self.down, *([] if self.bias is None else [self.bias])]
 
     def at(self, part: Part) -> CoordinateSteps:
         """The steps of some pixels."""
@@ -43,7 +50,9 @@ class CoordinateSteps:
     def mapped(self, change: Callable[[Bounded], Bounded]) -> CoordinateSteps:
         """The steps with each lane changed."""
         return CoordinateSteps(
-            [change(lane) for lane in self.across], [change(lane) for lane in self.down]
+            [change(lane) for lane in self.across],
+            [change(lane) for lane in self.down],
+            None if self.bias is None else change(self.bias),
         )
 
 
@@ -88,7 +97,7 @@ def of_steps(image: Image, steps: CoordinateSteps) -> Bounded:
     across, down = (_in_texels(lanes, image) for lanes in (steps.across, steps.down))
     power = image.rules.level_power
     level = increasing(lambda x: _logarithm(x, power), _footprint(across, down, image))
-    return _rounded(image, level)
+    return _rounded(image, _biased(level, steps.bias))
 
 
 def on_surface(image: Image, steps: CoordinateSteps) -> Bounded:
@@ -108,7 +117,8 @@ def on_surface(image: Image, steps: CoordinateSteps) -> Bounded:
     footprint = largest([
         increasing(length, *map(abs, lanes)) for lanes in (steps.across, steps.down)
     ])  # fmt: skip
-    return _rounded(image, increasing(lambda x: _logarithm(x, 2), footprint))
+    level = increasing(lambda x: _logarithm(x, 2), footprint)
+    return _rounded(image, _biased(level, steps.bias))
 
 
 def on_cube(direction: Sequence[Bounded]) -> list[Bounded]:
@@ -198,6 +208,10 @@ def _logarithm(footprint: Floats, power: int | None) -> Floats:
 def _at_least_tiny(number: Floats) -> Floats:
     """The number, but not zero, so that one can divide by it or take its logarithm."""
     return np.maximum(number, _TINY)
+
+
+def _biased(level: Bounded, bias: Bounded | None) -> Bounded:
+    return level if bias is None else increasing(np.add, level, bias)
 
 
 def _rounded(image: Image, level: Bounded) -> Bounded:

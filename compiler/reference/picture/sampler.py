@@ -8,9 +8,11 @@ every coordinate and level within their own intervals, rounded to the device's n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from ....stdlib.builtins.texture import MOST_BIAS
 from ..bounds import Bounded, as_bounded, exact, remembered
 from ..namespace import Lane, Lanes
 from ..texture_reads import Reader
@@ -42,10 +44,12 @@ class TextureReader:
     # --- the builtins -----------------------------------------------------------------------------
 
     def _sample(self, *where: Lanes) -> Lanes:
-        coordinate = [finite(lane) for lane in where[0]]
-        if self._moves_on_surface:
-            coordinate = levels.on_cube(coordinate)
-        return self._colours(where, levels.differences(coordinate, self._image))
+        return self._colours(where, self._steps(where[0]))
+
+    def _sample_bias(self, *operands: Lanes) -> Lanes:
+        *where, (bias,) = operands
+        added = increasing(lambda x: np.clip(x, -MOST_BIAS, MOST_BIAS), finite(bias))
+        return self._colours(where, replace(self._steps(where[0]), bias=added))
 
     def _sample_level(self, *operands: Lanes) -> Lanes:
         *where, (level,) = operands
@@ -53,7 +57,7 @@ class TextureReader:
 
     def _sample_grad(self, *operands: Lanes) -> Lanes:
         *where, across, down = operands
-        steps = CoordinateSteps(*([finite(lane) for lane in lanes] for lanes in (across, down)))
+        steps = CoordinateSteps([finite(lane) for lane in across], [finite(lane) for lane in down])
         if self._moves_on_surface:
             coordinate = [finite(lane) for lane in where[0]]
             steps = levels.scaled(coordinate, steps, self._image.rules)
@@ -119,6 +123,13 @@ class TextureReader:
         """True if the level follows from the movement on a cube's surface, and not in its face."""
         return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
 
+    def _steps(self, place: Lanes) -> CoordinateSteps:
+        """The changes of a coordinate between the pixels of quads."""
+        coordinate = [finite(lane) for lane in place]
+        if self._moves_on_surface:
+            coordinate = levels.on_cube(coordinate)
+        return levels.differences(coordinate, self._image)
+
     def _colours(self, where: Sequence[Lanes], level: Bounded | CoordinateSteps) -> Lanes:
         """The filtered colours at a coordinate in a level, or in the one that steps lead to."""
         image = self._image
@@ -143,7 +154,7 @@ class TextureReader:
         """A read at a coordinate and, for an array, a layer; the first level if none is given."""
         axes = [finite(lane) for lane in where[0]]
         layer = as_bounded(where[1][0] if self._image.type.layered else 0)
-        steps = [*level.across, *level.down] if isinstance(level, CoordinateSteps) else []
+        steps = level.lanes if isinstance(level, CoordinateSteps) else []
         others = [lane for lane in (level, reference) if isinstance(lane, Bounded)]
         shape = np.broadcast_shapes(*(lane.shape for lane in (*axes, layer, *steps, *others)))
 
@@ -197,7 +208,7 @@ class TextureReader:
             if steps is not None:
                 changes = steps.at(part)
                 across, down = where.change(changes.across), where.change(changes.down)
-                level = levels.of_steps(image, CoordinateSteps(across, down))
+                level = levels.of_steps(image, CoordinateSteps(across, down, changes.bias))
             yield part, Place([where.across, where.down], sure(where.face), level, here.reference)
 
 

@@ -134,7 +134,7 @@ def _report_read(ctx: Context, read: Node, span: Span) -> None:
     """Report an operation of neighbours, or of a work group, which may have left the loop."""
     what, hint = f"`{read.data}`", f"compute `{read.data}` in front of the loop"
     others, does = "pixels", "compares neighbouring pixels"
-    if read.data == "sample":
+    if read.data in ("sample", "sample_bias"):
         what, hint = "a texture read", ""
     if joins_group(read):
         others, does = "invocations", "joins the invocations of a work group"

@@ -45,13 +45,16 @@ class Kind:
     """The axes that may wrap each in its own way."""
     borders: Mapping[str, Border] = EMPTY
     """The words for the texel of a border, if there may be one; the first is the default."""
+    anisotropies: tuple[str, ...] = ()
+    """How many times as long as wide a filtered footprint may be; the first is the default."""
 
     @property
     def sampling(self) -> Settings:
         """All settings of the sampler that a declaration may have, with their words."""
         by_axis = {wrap_of(axis): self.settings["wrap"] for axis in self.axes}
         borders = {"border": tuple(self.borders)} if self.borders else {}
-        return {**self.settings, **by_axis, **borders}
+        longest = {"anisotropy": self.anisotropies} if self.anisotropies else {}
+        return {**self.settings, **by_axis, **borders, **longest}
 
     @property
     def words(self) -> Settings:
@@ -65,11 +68,15 @@ def wrap_of(axis: str) -> str:
 
 
 INTENTS: tuple[Intent, ...] = get_args(Intent)
+ANISOTROPIES = ("1", "2", "4", "8", "16")
 COLORS = Kind(
-    COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS, axes=AXES[:2], borders=BORDERS
-)
+    COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS, axes=AXES[:2], borders=BORDERS,
+    anisotropies=ANISOTROPIES,
+)  # fmt: skip
 VOLUMES = changed(COLORS, axes=AXES)
-CUBES = Kind(COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"}, INTENTS)
+CUBES = Kind(
+    COLOR_DEFAULTS, FILTERED, {"wrap": "clamp"}, intents=INTENTS, anisotropies=ANISOTROPIES
+)
 COMPARED: Settings = {
     "filter": ("linear", "nearest"),
     "compare": ("less_equal", "less", "greater_equal", "greater"),
@@ -148,8 +155,9 @@ def _state(
 ) -> dict[str, str]:
     """The state of the sampler, with what is left out, and without what goes without saying.
 
-    An axis is only in it if it wraps in another way than ``wrap`` says, and a border if there is
-    one. Reports a border that none of the axes has.
+    An axis is only in it if it wraps in another way than ``wrap`` says, a border if there is one,
+    and an anisotropy if it is more than 1. Reports a border that none of the axes has, and an
+    anisotropy without linear filters, which no API takes.
     """
     state = {**kind.fixed, **{key: words[0] for key, words in kind.settings.items()}, **said}
     wrapped = {state.get(wrap_of(axis), state["wrap"]) for axis in kind.axes}
@@ -159,10 +167,21 @@ def _state(
     if "border" in wrapped:
         state["border"] = kind.borders[said.get("border", next(iter(kind.borders)))]
     elif state.pop("border", None) is not None:
-        (span,) = (key.span for key, _ in member.state if key.text == "border")
-        text = f"{type_} with {{ wrap = {state['wrap']} }}"
-        ctx.report.add(rules.SETTING_WITHOUT_USE, span, name="border", type=text)
+        _report_useless(ctx, member, "border", f"{type_} with {{ wrap = {state['wrap']} }}")
+    if state.get("anisotropy") == "1":
+        del state["anisotropy"]
+    elif "anisotropy" in state:
+        unlike = next((key for key in ("filter", "mip") if state[key] != "linear"), None)
+        if unlike is not None:
+            text = f"{type_} with {{ {unlike} = {state[unlike]} }}"
+            _report_useless(ctx, member, "anisotropy", text)
     return state
+
+
+def _report_useless(ctx: Context, member: ast.Texture, name: str, type_: str) -> None:
+    """Report a setting that has no effect beside the others."""
+    (span,) = (key.span for key, _ in member.state if key.text == name)
+    ctx.report.add(rules.SETTING_WITHOUT_USE, span, name=name, type=type_)
 
 
 def _says_colors(ctx: Context, member: ast.Texture, kind: Kind, type_: str) -> bool:

@@ -87,6 +87,9 @@ class TextureSlot:
     """The texel of a border, if there is one."""
     compare: Compare | None = None
     """The comparison of a reference with depths; ``None`` if the sampler does not compare."""
+    anisotropy: int = 1
+    """The most samples along the longer side of a footprint. Only packages for web pages say more
+    than 1: no API says what such a filter computes, so what is compared is drawn without it."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"

@@ -124,6 +124,8 @@ def sampler(slot: TextureSlot) -> Mapping[str, Any]:
         # A sampler cannot ignore mip levels, but it can stay on the first one.
         "lod_max_clamp": 0.0 if slot.mip == "none" else 32.0,
     }
+    if slot.anisotropy > 1:
+        state["max_anisotropy"] = slot.anisotropy
     return state if slot.compare is None else {**state, "compare": COMPARE_WORDS[slot.compare]}
 
 

@@ -256,7 +256,7 @@ export function makeSampler(gl, state) {
   const sampler = gl.createSampler();
   /** @type {(name: number, value: number) => void} */
   const set = (name, value) => gl.samplerParameteri(sampler, name, value);
-  const { filter, mip, wrap, wrap_u, wrap_v, wrap_w, compare } = state ?? LOADED;
+  const { filter, mip, wrap, wrap_u, wrap_v, wrap_w, anisotropy, compare } = state ?? LOADED;
   const words = [filter, mip === "linear" ? "linear" : "nearest"];
   const [near, between] = words.map((word) => word.toUpperCase());
   set(gl.TEXTURE_MAG_FILTER, constant(gl, near));
@@ -271,6 +271,12 @@ export function makeSampler(gl, state) {
   if (compare) {
     set(gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
     set(gl.TEXTURE_COMPARE_FUNC, compareOf(gl, compare));
+  }
+  const longer = anisotropy ? gl.getExtension("EXT_texture_filter_anisotropic") : null;
+  if (anisotropy && longer) {
+    const most = gl.getParameter(longer.MAX_TEXTURE_MAX_ANISOTROPY_EXT);
+    const taken = Math.min(anisotropy, most);
+    gl.samplerParameterf(sampler, longer.TEXTURE_MAX_ANISOTROPY_EXT, taken);
   }
   return sampler;
 }
