@@ -106,7 +106,7 @@ class TextureRow:
     """Doc comment; empty where there is none."""
     library: str | None
     """Declaration of the library that it is, as for parameters; null where it is none of them."""
-    declared_by: str | None
+    declared_by: str | None = None
     """Declaration that declares it, as for parameters."""
     brought: bool
     """True if it is made by steps that a light brings to frames, such as its shadow map.

@@ -108,10 +108,10 @@ class ParameterRow:
     """Doc comment; empty where there is none."""
     library: str | None
     """Declaration of the library that it is, ``std.skinning.Skinned.bones``; null for others."""
-    declared_by: str | None
+    declared_by: str | None = None
     """Declaration that declares it: the material, or a base, a mixin, the pass or a light.
 
-    Null where it is no record of a file.
+    Left out where no record declares it.
     """
     role: str | None
     """Meaning for a program that shows scenes, such as ``world_to_clip`` of the camera.

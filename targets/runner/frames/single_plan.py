@@ -324,7 +324,6 @@ def _size_row() -> ParameterRow:
         default=(512, 512),
         doc="The size of the picture, in pixels",
         library=declared_as("size"),
-        declared_by=None,
         role="size",
         group="frame",
         block=None,
