@@ -192,11 +192,16 @@ class EquationAdvice(TokenView):
         return self.replace(f"a surface is `{head} {{ … }}`", index - 1, behind - 1, head)
 
     def of_texture(self, index: int, *, outside: bool) -> Hint:
-        """About ``texture wood``, of which ``index`` is the name."""
+        """About ``texture wood`` and ``texture wood : texture2d``; ``index`` is the name."""
         name, behind = self.token(index), self.token(index + 1)
         is_row = name.kind == "NAME" and not self.outline.begins_line(index)
         ends = self.outline.begins_line(index + 1) or behind.kind in (";", "}")
-        if outside or not is_row or not ends or self.text(index - 1) not in _TEXTURES:
+        if outside or not is_row or self.text(index - 1) not in _TEXTURES:
+            return ""
+        if behind.kind == ":":
+            said = f"a texture is a member: `map {name.text} : {self.text(index + 2)}`"
+            return self.replace(said, index - 1, index - 1, "map")
+        if not ends:
             return ""
         written = f"map {name.text} : texture2d"
         return self.replace(f"a texture is a member: `{written}`", index - 1, index, written)

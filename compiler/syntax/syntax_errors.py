@@ -54,7 +54,7 @@ class SyntaxErrors:
         if found.kind == "FOREIGN":
             return index
         opener = self._unclosed_before(index, chunk)
-        interrupted = self._equation_interrupts(index)
+        interrupted = self._equation_interrupts(index, chunk)
         if opener is not None:
             before = index - (interrupted or self._next_has_begun(index))
             self._unclosed(opener, self._token(before))
@@ -204,12 +204,18 @@ class SyntaxErrors:
         is_fold = FOLDS.get(word) == follows
         return is_fold and before not in ("=", "(", ",", ":", "then", "else", "[")
 
-    def _equation_interrupts(self, index: int) -> bool:
+    def _equation_interrupts(self, index: int, chunk: Chunk) -> bool:
         """True if an unfinished expression ran into the next equation: ``a = 1 +  b = 2``."""
         if not self._next_has_begun(index) or self._outline.can_end(index - 2):
             return False
         before = self._tokens[index - 2].text
+        if before == "{" and self._opens_body(index - 2, chunk):
+            return False
         return before not in ("(", ",", ":", "{") or self._outline.begins_line(index - 1)
+
+    def _opens_body(self, index: int, chunk: Chunk) -> bool:
+        """True if a brace is the first one of its declaration, behind which members stand."""
+        return all(token.kind != "{" for token in self._tokens[chunk.start : index])
 
     def _next_has_begun(self, index: int) -> bool:
         """True if the token before ``index`` is the name in front of an equation."""

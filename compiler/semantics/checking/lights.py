@@ -48,7 +48,7 @@ def per_light(
     if surface is None or not ctx.rig:
         if surface is None:
             ctx.report.add(rules.TERM_WITHOUT_SURFACE, span, name=symbol.name)
-        elif not ctx.report.failed:  # The rig may be empty because its entries were wrong.
+        elif not (ctx.report.failed or ctx.report.unread_names):  # Its entries may have been wrong.
             ctx.report.add(rules.EMPTY_RIG, span, name=symbol.name)
         return FAILURE
     if not may_enter(ctx, symbol, span):
