@@ -72,7 +72,8 @@ def no_signature(
             rules.WRONG_COUNT, span, name=shown,
             expected=counted(" or ".join(map(str, counts)), "argument"), found=len(operands),
             hint=_of_another_count(name, span, written)
-            or _of_pairs(name, span, written) or candidates,
+            or _of_pairs(name, span, written) or _of_lanes(name, operands, span, written)
+            or candidates,
         )  # fmt: skip
         return FAILURE
     cut = advice.cut_quotient(ctx, operands, places)
@@ -94,6 +95,21 @@ def _of_another_count(name: str, span: Span, written: Written) -> Hint:
     is_named = span.text.startswith(f"{name}(")
     place = Span(span.source, span.start, span.start + len(name))
     return fix_it(said, (place, other)) if is_named else said
+
+
+def _of_lanes(name: str, operands: Sequence[Node], span: Span, written: Written) -> Hint:
+    """About ``normalize(1, 2, 2)``: these numbers are the lanes of one vector."""
+    types = [node.type for node in operands]
+    if not all(isinstance(type_, Scalar) for type_ in types) or len(types) not in (2, 3, 4):
+        return ""
+    vector = Vector("float", len(types))
+    if not overloads.resolve(name, (Operand(vector),)):
+        return ""
+    lanes = ", ".join(each.span.text for each in written)
+    first, last = written[0].span, written[-1].span
+    said = f"a vector is one argument: `{shortened(f'{name}({vector}({lanes}))')}`"
+    place = Span(span.source, first.start, last.end)
+    return fix_it(said, (place, f"{vector}({lanes})"))
 
 
 _OF_PAIRS = ("max", "min")
