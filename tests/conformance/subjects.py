@@ -41,6 +41,7 @@ _NEEDING = {
     "pipeline: Stained": ("equations by target",),
     "pipeline: Veil": ("equations by target",),
     "buffers: Scaled": ("storage buffers at vertices",),
+    "covered: Beyond": ("blending by target",),
     "buffers: Shapes": ("storage buffers at vertices",),
 }
 """The capabilities that materials use, of those that some profiles lack."""

@@ -14,6 +14,7 @@ from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...ir.signatures import FAMILIES
 from ...ir.types import (
+    FLOAT,
     VEC3,
     Array,
     Matrix,
@@ -103,7 +104,8 @@ def _of_lanes(name: str, operands: Sequence[Node], span: Span, written: Written)
     if not all(isinstance(type_, Scalar) for type_ in types) or len(types) not in (2, 3, 4):
         return ""
     vector = Vector("float", len(types))
-    if not overloads.resolve(name, (Operand(vector),)):
+    takes_numbers = overloads.resolve(name, (Operand(FLOAT),))
+    if takes_numbers or not overloads.resolve(name, (Operand(vector),)):
         return ""
     lanes = ", ".join(each.span.text for each in written)
     first, last = written[0].span, written[-1].span
