@@ -52,7 +52,7 @@ _READ = ("albedo(uv)",)
 _TEXTURES = "a texture is read by calling it: see Textures in the language reference"
 
 
-def _same(names: str, *written: str, reason: str = "") -> Iterator[tuple[str, Instead]]:
+def same(names: str, *written: str, reason: str = "") -> Iterator[tuple[str, Instead]]:
     """Several names that mean the same."""
     for name in names.split():
         yield name, Instead(written, reason)
@@ -71,76 +71,76 @@ _SHIFTS = "join and part the lanes with `<<`, `>>`, `&` and `|`"
 
 _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
     # ---- arithmetic
-    _same("lerp", "mix(x, y, z)"),
-    _same("frac", "fract(x)"),
-    _same("rsqrt inverseSqrt", "inversesqrt(x)"),
-    _same("fmod", "x - y * trunc(x / y)", reason="`x mod y` floors, and has the sign of y"),
-    _same("roundEven rint", "round(x)"),
-    _same("mad", "fma(x, y, z)"),
-    _same("rcp", "1 / x"),
-    _same("mul", "a * v"),
-    _same("modf", "trunc(x)", "x - trunc(x)"),
-    _same("frexp", "mantissa(x)", "exponent(x)"),
-    _same("sincos", "sin(x)", "cos(x)"),
-    _same("atan2f", "atan2(y, x)"),
-    _same("faceForward", "faceforward(v, w, v)"),
-    _same("matrixCompMult", "hadamard(a, b)"),
-    _same("outerProduct", "outer(v, w)"),
-    _same("dst", "vec4(1, p.y * q.y, p.z, q.w)"),
-    _same("isnan isinf isfinite", reason=_FINITE),
+    same("lerp", "mix(x, y, z)"),
+    same("frac", "fract(x)"),
+    same("rsqrt inverseSqrt", "inversesqrt(x)"),
+    same("fmod", "x - y * trunc(x / y)", reason="`x mod y` floors, and has the sign of y"),
+    same("roundEven rint", "round(x)"),
+    same("mad", "fma(x, y, z)"),
+    same("rcp", "1 / x"),
+    same("mul", "a * v"),
+    same("modf", "trunc(x)", "x - trunc(x)"),
+    same("frexp", "mantissa(x)", "exponent(x)"),
+    same("sincos", "sin(x)", "cos(x)"),
+    same("atan2f", "atan2(y, x)"),
+    same("faceForward", "faceforward(v, w, v)"),
+    same("matrixCompMult", "hadamard(a, b)"),
+    same("outerProduct", "outer(v, w)"),
+    same("dst", "vec4(1, p.y * q.y, p.z, q.w)"),
+    same("isnan isinf isfinite", reason=_FINITE),
     # ---- several lanes
-    _same("lessThan", "v < w"),
-    _same("lessThanEqual", "v <= w"),
-    _same("greaterThan", "v > w"),
-    _same("greaterThanEqual", "v >= w"),
-    _same("equal", "v == w"),
-    _same("notEqual", "v != w"),
-    _same("select", "choose(c, v, w)", reason="the condition comes first, then what it chooses"),
+    same("lessThan", "v < w"),
+    same("lessThanEqual", "v <= w"),
+    same("greaterThan", "v > w"),
+    same("greaterThanEqual", "v >= w"),
+    same("equal", "v == w"),
+    same("notEqual", "v != w"),
+    same("select", "choose(c, v, w)", reason="the condition comes first, then what it chooses"),
     # ---- derivatives
-    _same("dFdx dFdxCoarse dFdxFine ddx_coarse ddx_fine dpdx dpdxCoarse dpdxFine", "ddx(x)"),
-    _same("dFdy dFdyCoarse dFdyFine ddy_coarse ddy_fine dpdy dpdyCoarse dpdyFine", "ddy(x)"),
-    _same("fwidthCoarse fwidthFine", "fwidth(x)"),
+    same("dFdx dFdxCoarse dFdxFine ddx_coarse ddx_fine dpdx dpdxCoarse dpdxFine", "ddx(x)"),
+    same("dFdy dFdyCoarse dFdyFine ddy_coarse ddy_fine dpdy dpdyCoarse dpdyFine", "ddy(x)"),
+    same("fwidthCoarse fwidthFine", "fwidth(x)"),
     # ---- bits
-    _same("bitCount countbits countOneBits", "count_bits(u)"),
-    _same("bitfieldReverse reversebits reverseBits", "reverse_bits(u)"),
-    _same("findMSB firstbithigh firstLeadingBit", "first_leading_bit(u)"),
-    _same("findLSB firstbitlow firstTrailingBit", "first_trailing_bit(u)"),
-    _same("countLeadingZeros", "31 - first_leading_bit(u)"),
-    _same("countTrailingZeros", "count_bits(~u & (u - 1))"),
-    _same("bitfieldExtract extractBits", "extract_bits(u, n, m)"),
-    _same("bitfieldInsert insertBits", "insert_bits(u, k, n, m)"),
-    _same("uaddCarry", "u + k", "uint(u + k < u)"),
-    _same("usubBorrow", "u - k", "uint(u < k)"),
-    _same("floatBitsToUint asuint", "bits_of(x)"),
-    _same("floatBitsToInt asint", "int(bits_of(x))"),
-    _same("uintBitsToFloat asfloat", "float_of_bits(u)"),
-    _same("intBitsToFloat", "float_of_bits(uint(n))"),
-    _same("bitcast", "bits_of(x)", "float_of_bits(u)", reason="`int` and `uint` keep the bits"),
+    same("bitCount countbits countOneBits", "count_bits(u)"),
+    same("bitfieldReverse reversebits reverseBits", "reverse_bits(u)"),
+    same("findMSB firstbithigh firstLeadingBit", "first_leading_bit(u)"),
+    same("findLSB firstbitlow firstTrailingBit", "first_trailing_bit(u)"),
+    same("countLeadingZeros", "31 - first_leading_bit(u)"),
+    same("countTrailingZeros", "count_bits(~u & (u - 1))"),
+    same("bitfieldExtract extractBits", "extract_bits(u, n, m)"),
+    same("bitfieldInsert insertBits", "insert_bits(u, k, n, m)"),
+    same("uaddCarry", "u + k", "uint(u + k < u)"),
+    same("usubBorrow", "u - k", "uint(u < k)"),
+    same("floatBitsToUint asuint", "bits_of(x)"),
+    same("floatBitsToInt asint", "int(bits_of(x))"),
+    same("uintBitsToFloat asfloat", "float_of_bits(u)"),
+    same("intBitsToFloat", "float_of_bits(uint(n))"),
+    same("bitcast", "bits_of(x)", "float_of_bits(u)", reason="`int` and `uint` keep the bits"),
     # ---- packing
-    _same("packUnorm4x8 pack4x8unorm", "pack_unorm4x8(p)"),
-    _same("packSnorm4x8 pack4x8snorm", "pack_snorm4x8(p)"),
-    _same("packUnorm2x16 pack2x16unorm", "pack_unorm2x16(uv)"),
-    _same("packSnorm2x16 pack2x16snorm", "pack_snorm2x16(uv)"),
-    _same("packHalf2x16 pack2x16float", "pack_half2x16(uv)"),
-    _same("unpackUnorm4x8 unpack4x8unorm", "unpack_unorm4x8(u)"),
-    _same("unpackSnorm4x8 unpack4x8snorm", "unpack_snorm4x8(u)"),
-    _same("unpackUnorm2x16 unpack2x16unorm", "unpack_unorm2x16(u)"),
-    _same("unpackSnorm2x16 unpack2x16snorm", "unpack_snorm2x16(u)"),
-    _same("unpackHalf2x16 unpack2x16float", "unpack_half2x16(u)"),
-    _same("f32tof16", "pack_half2x16(vec2(x, 0))"),
-    _same("f16tof32", "unpack_half2x16(u).x"),
-    _same("quantizeToF16", "quantize_half(x)"),
-    _same("unpack4xU8", "uvec4(u, u >> 8, u >> 16, u >> 24) & 255"),
-    _same("unpack4xI8", "ivec4(uvec4(u << 24, u << 16, u << 8, u)) >> 24"),
-    _same("D3DCOLORtoUBYTE4", "ivec4(p.zyxw * 255.002)"),
-    _same("pack4xI8 pack4xU8 pack4xI8Clamp pack4xU8Clamp", reason=_SHIFTS),
-    _same("dot4U8Packed dot4I8Packed msad4", reason=_SHIFTS),
+    same("packUnorm4x8 pack4x8unorm", "pack_unorm4x8(p)"),
+    same("packSnorm4x8 pack4x8snorm", "pack_snorm4x8(p)"),
+    same("packUnorm2x16 pack2x16unorm", "pack_unorm2x16(uv)"),
+    same("packSnorm2x16 pack2x16snorm", "pack_snorm2x16(uv)"),
+    same("packHalf2x16 pack2x16float", "pack_half2x16(uv)"),
+    same("unpackUnorm4x8 unpack4x8unorm", "unpack_unorm4x8(u)"),
+    same("unpackSnorm4x8 unpack4x8snorm", "unpack_snorm4x8(u)"),
+    same("unpackUnorm2x16 unpack2x16unorm", "unpack_unorm2x16(u)"),
+    same("unpackSnorm2x16 unpack2x16snorm", "unpack_snorm2x16(u)"),
+    same("unpackHalf2x16 unpack2x16float", "unpack_half2x16(u)"),
+    same("f32tof16", "pack_half2x16(vec2(x, 0))"),
+    same("f16tof32", "unpack_half2x16(u).x"),
+    same("quantizeToF16", "quantize_half(x)"),
+    same("unpack4xU8", "uvec4(u, u >> 8, u >> 16, u >> 24) & 255"),
+    same("unpack4xI8", "ivec4(uvec4(u << 24, u << 16, u << 8, u)) >> 24"),
+    same("D3DCOLORtoUBYTE4", "ivec4(p.zyxw * 255.002)"),
+    same("pack4xI8 pack4xU8 pack4xI8Clamp pack4xU8Clamp", reason=_SHIFTS),
+    same("dot4U8Packed dot4I8Packed msad4", reason=_SHIFTS),
     # ---- textures
-    _same(
+    same(
         "texture texture1D texture2D texture3D textureCube tex1D tex2D tex3D texCUBE textureSample",
         *_READ,
     ),
-    _same(
+    same(
         "texelFetchOffset textureLodOffset textureGradOffset textureOffset textureProj "
         "textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
         "textureProjOffset textureGatherOffset textureGatherOffsets textureQueryLod "
@@ -153,31 +153,31 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         "textureSampleCompareLevel textureSampleBaseClampToEdge subpassLoad",
         reason=_TEXTURES,
     ),
-    _same("textureLod textureSampleLevel tex2Dlod texture2DLod", "albedo.level(uv, x)"),
-    _same("textureGrad textureSampleGrad tex2Dgrad", "albedo.grad(uv, ddx(uv), ddy(uv))"),
-    _same("texelFetch textureLoad", "albedo.load(ivec2(n, m))"),
-    _same("textureSize textureDimensions", "albedo.size()"),
-    _same("textureGather", "albedo.gather(uv, 0)"),
-    _same("textureQueryLevels textureNumLevels", "albedo.levels()"),
-    _same("CheckAccessFullyMapped", reason="textures are there as a whole"),
+    same("textureLod textureSampleLevel tex2Dlod texture2DLod", "albedo.level(uv, x)"),
+    same("textureGrad textureSampleGrad tex2Dgrad", "albedo.grad(uv, ddx(uv), ddy(uv))"),
+    same("texelFetch textureLoad", "albedo.load(ivec2(n, m))"),
+    same("textureSize textureDimensions", "albedo.size()"),
+    same("textureGather", "albedo.gather(uv, 0)"),
+    same("textureQueryLevels textureNumLevels", "albedo.levels()"),
+    same("CheckAccessFullyMapped", reason="textures are there as a whole"),
     # ---- not offered
-    _same("clip", reason="a pass says `discard when x < 0`"),
-    _same("ftransform", reason="`clip_position` is a slot like any other"),
-    _same("packDouble2x32 unpackDouble2x32 asdouble umulExtended imulExtended", reason=_WIDE),
-    _same(
+    same("clip", reason="a pass says `discard when x < 0`"),
+    same("ftransform", reason="`clip_position` is a slot like any other"),
+    same("packDouble2x32 unpackDouble2x32 asdouble umulExtended imulExtended", reason=_WIDE),
+    same(
         "interpolateAtCentroid interpolateAtOffset interpolateAtSample EvaluateAttributeCentroid "
         "EvaluateAttributeAtSample EvaluateAttributeSnapped GetRenderTargetSampleCount "
         "GetRenderTargetSamplePosition textureSamples textureNumSamples",
         reason=_SAMPLES,
     ),
-    _same(
+    same(
         "EmitVertex EmitStreamVertex EndPrimitive EndStreamPrimitive Process2DQuadTessFactorsAvg "
         "Process2DQuadTessFactorsMax Process2DQuadTessFactorsMin ProcessIsolineTessFactors "
         "ProcessQuadTessFactorsAvg ProcessQuadTessFactorsMax ProcessQuadTessFactorsMin "
         "ProcessTriTessFactorsAvg ProcessTriTessFactorsMax ProcessTriTessFactorsMin",
         reason=_STAGES,
     ),
-    _same(
+    same(
         "allInvocations allInvocationsEqual anyInvocation quadBroadcast quadSwapDiagonal quadSwapX "
         "quadSwapY subgroupAdd subgroupAll subgroupAnd subgroupAny subgroupBallot "
         "subgroupBroadcast subgroupBroadcastFirst subgroupElect subgroupExclusiveAdd "
@@ -186,7 +186,7 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         "subgroupShuffleXor subgroupXor",
         reason=_NEIGHBOURS,
     ),
-    _same(
+    same(
         "AllMemoryBarrier AllMemoryBarrierWithGroupSync DeviceMemoryBarrier "
         "DeviceMemoryBarrierWithGroupSync GroupMemoryBarrier GroupMemoryBarrierWithGroupSync "
         "InterlockedAdd InterlockedAnd InterlockedCompareExchange InterlockedCompareStore "
@@ -203,13 +203,13 @@ _FUNCTIONS: tuple[Iterator[tuple[str, Instead]], ...] = (
         "storageBarrier textureBarrier textureStore workgroupBarrier workgroupUniformLoad",
         reason=_MEMORY,
     ),
-    _same("printf print errorf abort", reason="shaders have nobody to tell"),
+    same("printf print errorf abort", reason="shaders have nobody to tell"),
     # ---- functions of engines, and of languages that are not for shading
-    _same("sum", "v.x + v.y + v.z", reason="a sum over numbers is `sum i in a..b : e`"),
-    _same("product", "v.x * v.y * v.z", reason="a product is `product i in a..b : e`"),
-    _same("len", reason="the length of an array is part of its type: it is the number written"),
-    _same("range", reason="numbers in a row are `a..b`, in `sum i in a..b : e` and its like"),
-    _same("array", reason="an array is `[a, b, c]`, its type `float[3]`"),
+    same("sum", "v.x + v.y + v.z", reason="a sum over numbers is `sum i in a..b : e`"),
+    same("product", "v.x * v.y * v.z", reason="a product is `product i in a..b : e`"),
+    same("len", reason="the length of an array is part of its type: it is the number written"),
+    same("range", reason="numbers in a row are `a..b`, in `sum i in a..b : e` and its like"),
+    same("array", reason="an array is `[a, b, c]`, its type `float[3]`"),
 )
 
 FUNCTIONS: Mapping[str, Instead] = MappingProxyType(

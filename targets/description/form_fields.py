@@ -108,7 +108,8 @@ has to be there."""
 
 MAY_BE_EMPTY = frozenset(
     {
-        "accumulate", "array", "loop_while", "matrix_by_rows", "member_end", "splat_constant",
+        "accumulate", "array", "array_of_block", "loop_while", "matrix_by_rows", "member_end",
+        "splat_constant",
     }
 )  # fmt: skip
 """Rows with a default that a language may leave empty, or set to false, all the same: it needs

@@ -139,6 +139,8 @@ class Forms:
     column: str = "{matrix:p}[{position}]"
     array: str = "{type}({elements})"
     """An array from its elements; empty where each element has to be assigned."""
+    array_of_block: bool = True
+    """True if an array can also be made of all members of a block, in their order."""
     member: str = "{name}"
     """A parameter: ``{name}``, or ``{block}.{name}`` where a block is a variable."""
     stored: str = "{value}"

@@ -91,6 +91,10 @@ class Expressions:
         combined, _binding = self._natives.combined(operator, value.type, operands)
         return self._forms.assign.format(name=name, value=combined)
 
+    def is_block(self, elements: tuple[Node, ...]) -> bool:
+        """True if these are all members of a uniform block, in their order."""
+        return self._leaves.is_block(elements)
+
     def _arguments(self, nodes: tuple[Node, ...]) -> str:
         return ", ".join(separable(self.operands(nodes)))
 

@@ -55,6 +55,14 @@ class LeafPrinter:
         )
         return self.loaded((text, NAME), stored)
 
+    def is_block(self, elements: Sequence[Node]) -> bool:
+        """True if these are all members of a uniform block, in their order."""
+        if any(element.op != "parameter" for element in elements):
+            return False
+        parameters = [PARAMETER.data(element) for element in elements]
+        block = self._members[parameters[0]][0]
+        return parameters == [each for each, place in self._members.items() if place[0] == block]
+
     def loaded(self, member: Printed, type_: Type) -> Printed:
         """A member of a block as a value of its type, if the block stores it as another type."""
         if not self._stored or str(type_) not in self._stored:

@@ -67,7 +67,7 @@ class Statements:
                     continue
                 case Let():
                     yield from comment_lines(statement.doc, "//")
-                    if statement.node.op == "array" and not self._forms.array:
+                    if self._is_filled(statement.node):
                         yield from self._filled(statement)
                     else:
                         yield self._let(statement)
@@ -87,6 +87,12 @@ class Statements:
         typed = self._types.declare(name, let.node.type)
         text = self._form(let.node).format(name=name, typed=typed, value=value)
         return self._mark(text, let.node)
+
+    def _is_filled(self, node: Node) -> bool:
+        """True if a node is an array whose elements have to be assigned one by one."""
+        if node.op != "array" or not self._forms.array:
+            return node.op == "array"
+        return not self._forms.array_of_block and self._expressions.is_block(node.operands)
 
     def _filled(self, let: Let) -> Lines:
         """A variable for an array, and the assignments of its elements."""

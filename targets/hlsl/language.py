@@ -49,6 +49,9 @@ FORMS = Forms(
     matrix_by_rows=True,
     product_of_columns="mul({vector}, {type}({columns}))",
     array="{{{elements}}}",
+    # DXC takes an array that is a copy of a whole block for the block itself, and then reads a
+    # member of that at a computed place, which SPIR-V has not got.
+    array_of_block=False,
     constant_array="static const {typed} = {value};",
     column="transpose({matrix:p})[{position}]",
     input="input.{name}",

@@ -12,6 +12,7 @@ from burnish.compiler.semantics.checking.calls import NOT_CALLED
 from burnish.compiler.semantics.types.typenames import NAMED
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
+from burnish.stdlib.builtins.nodes import NODES
 from burnish.stdlib.synonyms import SYNONYMS
 
 LANGUAGES = ("glsl", "hlsl", "wgsl")
@@ -49,7 +50,7 @@ def test_functions_of_the_library_are_there() -> None:
 
 
 def test_each_says_something() -> None:
-    for name, instead in FUNCTIONS.items():
+    for name, instead in (*FUNCTIONS.items(), *NODES.items()):
         assert instead.hint, name
         assert not instead.hint.endswith("."), name
 
@@ -69,7 +70,9 @@ SURROUNDINGS = "\n".join(
         "    color = #fff",
     ]
 )
-WRITTEN = sorted({text for instead in FUNCTIONS.values() for text in instead.written})
+WRITTEN = sorted(
+    {text for instead in (*FUNCTIONS.values(), *NODES.values()) for text in instead.written}
+)
 
 
 def test_what_is_written_instead_compiles() -> None:
@@ -85,6 +88,9 @@ def test_what_is_written_instead_compiles() -> None:
         ("color = vec3(isnan(uv.x))", "no value is infinite or NaN"),
         ("a : float3 = normal", "it is `vec3` here"),
         ("color = float3(uv, 0)", "it is `vec3` here"),
+        ("color = vec3(OneMinus(uv.x))", "it is `1 - x` here"),
+        ("color = vec3(one_minus(uv.x))", "it is `1 - x` here"),
+        ("color = PrincipledBSDF(#fff)", "materials of `std.models` are bases"),
         ("color = vec3(snoise(uv))", "did you mean `simplex_noise`? add `import std.noise."),
         ("color = curlNoise(position)", "did you mean `curl_noise`? add `import std.noise."),
         ("color = vec3(fbm(uv, 4))", "add `import std.noise.{fbm}`"),

@@ -9,6 +9,8 @@ from burnish.compiler import library
 from burnish.compiler.semantics.names.modules import Offers
 from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
+from burnish.stdlib.builtins.nodes import BY_FOLDED as NODES_BY_FOLDED
+from burnish.stdlib.builtins.nodes import NODES
 from burnish.stdlib.synonyms import BY_FOLDED, SYNONYMS, folded
 
 OFFERS: Offers = library.standard_library(library.FOLDER).offers()
@@ -27,6 +29,8 @@ def test_names_that_are_known_need_no_row() -> None:
     assert {folded(name) for name in OFFERS} & BY_FOLDED.keys() == set()
     for elsewhere in (BUILTINS, FUNCTIONS, KEYWORDS, TYPES):
         assert elsewhere.keys() & SYNONYMS.keys() == set()
+    assert NODES_BY_FOLDED.keys() & BY_FOLDED.keys() == set()
+    assert len(NODES_BY_FOLDED) == len(NODES), "two rows are the same name in two styles"
     assert len(BY_FOLDED) == len(SYNONYMS), "two rows are the same name in two styles"
 
 
@@ -76,3 +80,9 @@ def test_an_own_function_in_another_style_is_meant_first() -> None:
     text = "fn tone_map(c: rgb) -> rgb = c / (1 + c)\nmaterial M { color = toneMap(#fff) }"
     (found,) = burnish.check(text)
     assert "did you mean `tone_map`?" in str(found.hint)
+
+
+def test_an_own_function_is_meant_before_a_node() -> None:
+    text = "fn one_minus(x: float) -> float = 1 - x\nmaterial M { color = vec3(OneMinus(0.5)) }"
+    (found,) = burnish.check(text)
+    assert "did you mean `one_minus`?" in str(found.hint)

@@ -24,7 +24,15 @@ from burnish.stdlib.builtins import (
     work_group,
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
-from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, METHODS, TYPES, VALUES
+from burnish.stdlib.builtins.elsewhere import (
+    FUNCTIONS,
+    KEYWORDS,
+    METHODS,
+    TYPES,
+    VALUES,
+    Instead,
+)
+from burnish.stdlib.builtins.nodes import NODES
 from burnish.stdlib.synonyms import SYNONYMS, Meant
 from burnish.targets.conformance.measured import ENVELOPES
 
@@ -127,17 +135,26 @@ collections. Styles do not count: `softLight`, `SoftLight` and `soft_light` are 
 """
 
 
+NODES_HEAD = """Nodes of editors, and functions that people copy, are short here. Styles do not
+count.
+"""
+
+
+def _instead(names: Mapping[str, Instead]) -> Iterator[tuple[str, str]]:
+    """Rows of names elsewhere, together where the same is written for them."""
+    found: dict[tuple[tuple[str, ...], str], list[str]] = {}
+    for name, instead in names.items():
+        found.setdefault((instead.written, instead.reason), []).append(name)
+    for (written, reason), same in found.items():
+        yield codes(same), "; ".join(filter(None, (codes(written, " and "), cell(reason))))
+
+
 def _elsewhere() -> Iterator[str]:
     """The tables of names in other languages, and what to write for them."""
     yield ELSEWHERE_HEAD
-    found: dict[tuple[tuple[str, ...], str], list[str]] = {}
-    for name, instead in FUNCTIONS.items():
-        found.setdefault((instead.written, instead.reason), []).append(name)
-    rows = (
-        (codes(names), "; ".join(filter(None, (codes(written, " and "), cell(reason)))))
-        for (written, reason), names in found.items()
-    )
-    yield table(("function", "here"), rows)
+    yield table(("function", "here"), _instead(FUNCTIONS))
+    yield NODES_HEAD
+    yield table(("function", "here"), _instead(NODES))
     yield SYNONYMS_HEAD
     yield table(("function", "in the library"), _synonyms())
     others = ((f"`{name}`", f"`{here}`") for name, here in {**TYPES, **VALUES}.items())

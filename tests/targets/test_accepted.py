@@ -55,6 +55,25 @@ def test_accepted(selected: Selected, toolchain: Toolchain) -> None:
     assert not found, "\n".join(found)
 
 
+@pytest.mark.parametrize("kind", ["float", "int", "vec2", "rgb", "vec4", "mat3"])
+@pytest.mark.parametrize("length", [1, 2, 3])
+def test_an_array_of_a_whole_block(toolchain: Toolchain, kind: str, length: int) -> None:
+    """DXC read the block at the computed place, where SPIR-V knows none."""
+    names = [f"part_{number}" for number in range(length)]
+    members = "\n".join(f"param {name} : {kind}" for name in names)
+    text = f"material M {{ {members}\n part = [{', '.join(names)}][int(uv.x * 3)]\n"
+    lane = {"mat3": "part[0].x", "float": "part", "int": "float(part)"}.get(kind, "part.x")
+    made = burnish.compile(f"{text} color = vec3({lane}) }}", "hlsl").materials[0]
+    asked = [
+        Job(checker, "frag", file.text, file.entry_points["fragment"], file.name)
+        for file in made.files
+        if file.stage == "fragment"
+        for checker in file.checkers
+    ]
+    assert asked
+    assert not [verdict.messages for verdict in refused(asked, toolchain)]
+
+
 NUMBERS = ("0.7", "-0.0", "1e-39", "-1e-45", "1.1754944e-38", "-1.1754942e-38", "3.4028235e38")
 
 

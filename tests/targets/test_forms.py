@@ -38,7 +38,7 @@ def test_every_row_is_a_form_or_a_plain_text() -> None:
         "else_", "end", "discard", "position", "emit_vertex", "end_strip", "barrier", "member_end",
         "struct_end", "lanes", "lane_words",
     }  # fmt: skip
-    flags = {"splat_constant", "matrix_by_rows"}
+    flags = {"splat_constant", "matrix_by_rows", "array_of_block"}
     assert {*FIELDS, *plain, *flags} == set(Forms.__match_args__)
 
 

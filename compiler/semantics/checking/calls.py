@@ -256,7 +256,20 @@ def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
         return KEYWORDS[name]
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
-    return called_here(name, e.callee.span, TYPES[name]) if name in TYPES else ""
+    if name in TYPES:
+        return called_here(name, e.callee.span, TYPES[name])
+    return _of_nodes(name, scope)
+
+
+def _of_nodes(name: str, scope: Scope) -> str:
+    """The hint for a node of an editor, if nothing that can be called here is named alike."""
+    from ....stdlib.builtins.nodes import BY_FOLDED
+    from ....stdlib.synonyms import folded
+
+    plain = folded(name)
+    if plain not in BY_FOLDED or any(folded(known) == plain for known in _callables(scope)):
+        return ""
+    return BY_FOLDED[plain].hint
 
 
 _SAME = r"(\w+)\((\w+(?:, \w+)*)\)"
