@@ -272,10 +272,12 @@ def test_nothing_to_draw_with() -> None:
     result = invoke("conform", "m.burnish")
     assert (result.exit_code, result.stderr) == (1, "")
     assert result.stdout.count(" not run\n") == len(routes.ROUTES) + 1
+    packages = f"{sys.executable} -m pip install 'burnish[run]'"
     assert (
         "not run by chromium:webgpu, chromium:webgl2: chromium is missing; to install it: "
-        f"{tool_named('chromium').install}; playwright is missing; to install it: "
-    ) in result.stdout
+        f"{tool_named('chromium').install}; playwright, numpy, pillow are missing; "
+        f"to install them: {packages}\n"
+    ) in result.stdout, result.stdout
     assert result.stdout.endswith(f"\n{len(routes.ROUTES)} not run\n")
 
 
