@@ -73,4 +73,4 @@ def _unknown(what: str, name: str, wanted: str, several: list[str], names: list[
         near = nearest(wanted, names) or lasts.get(nearest(wanted, lasts) or "")
         hint = f"did you mean `{near}`?" if near else f"`burnish {what}` lists them"
     thing = "page" if what == "docs" else what
-    raise click.BadParameter(f"there is no {thing} `{name}`; {hint}", param_hint="NAME")
+    raise click.UsageError(f"there is no {thing} `{name}`; {hint}")
