@@ -45,7 +45,8 @@ class Outline:
         self.text = text
         self.tokens = tokens
         self.depths: list[int] = []
-        """The number of brackets around each token; brackets that are never closed do not count."""
+        """The number of brackets around each token, and none around the end of the file; brackets
+        that are never closed do not count."""
         self.chunks: list[Chunk] = [Chunk(0)] if tokens else []
         self._open: list[int] = []
         self._split()
@@ -129,6 +130,7 @@ class Outline:
             self.depths.append(len(self._open))
         # At the end of the file, brackets that are still open are errors of their chunks.
         self._abandon_open(len(self.tokens))
+        self.depths.append(0)
         for chunk in self.chunks:
             chunk.end = chunk.end or len(self.tokens)
             chunk.unclosed.sort()

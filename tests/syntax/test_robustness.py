@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -52,6 +54,34 @@ def test_token_soup_is_reported_not_raised(words: list[str]) -> None:
     assert isinstance(render_all(report.diagnostics), str)
     for edit in (e for found in report.diagnostics for fix in found.fixes for e in fix.edits):
         assert 0 <= edit.span.start <= edit.span.end <= len(text)
+
+
+CHOICES = """
+fn f(x: float) -> float = if x == 0 then (1 + [2, 3][0]) else if x == 1 { 2 } else 3
+material M {
+    color = if (uv.x < 0.5) #fff else #000
+    a : float = if uv.x is 2 then g(if true then 1 else 2) else if x elif 3
+}
+rig R { sun : Directional { diffuse_color = if 1 then 2 else vec3(if 3) } }
+"""
+EXAMPLES = Path(__file__).parents[2] / "examples"
+WHOLE = [
+    CHOICES,
+    *(
+        (EXAMPLES / name).read_text("utf-8")
+        for name in ("plastic.burnish", "cube_map.burnish", "frames/glow.burnish")
+    ),
+]
+
+
+@pytest.mark.parametrize("whole", WHOLE, ids=["choices", "plastic", "cube_map", "glow"])
+def test_a_text_that_ends_anywhere_is_reported_not_raised(whole: str) -> None:
+    """So it is while somebody types it."""
+    for end in range(len(whole)):
+        if whole[end : end + 1].isspace():
+            report = Report()
+            parse(Source("begun", whole[:end]), report)
+            assert isinstance(render_all(report.diagnostics), str)
 
 
 @given(st.text(max_size=60))
