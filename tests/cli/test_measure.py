@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -101,7 +102,10 @@ def test_a_route_without_its_tools(monkeypatch: pytest.MonkeyPatch) -> None:
     without(monkeypatch, "moderngl")
     result = invoke("conform", "--measure", "--routes", "opengl")
     assert (result.exit_code, result.stdout) == (1, "")
-    assert result.stderr == "warning: opengl:gl330: not measured: moderngl is missing\n"
+    command = f"{sys.executable} -m pip install 'burnish[run]'"
+    assert result.stderr == (
+        "warning: opengl:gl330: not measured: moderngl is missing; to install it: " + command + "\n"
+    )
     assert kept() == []
 
 
