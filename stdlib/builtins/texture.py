@@ -24,8 +24,11 @@ def _reference_is_depth(facts: tuple[Fact, ...]) -> bool:
 
 
 MOST_BIAS = 15.0
-"""The largest bias of a level that devices of all APIs add; larger ones they clamp, each to its
-own limit."""
+"""The largest bias of a level that is added; devices clamp larger ones, each to its own limit.
+
+Direct3D and WebGPU add it, and so do most devices of Vulkan, which promises 2 only
+(``maxSamplerLodBias``).
+"""
 
 
 def _bias_is_small(facts: tuple[Fact, ...]) -> bool:
@@ -78,7 +81,7 @@ ROWS = (
         signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
         doc="The filtered colour at a coordinate; the last operand is added to the implicit level.",
         domain=_bias_is_small,
-        needs="the bias lies in -15..15",
+        needs=f"the bias lies in {-MOST_BIAS:g}..{MOST_BIAS:g}",
         outside="Biases are clamped to -15..15, which Direct3D, WebGPU and most devices add.",
         expansion="sample_bias",
         accuracy=FILTERED,

@@ -90,8 +90,10 @@ class Statements:
 
     def _is_filled(self, node: Node) -> bool:
         """True if a node is an array whose elements have to be assigned one by one."""
-        if node.op != "array" or not self._forms.array:
-            return node.op == "array"
+        if node.op != "array":
+            return False
+        if not self._forms.array:
+            return True
         return not self._forms.array_of_block and self._expressions.is_block(node.operands)
 
     def _filled(self, let: Let) -> Lines:

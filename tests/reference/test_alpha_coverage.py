@@ -13,11 +13,16 @@ from .test_drawing import PASSING, triangles
 from .test_samples import CONSTANT, FAR, ONE, left_of
 
 
-def covered(more: str = "", raster: str = "samples = 4", format_: str = "rgba16f") -> Shader:
-    """A shader whose alpha is that of the parameter `c`."""
+def covered(
+    more: str = "",
+    raster: str = "samples = 4",
+    format_: str = "rgba16f",
+    material: str = CONSTANT,
+) -> Shader:
+    """A shader that shows a material's value, which is the parameter `c` by default."""
     return shader(
         f"""{PASSING}
-        material M : Base {{ {CONSTANT} }}
+        material M : Base {{ {material} }}
         pass P {{
             raster {{ {raster}, alpha_to_coverage = true }}
             {more}
@@ -51,18 +56,7 @@ def test_only_samples_of_the_triangle_are_covered() -> None:
 
 def test_a_certain_alpha_in_front_settles_what_is_behind() -> None:
     """The second triangle is in front, and hides one that devices cover differently."""
-    given = shader(
-        f"""{PASSING}
-        material M : Base {{
-            attribute a : float
-            value = vec4(a)
-        }}
-        pass P {{
-            raster {{ samples = 4, alpha_to_coverage = true }}
-            target t : rgba16f = material.value
-        }}""",
-        "P",
-    )
+    given = covered(material="attribute a : float  value = vec4(a)")
     mesh = triangles(
         left_of(FAR), left_of(FAR, z=(0.25, 0.25, 0.25)), a=np.repeat([0.5, 1.0], 3).tolist()
     )
@@ -72,18 +66,7 @@ def test_a_certain_alpha_in_front_settles_what_is_behind() -> None:
 
 def test_what_alpha_leaves_out_writes_no_depth() -> None:
     """The near triangle has no alpha, and the far one behind it is seen."""
-    given = shader(
-        f"""{PASSING}
-        material M : Base {{
-            attribute a : float
-            value = vec4(1, 0, 0, a)
-        }}
-        pass P {{
-            raster {{ samples = 4, alpha_to_coverage = true }}
-            target t : rgba16f = material.value
-        }}""",
-        "P",
-    )
+    given = covered(material="attribute a : float  value = vec4(1, 0, 0, a)")
     mesh = triangles(
         left_of(FAR, z=(0.25, 0.25, 0.25)), left_of(FAR), a=np.repeat([0.0, 1.0], 3).tolist()
     )
