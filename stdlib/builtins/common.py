@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from .accuracy import COMMON, CORRECT, Inherited, Rounded, in_table, inherited, promised, silent
 from .arithmetic import SIGNED
-from .facts import SMALLEST_NORMAL, Fact
+from .facts import Fact
 from .intervals import around, inexact, monotone, product, products, rounded
 from .row import Builtin, RangeRule
 from .weakest import ROUNDING, relative
@@ -103,9 +103,13 @@ def _ordered(facts: tuple[Fact, ...]) -> bool:
     return low.hi <= high.lo
 
 
+NARROWEST = 2.0**-64
+"""The least distance of the edges of a smooth step, as ``meaning.burnish`` has it."""
+
+
 def _apart(facts: tuple[Fact, ...]) -> bool:
     low, high, _x = facts
-    return high.lo - low.hi >= SMALLEST_NORMAL
+    return high.lo - low.hi >= NARROWEST
 
 
 BLEND = promised(

@@ -281,6 +281,12 @@ def test_every_limited_domain_is_checked_against_the_naive_function() -> None:
     assert limited - WITHOUT_A_NAIVE_ONE == NAIVE.keys()
 
 
+def test_edges_that_count_as_farther_apart_need_their_guard() -> None:
+    """A random try has found that such edges were taken as they are."""
+    edges = (Fact(0.0, 0.0), Fact(2.0**-65, 2.0**-65), Fact(0.0, 1.0))
+    assert not BUILTINS["smoothstep"].domain(edges)
+
+
 @pytest.mark.parametrize("name", NAIVE)
 @settings(max_examples=4 * EXAMPLES)
 @given(data=st.data())
