@@ -237,6 +237,7 @@ FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
     "--eye": _anything,
     "--exposure": _anything,
     "--look-at": _anything,
+    "--samples": _anything,
     "--tone": _anything,
     "--turn": _anything,
     "--frames": _at_most(60),

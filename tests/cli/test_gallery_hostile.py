@@ -284,7 +284,7 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
         "--set": "a=1", "--steps": "2", "--again": "a=b", "--background": "#fff",
         "--frames": "2", "--target": "t", "--material": "M", "--rig": "R", "--pass": "P",
         "--environment": "sky", "--eye": "1,2,3", "--look-at": "0,1,0", "--turn": "180",
-        "--exposure": "1.5", "--tone": "aces",
+        "--exposure": "1.5", "--tone": "aces", "--samples": "4",
     }  # fmt: skip
     assert values.keys() == FOLLOWED.keys()
     words = " ".join(f"{name} {value}" for name, value in values.items())
@@ -295,7 +295,7 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
         "again": (("a", "b"),), "background": (1.0, 1.0, 1.0, 1.0), "frames": 2, "target": "t",
         "material": "M", "rig": "R", "pass_": "P",
         "environment": "sky", "eye": (1.0, 2.0, 3.0), "look_at": (0.0, 1.0, 0.0),
-        "turn": (math.pi, 0.0), "exposure": 1.5, "tone": "aces",
+        "turn": (math.pi, 0.0), "exposure": 1.5, "tone": "aces", "samples": 4,
     }  # fmt: skip
 
 
