@@ -259,6 +259,8 @@ class Profile:
     flat_varyings: bool = True
     """True if a varying can be flat: the value of one vertex of the triangle. Integers have to be
     flat."""
+    rectangular_matrices: bool = True
+    """True if a matrix can have another number of columns than of rows."""
     computed_indices: bool = True
     """True if any integer can be the index of an element or a lane. Otherwise an index consists of
     constants and of the counters of loops around it; only arrays of uniforms are read at any index,

@@ -33,7 +33,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
     matrix="float{n}x{n}",
-    tall_matrix="float4x{n}",
+    rectangular_matrix="float{rows}x{columns}",
     stored_matrix="column_major {type}",
 )
 
@@ -45,9 +45,9 @@ LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 FORMS = Forms(
     splat="{value:p}.{lanes}",
     splat_constant=False,
-    matrix="transpose({type}({columns}))",
+    matrix="transpose({transposed}({columns}))",
     matrix_by_rows=True,
-    product_of_columns="mul({vector}, {type}({columns}))",
+    product_of_columns="mul({vector}, {transposed}({columns}))",
     array="{{{elements}}}",
     # DXC takes an array that is a copy of a whole block for the block itself, and then reads a
     # member of that at a computed place, which SPIR-V has not got.
