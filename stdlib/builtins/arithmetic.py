@@ -142,6 +142,7 @@ ROWS = (
         meaning="product",
         doc="Product: lane by lane for numbers and vectors, that of linear algebra for matrices.",
         operator="*",
+        definition="product",
         range=_product,
         accuracy=CORRECT,
     ),

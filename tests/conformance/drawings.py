@@ -128,10 +128,10 @@ DRAWINGS: Mapping[str, Drawing] = {
     "matrices": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES, hoist=False),
     "hoisted": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES),
     "rectangles": Drawing(
-        "rectangles.burnish", "Row", _COVER, (70, 1), values=OF_RECTANGLES, hoist=False
+        "rectangles.burnish", "Row", _COVER, (80, 1), values=OF_RECTANGLES, hoist=False
     ),
     "hoisted rectangles": Drawing(
-        "rectangles.burnish", "Row", _COVER, (70, 1), values=OF_RECTANGLES
+        "rectangles.burnish", "Row", _COVER, (80, 1), values=OF_RECTANGLES
     ),
     "textures": Drawing("textures.burnish", "Texels", _COVER, TEXELS_SIZE, values=_textures()),
 }

@@ -81,9 +81,22 @@ _SEVERAL: Mapping[str, Vector] = {
     ),
 }
 
+_FACTORS = (
+    ((2, 3), (3, 2)), ((3, 2), (2, 3)), ((2, 3), (4, 2)), ((4, 3), (2, 4)), ((2, 4), (3, 2)),
+    ((3, 4), (2, 3)), ((4, 2), (3, 4)), ((3, 4), (4, 3)), ((3, 2), (4, 3)), ((4, 2), (2, 4)),
+)  # fmt: skip
+"""The shapes of the factors of products of matrices."""
+
+_PRODUCTS: Mapping[str, Vector] = {
+    f"mat{left[0]}x{left[1]} * mat{right[0]}x{right[1]} * vec": of_vector(
+        of_matrix(M[left], M[right]), _VECTORS[right[0]]
+    )
+    for left, right in _FACTORS
+}
+
 PIXELS: Mapping[str, Vector] = {
     name: tuple([*lanes, 0, 0][:4])
-    for tens in (*map(_of_shape, SHAPES), _SEVERAL)
+    for tens in (*map(_of_shape, SHAPES), _SEVERAL, _PRODUCTS)
     for name, lanes in tens.items()
 }
 """The expected pixels; all numbers are whole, and small enough for a float32."""
