@@ -251,6 +251,11 @@ TYPES: Mapping[str, str] = MappingProxyType(
         "samplerCube": "texture_cube", "TextureCube": "texture_cube",
         "sampler2DArray": "texture2d_array", "Texture2DArray": "texture2d_array",
         "texture_2d_array": "texture2d_array", "sampler2DShadow": "depth2d",
+        "samplerCubeArray": "texture_cube_array", "TextureCubeArray": "texture_cube_array",
+        "texturecube_array": "texture_cube_array", "texture_cubearray": "texture_cube_array",
+        "samplerCubeShadow": "depth_cube", "texture_depth_cube": "depth_cube",
+        "samplerCubeArrayShadow": "depth_cube_array", "depthcube_array": "depth_cube_array",
+        "texture_depth_cube_array": "depth_cube_array",
         "texture_depth_2d": "depth2d", "isampler2D": "itexture2d", "usampler2D": "utexture2d",
         "color": "rgb", "colour": "rgb",
     }

@@ -55,7 +55,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    dimensions={
+        "2d": "2d",
+        "2d_array": "2d_array",
+        "3d": "3d",
+        "cube": "cube",
+        "cube_array": "cube_array",
+    },
     textures={
         "float": "texture_{dimension}<f32>",
         "depth": "texture_depth_{dimension}",
