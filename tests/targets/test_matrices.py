@@ -49,7 +49,7 @@ def test_an_old_language_has_no_others() -> None:
 
 @pytest.mark.parametrize("type_", MATRICES, ids=str)
 def test_hosts_find_every_column(type_: Matrix) -> None:
-    """A column takes 16 bytes in all languages, also the last one, which `after` would move into."""
+    """A column takes 16 bytes in all languages, and so does the last one."""
     text = f"""material M {{
         param before : float per draw
         param turn   : {type_} per draw
