@@ -294,7 +294,11 @@ SM6 = Profile(
     single_file=True,
     agrees=AGREES,
     mistakes={"mul": gives_rectangle},
-    limits=Limits(varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768),
+    # A stage has 128 shader resource views and 16 samplers with resource binding tier 1 of Direct3D
+    # 12, the lowest one (Microsoft, "Hardware tiers"). Storage buffers are such views, too.
+    limits=Limits(
+        varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768, textures=120
+    ),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 
