@@ -376,7 +376,7 @@ _ROWS: tuple[Iterator[tuple[str, Meant]], ...] = (
     _called(
         "std.quaternions",
         "to_matrix",
-        "quatToMat3 quatToMatrix mat3_cast mat4_cast",
+        "quatToMat3 quatToMatrix quaternionToMatrix toMat3 toMat4 mat3_cast mat4_cast",
     ),
     _called("std.quaternions", "from_matrix", "quatFromMatrix quat_cast matrix_to_quat"),
     _called("std.quaternions", "slerp", "qslerp quatSlerp"),

@@ -50,6 +50,7 @@ _ROWS = (
     same("Snap snapped", "y * floor(x / y)"),
     same("decimate", "floor(x * y) / y"),
     same("fposmod floored_modulo", "x mod y"),
+    same("mod289", "x mod 289", reason="hashes of whole numbers are in `std.hashes`"),
     same("truncated_modulo", "x - y * trunc(x / y)"),
     same("wrap", "x + (z - x) mod (y - x)"),
     same("move_toward", "x + clamp(y - x, -z, z)"),
@@ -62,6 +63,7 @@ _ROWS = (
     same("oscSquare", "step(0.5, fract(x))"),
     same("oscTriangle", "abs(2 * fract(x) - 1)"),
     same("parabola", "pow(4 * x * (1 - x), y)"),
+    same("pcurve", "pow(y + z, y + z) / (pow(y, y) * pow(z, z)) * pow(x, y) * pow(1 - x, z)"),
     same("sinc", "if x == 0 then 1.0 else sin(pi * x) / (pi * x)"),
     same("gaussian", "exp(-x * x / (2 * y * y))"),
     same("mmax maxComponent", "max(v.x, max(v.y, v.z))"),
@@ -97,6 +99,8 @@ _ROWS = (
     same("TilingAndOffset TRANSFORM_TEX tiling place2d", "uv * x + y"),
     same("Panner", "uv + x * vec2(y, z)"),
     same("sqTile tileUV", "fract(uv * x)", "floor(uv * x)"),
+    same("RadialShear", "uv + x * dot(uv, uv) * vec2(uv.y, -uv.x)", reason="from the centre"),
+    same("spiralSDF", "abs(sin(fract(x * log(dot(uv, uv)) + atan2(uv.y, uv.x) / (2 * pi))))"),
     same("mirrorTile", "abs(2 * fract(uv * x) - 1)"),
     same("rampLR mxRampLR", "mix(v, w, saturate(uv.x))"),
     same("rampTB mxRampTB", "mix(v, w, saturate(uv.y))"),
@@ -124,10 +128,17 @@ _ROWS = (
     same("GetMainLight GetAdditionalLight", reason=_LIGHTS),
     same("SceneColor SceneTexture screenTexture", reason=_LAST),
     same("SceneDepth DepthFade LinearEyeDepth Linear01Depth perspectiveDepthToViewZ "
-          "viewZToPerspectiveDepth", reason=_DEPTHS),
+          "viewZToPerspectiveDepth viewportLinearDepth viewportDepthTexture linearDepth",
+          reason=_DEPTHS),
+    same("crosshatch hatching", reason="`stripes` of `std.patterns` in two slants: "
+          "`min(stripes(20 * (uv.x + uv.y), 0.5), stripes(20 * (uv.x - uv.y), 0.5))`"),
+    same("MagicTexture", reason="`domain_warp` of `std.noise` bends a place, and sums of `sin` "
+          "make such waves"),
+    same("artistic_ior", reason="`schlick_f82` of `std.microfacets` takes the colours of a metal "
+          "from the front and near its edge"),
     same("PrincipledBSDF standard_surface open_pbr_surface gltf_pbr disney_principled "
           "UsdPreviewSurface pbr generalized_schlick_bsdf", reason=_BASES),
-    same("GaussianBlur boxBlur sharpen chromaAB edgeDetect", reason=_NEIGHBOURS),
+    same("slopeBlur GaussianBlur boxBlur sharpen chromaAB edgeDetect", reason=_NEIGHBOURS),
     same("raymarch raymarchSoftShadow raymarchAO sphereTrace", reason=_MARCH),
     same("deltaTime getTime", reason=_TIME),
     same("envMap sampleEnvironment reflectionProbe", reason=_AROUND),

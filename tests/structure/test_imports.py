@@ -79,7 +79,7 @@ NOT_FOR_ALL = (
     "compiler.passes.lower_capture", "compiler.passes.lower_expansion",
     "compiler.passes.lower_tessellation", "compiler.planning", "compiler.reference.picture",
     "compiler.reflection.plan", "compiler.semantics.frames.", "stdlib.builtins.elsewhere",
-    "stdlib.builtins.foreign_words", "stdlib.builtins.nodes",
+    "stdlib.builtins.foreign_words", "stdlib.builtins.nodes", "stdlib.comparisons",
     "compiler.semantics.shading.kernels.kernel", "targets.conformance", "targets.emit.strips",
     "stdlib.synonyms", "targets.runner", "targets.toolchain", "targets.web_host",
 )  # fmt: skip

@@ -111,6 +111,8 @@ class Module:
             meant = _said_elsewhere(written, fitting)
             if meant is not None and _offered(meant, offers, kinds):
                 return self._meant(name, meant)
+            if told := _compared(written):
+                return told
         if near:
             return respelt(written, name.span, near)
         found = nearest_in(name.span.source, written, fitting)
@@ -160,6 +162,14 @@ def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
     alike = (plain, plain.removesuffix("light"))
     found = min((each for each in fitting if folded(each) in alike), default=None)
     return BY_FOLDED.get(plain) if found is None else Meant(fitting[found], (found,))
+
+
+def _compared(written: str) -> str:
+    """What the pages for those who come from other systems say of a name of theirs."""
+    from ....stdlib.comparisons import compared
+
+    row = compared().get(written)
+    return "" if row is None else row.hint
 
 
 def _offered(meant: Meant, offers: Offers, kinds: Sequence[str]) -> bool:
