@@ -2,8 +2,8 @@
 
 The pages of ``docs`` whose names begin with ``coming_from`` compare systems in tables: names of
 others on the left, and in the last column what is written here. An unknown name that has no row in
-``builtins/elsewhere.py``, ``builtins/nodes.py`` and ``synonyms.py`` is looked up in these tables,
-so that a message says what the page says. The pages are read when the first message needs them.
+``other_names.txt`` and ``builtins/elsewhere.py`` is looked up in these tables, so that a message
+says what the page says. The pages are read when the first message needs them.
 """
 
 from __future__ import annotations

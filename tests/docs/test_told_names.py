@@ -9,7 +9,7 @@ import pytest
 
 import burnish
 from burnish.stdlib.comparisons import compared, names_in
-from burnish.stdlib.synonyms import folded
+from burnish.stdlib.other_names import folded
 
 from .comparisons import PAGES
 

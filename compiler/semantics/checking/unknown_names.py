@@ -69,10 +69,9 @@ def _of_other_languages(name: str, span: Span) -> Hint:
 
 def _of_nodes(name: str) -> str:
     """The hint for a name that is no value here, such as the time since the last frame."""
-    from ....stdlib.builtins.nodes import BY_FOLDED
-    from ....stdlib.synonyms import folded
+    from ....stdlib.other_names import NODES_BY_FOLDED, folded
 
-    node = BY_FOLDED.get(folded(name))
+    node = NODES_BY_FOLDED.get(folded(name))
     return "" if node is None or node.written else node.hint
 
 

@@ -17,7 +17,7 @@ from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
 if TYPE_CHECKING:
-    from ....stdlib.synonyms import Meant
+    from ....stdlib.other_names import Meant
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
@@ -145,7 +145,7 @@ class Module:
 
 def _is_alike(one: str, other: str) -> bool:
     """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
-    from ....stdlib.synonyms import folded
+    from ....stdlib.other_names import folded
 
     return folded(one) == folded(other)
 
@@ -156,7 +156,7 @@ def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
     It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
     ``DirectionalLight``; or is another one, as ``luma``.
     """
-    from ....stdlib.synonyms import BY_FOLDED, Meant, folded
+    from ....stdlib.other_names import BY_FOLDED, Meant, folded
 
     plain = folded(written)
     alike = (plain, plain.removesuffix("light"))
