@@ -241,7 +241,7 @@ def _callables(scope: Scope) -> Iterator[str]:
 
 def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     """The hint for a function or a constructor of another shading language."""
-    from ....stdlib.builtins.elsewhere import KEYWORDS, TYPES
+    from ....stdlib.builtins.elsewhere import COLUMNS_FIRST, KEYWORDS, TYPES
     from ....stdlib.other_names import FUNCTIONS, TEXTURE
 
     if name in FUNCTIONS:
@@ -259,7 +259,7 @@ def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
     if name in TYPES:
-        return called_here(name, e.callee.span, TYPES[name])
+        return called_here(name, e.callee.span, TYPES[name], COLUMNS_FIRST.get(name, ""))
     return _of_nodes(name, scope)
 
 
