@@ -59,6 +59,9 @@ OWN_DEPTHS = Need("depths of fragments", lambda profile: profile.fragment_depths
 BORDERS = Need("borders of textures", lambda profile: profile.borders)
 INTEGER_ATTRIBUTES = Need("vertex inputs of integers", lambda profile: profile.integer_attributes)
 FLAT_VALUES = Need("values of a single vertex at fragments", lambda profile: profile.flat_varyings)
+RECTANGULAR_MATRICES = Need(
+    "matrices that are not square", lambda profile: profile.rectangular_matrices
+)
 COMPUTED_PLACES = Need("places that are computed", lambda profile: profile.computed_indices)
 WIDE_INTEGERS = Need(
     "integers of 32 bits",
@@ -82,6 +85,7 @@ def a_texture(feature: str, type_: TextureType) -> Need:
 DEPTH_TEXTURES = a_texture("textures of depths", TextureType("2d", "depth"))
 INTEGER_TEXTURES = a_texture("textures of integers", TextureType("2d", "int"))
 LAYERED_TEXTURES = a_texture("textures with layers", TextureType("2d_array"))
+CUBE_ARRAYS = a_texture("arrays of cubes", TextureType("cube_array"))
 VOLUMES = a_texture("textures of three dimensions", TextureType("3d"))
 
 
@@ -90,6 +94,7 @@ def feature_of_texture(type_: TextureType, profile: Profile) -> str:
     needs = {
         DEPTH_TEXTURES: type_.sample == "depth",
         INTEGER_TEXTURES: type_.sample in ("int", "uint"),
+        CUBE_ARRAYS: type_.dimension == "cube_array",
         LAYERED_TEXTURES: type_.layered,
         VOLUMES: type_.dimension == "3d",
     }
@@ -343,6 +348,14 @@ CAPABILITIES: tuple[Capability, ...] = (
         "put the layers beside each other in one `texture2d`",
     ),
     Capability(
+        "arrays of cubes",
+        "A texture has several cubes: `map t : texture_cube_array`. Vulkan has them where the "
+        "device's feature `imageCubeArray` is, and WebGPU but for its compatibility mode.",
+        (Way((CUBE_ARRAYS,)),),
+        "declare a `texture_cube` for each of them, and choose between what is read: "
+        "`if place == 0 then a(d) else b(d)`",
+    ),
+    Capability(
         "textures of three dimensions",
         "A texture has three dimensions: `map t : texture3d`.",
         (Way((VOLUMES,)),),
@@ -381,6 +394,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "integers and bools get to them.",
         (Way((FLAT_VALUES,)),),
         "let floats cross, which are interpolated",
+    ),
+    Capability(
+        "matrices that are not square",
+        "A matrix has more columns than rows, or fewer: `mat3x2`. A profile without these still "
+        "multiplies those of its uniforms by vectors, and reads their columns.",
+        (Way((RECTANGULAR_MATRICES,)),),
+        "keep the columns as vectors",
     ),
     Capability(
         "computed places",

@@ -10,7 +10,7 @@ from pathlib import Path
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
 from ...compiler.ir.tessellation import Patch, Spacing
-from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Vector
+from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Matrix, Type, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
@@ -33,7 +33,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
     matrix="float{n}x{n}",
-    tall_matrix="float4x{n}",
+    rectangular_matrix="float{rows}x{columns}",
     stored_matrix="column_major {type}",
 )
 
@@ -45,9 +45,9 @@ LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 FORMS = Forms(
     splat="{value:p}.{lanes}",
     splat_constant=False,
-    matrix="transpose({type}({columns}))",
+    matrix="transpose({transposed}({columns}))",
     matrix_by_rows=True,
-    product_of_columns="mul({vector}, {type}({columns}))",
+    product_of_columns="mul({vector}, {transposed}({columns}))",
     array="{{{elements}}}",
     # DXC takes an array that is a copy of a whole block for the block itself, and then reads a
     # member of that at a computed place, which SPIR-V has not got.
@@ -72,7 +72,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"},
+    dimensions={
+        "2d": "2D",
+        "2d_array": "2DArray",
+        "3d": "3D",
+        "cube": "Cube",
+        "cube_array": "CubeArray",
+    },
     textures={
         "float": "Texture{dimension}<float4>",
         "depth": "Texture{dimension}<float>",
@@ -81,6 +87,13 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
 )
+
+
+def in_layers(plain: str, layered: str) -> Read:
+    """A read whose layer is the last lane of the coordinate, behind two lanes or a direction."""
+    of_cubes = layered.replace("float3({1}, {2})", "float4({1}, {2})")
+    return Read(plain, layered, dict.fromkeys(("texture_cube_array", "depth_cube_array"), of_cubes))
+
 
 IMAGES: Mapping[str, str] = {
     **dict.fromkeys(STORABLE, "RWTexture2D<float4>"),
@@ -110,21 +123,21 @@ NATIVES: Spellings = {
     # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
     "to_int": Spelling(usual="{type}({0})", integers="asint({0})", after={"to_float": _CAST}),
     "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})", after={"to_float": _CAST}),
-    "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
-    "sample_bias": Read(
+    "sample": in_layers("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
+    "sample_bias": in_layers(
         "{0}.SampleBias({sampler}, {1}, {2})", "{0}.SampleBias({sampler}, float3({1}, {2}), {3})"
     ),
-    "sample_level": Read(
+    "sample_level": in_layers(
         "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"
     ),
-    "sample_grad": Read(
+    "sample_grad": in_layers(
         "{0}.SampleGrad({sampler}, {1}, {2}, {3})",
         "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
     ),
-    "gather": Read(
+    "gather": in_layers(
         "{0}.Gather{lane}({sampler}, {1})", "{0}.Gather{lane}({sampler}, float3({1}, {2}))"
     ),
-    "compare": Read(
+    "compare": in_layers(
         "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
         "{0}.SampleCmpLevelZero({sampler}, float3({1}, {2}), {3})",
     ),
@@ -148,6 +161,7 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
     "2d_array": ("width, height, layers", "int2(width, height)"),
     "3d": ("width, height, depth", "int3(width, height, depth)"),
     "cube": ("width, height", "int2(width, height)"),
+    "cube_array": ("width, height, layers", "int2(width, height)"),
 }
 """The results of `GetDimensions` before the levels, and the size that is made of them."""
 
@@ -256,6 +270,20 @@ AGREES: Mapping[str, Domain] = {
     "shift_right": everywhere,
 }
 
+
+def gives_rectangle(types: tuple[Type, ...]) -> bool:
+    """True for a product of matrices that is not square.
+
+    DXC writes a matrix of columns as the transpose of one of rows. Where both factors are such,
+    Mesa's Vulkan drivers take the product for one of another shape, and refuse the shader.
+    """
+    match types:
+        case Matrix(rows=rows), Matrix(columns=columns):
+            return rows != columns
+        case _:
+            return False
+
+
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
@@ -265,6 +293,7 @@ SM6 = Profile(
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
+    mistakes={"mul": gives_rectangle},
     limits=Limits(varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )

@@ -30,7 +30,7 @@ TYPES = TypeNames(
     scalars={"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"},
     vectors={"float": "vec{n}f", "int": "vec{n}i", "uint": "vec{n}u", "bool": "vec{n}<bool>"},
     matrix="mat{n}x{n}f",
-    tall_matrix="mat{n}x4f",
+    rectangular_matrix="mat{columns}x{rows}f",
     array="array<{element}, {count}>",
     declaration="{name}: {type}",
 )
@@ -55,7 +55,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    dimensions={
+        "2d": "2d",
+        "2d_array": "2d_array",
+        "3d": "3d",
+        "cube": "cube",
+        "cube_array": "cube_array",
+    },
     textures={
         "float": "texture_{dimension}<f32>",
         "depth": "texture_depth_{dimension}",

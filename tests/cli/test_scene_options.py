@@ -114,6 +114,16 @@ def test_cube_maps_show_a_studio_unless_they_are_set(tmp_path: Path) -> None:
     assert (tmp_path / "m.png").read_bytes() == shown["none"]
 
 
+def test_arrays_of_cube_maps_show_it_in_their_only_layer(tmp_path: Path) -> None:
+    array = MIRROR.replace("texture_cube", "texture_cube_array")
+    (tmp_path / "m.burnish").write_text(array.replace("around(normal)", "around(normal, 3)"))
+    (tmp_path / "one.burnish").write_text(MIRROR)
+    for name in ("m", "one"):
+        words = ("render", tmp_path / f"{name}.burnish", "-o", tmp_path / f"{name}.png")
+        assert "`around` is a small studio" in invoke(*words, "--size", 15).stderr
+    assert (tmp_path / "m.png").read_bytes() == (tmp_path / "one.png").read_bytes()
+
+
 def test_light_from_everywhere_is_the_mean_of_the_studio(tmp_path: Path) -> None:
     """And 0.1, as the library declares it, without one."""
     assert middle(draw(EVERYWHERE, tmp_path)) == (148, 147, 146)

@@ -212,6 +212,7 @@ PROBES: Mapping[str, Probe] = {
         "material M { map t : texture2d  color = vec3(vec2(t.size()), uv.x) / 64 }"
     ),
     "textures with layers": Probe("material M { map t : texture2d_array  color = t(uv, 1).rgb }"),
+    "arrays of cubes": Probe("material M { map t : texture_cube_array  color = t(normal, 1).rgb }"),
     "textures of three dimensions": Probe(
         "material M { map t : texture3d  color = t(vec3(uv, 0.5)).rgb }"
     ),
@@ -230,6 +231,9 @@ PROBES: Mapping[str, Probe] = {
     ),
     "values of a single vertex": Probe(
         "material M { color = if @vertex (position.x > 0) then vec3(uv, 0) else vec3(0, uv) }"
+    ),
+    "matrices that are not square": Probe(
+        "material M { m = mat3x2(uv, uv.yx, vec2(1))  color = vec3(m * vec3(uv, 1), m[0].x) }"
     ),
     "computed places": Probe(
         "material M { param w : float[9]  color = vec3(uv, w[int(8 * uv.x)]) }"

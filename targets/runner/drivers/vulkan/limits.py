@@ -146,6 +146,8 @@ def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str
                 f"texture {name} has {image.depth} layers, and the device takes at most "
                 f"{limits.maxImageArrayLayers}"
             )
+    if image.dimension == "cube_array" and not gpu.cube_arrays:
+        yield f"the device has no arrays of cubes, as texture {name} is one"
     features = _features(gpu, TEXTURES[image.format])
     if not features & vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT:
         yield f"the device cannot read {image.format}, as texture {name} wants it"
