@@ -24,7 +24,6 @@ from typing import Any, NamedTuple
 
 import click
 
-from ..targets.runner.textures.environments import FORMULAS
 from ..targets.runner.textures.kinds import without_prefix
 from .catalogue import is_shown
 
@@ -221,6 +220,8 @@ def _own_files(value: str, root: Path) -> str:
 
 
 def _computed_environment(value: str, _root: Path) -> str:
+    from ..targets.runner.textures.environments import FORMULAS
+
     return "" if value in (*FORMULAS, "none") else "files are not taken"
 
 
