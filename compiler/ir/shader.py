@@ -341,6 +341,12 @@ class Shader:
 
     It exists where render targets have layers and each of these has a draw of its own.
     """
+    views: int = 0
+    """The number of views that the pass draws, each to a layer of its own.
+
+    It is 0 where nothing tells views apart, and 1 without layers where ``view_index`` is read
+    although the pass says nothing of views.
+    """
     capture: Capture | None = None
     """The values that are written of each vertex instead of drawing.
 

@@ -120,6 +120,9 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
+    "view_index": PipelineInput(
+        INT, "gl_ViewIndex", requires="#extension GL_EXT_multiview : require"
+    ),
     "index": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "texel": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
@@ -218,6 +221,9 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
+ONE_VIEW = frozenset({"view_index"})
+"""The input of several views at once, of which only Vulkan's GLSL is certain to know."""
+
 NO_LEVELS = frozenset({"texture_levels"})
 """The builtin that came with GLSL 4.30; no version of ES has it."""
 
@@ -249,6 +255,7 @@ OPENGL = Profile(
     lacks=LACKS,
     agrees=AGREES,
     cannot=CANNOT,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl330",),
 )
 
@@ -267,6 +274,7 @@ OPENGL_4 = Profile(
     # Only fragments and kernels are guaranteed to have storage buffers.
     limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl450",),
 )
 
@@ -295,6 +303,7 @@ ES = Profile(
     lacks=LACKS,
     agrees=AGREES,
     cannot=CANNOT,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es300",),
 )
 
@@ -319,6 +328,7 @@ ES_31 = Profile(
     lacks=COUNTS,
     agrees=AGREES,
     cannot=NO_LEVELS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es310",),
 )
 

@@ -162,6 +162,8 @@ WEBGPU = Profile(
     draws_edges=False,
     blends_floats=False,
     borders=False,
+    # naga knows `@builtin(view_index)`, but the standard does not, and neither do browsers.
+    without_inputs=frozenset({"view_index"}),
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
     limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
