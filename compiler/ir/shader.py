@@ -399,6 +399,11 @@ class Shader:
         return tuple(state for state in states if state is not None)
 
     @property
+    def is_lowered(self) -> bool:
+        """True if it has vertices and fragments alone, of one view: what every target draws."""
+        return self.chain == RASTERISED and not self.views
+
+    @property
     def corner_buffer(self) -> Buffer | None:
         """The buffer from which the vertex stage of a draw reads the mesh, if it has one."""
         if self.chain[0] != VERTEX:

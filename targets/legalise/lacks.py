@@ -121,15 +121,15 @@ def _views(program: Program, profile: Profile) -> Iterator[Lack]:
     """
     if not program.shader.views:
         return
-    others = [stage for stage in program.stages if stage.row not in RASTERISED]
-    if MULTIVIEW.is_met(profile) and others:
-        feature = f"{MULTIVIEW.feature} with a {feature_of_stage(others[0].row)}"
-        yield Lack(feature, others[0].roots[0].id, of_expansion=True, needed_for=VIEWS_AT_ONCE)
-    if MULTIVIEW.is_met(profile):
-        return
     nodes = (node for stage in program.stages for node in stage.nodes)
     reading = (n for n in nodes if n.op == "input" and INPUT.data(n).name == VIEW_INDEX.name)
-    yield Lack(MULTIVIEW.feature, next(reading, program.stages[-1].roots[0]).id)
+    place = next(reading, program.stages[-1].roots[0]).id
+    others = [stage for stage in program.stages if stage.row not in RASTERISED]
+    if not MULTIVIEW.is_met(profile):
+        yield Lack(MULTIVIEW.feature, place)
+    elif others:
+        feature = f"{MULTIVIEW.feature} with a {feature_of_stage(others[0].row)}"
+        yield Lack(feature, place, needed_for=VIEWS_AT_ONCE)
 
 
 def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:
