@@ -67,18 +67,21 @@ def _surround(values: HostValues, found: Environment, taken: frozenset[str]) -> 
     from ..targets.runner.scene import takes_mean_radiance
 
     for texture in _cubes(values, taken):
-        values.set(texture.name, found.texture)
+        is_array = texture.dimension == "cube_array"
+        values.set(texture.name, found.texture.as_array() if is_array else found.texture)
     for row in values.declared.parameters:
         if takes_mean_radiance(row) and row.name not in taken:
             values.set(row.name, found.mean)
 
 
 def _cubes(values: HostValues, taken: frozenset[str]) -> Iterator[TextureDeclaration]:
-    """The cube maps of colours that a shader reads and the host binds, and no step of a light."""
+    """The cube maps of colours, and arrays of them, that a shader reads and the host binds, and no
+    step of a light."""
     from ..compiler.documents.drawing import TextureRow
 
     for row in values.declared.textures:
-        is_light = (row.dimension, row.sample, row.intent) == ("cube", "float", "color")
+        is_cube = row.dimension in ("cube", "cube_array")
+        is_light = is_cube and (row.sample, row.intent) == ("float", "color")
         is_missing = isinstance(row, TextureRow) and (row.brought or not row.stages)
         if is_light and not is_missing and row.name not in taken:
             yield row

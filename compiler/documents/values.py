@@ -134,6 +134,11 @@ class ParameterRow:
     """Members of a struct or of an array's elements; empty otherwise."""
     count: str | None
     """Parameter with the run-time number of elements in use; null where all are."""
+    read: tuple[str, ...] | None = None
+    """Parts that a stage reads, or a value that the host computes: ``lamps.place``.
+
+    Empty where nothing reads any of it. Left out where all of it is read.
+    """
 
 
 @frozen(kw_only=True)

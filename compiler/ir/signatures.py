@@ -67,7 +67,7 @@ TEXTURE_FAMILIES: Mapping[str, frozenset[TextureType]] = {
     "F": frozenset(t for t in TEXTURES if t.sample == "float" and not t.layered),
     "D": frozenset(t for t in TEXTURES if t.sample == "depth" and not t.layered),
     "G": frozenset(t for t in TEXTURES if t.dimension in ("2d", "3d")),
-    "H": frozenset(t for t in TEXTURES if t.layered),
+    "H": frozenset(t for t in TEXTURES if t.dimension == "2d_array"),
     "X": frozenset(TEXTURES),
 }
 """The texture types that a letter ranges over."""

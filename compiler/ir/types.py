@@ -15,7 +15,7 @@ from ...support.frozen import frozen
 from ..constraints import Spelling, dashed
 
 ScalarKind = Literal["float", "int", "uint", "bool"]
-Dimension = Literal["2d", "2d_array", "3d", "cube"]
+Dimension = Literal["2d", "2d_array", "3d", "cube", "cube_array"]
 DIMENSION_WORDS: Spelling = dashed(get_args(Dimension))
 """WebGPU's words, ``GPUTextureViewDimension``."""
 Sample = Literal["float", "depth", "int", "uint"]
@@ -120,7 +120,12 @@ class TextureType:
     @property
     def layered(self) -> bool:
         """True if a read says which layer."""
-        return self.dimension == "2d_array"
+        return self.dimension in ("2d_array", "cube_array")
+
+    @property
+    def is_cube(self) -> bool:
+        """True if a coordinate is a direction, which meets one of six faces."""
+        return self.dimension in ("cube", "cube_array")
 
     @property
     def texel(self) -> Numeric:
@@ -130,7 +135,7 @@ class TextureType:
     @property
     def axes(self) -> int:
         """Numbers in a coordinate by which it is filtered."""
-        return 3 if self.dimension in ("3d", "cube") else 2
+        return 3 if self.dimension == "3d" or self.is_cube else 2
 
     @property
     def extents(self) -> int:
@@ -166,17 +171,23 @@ _PREFIXES: Mapping[Sample, str] = {
 }  # fmt: skip
 _SUFFIXES: Mapping[Dimension, str] = {
     "2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "_cube",
+    "cube_array": "_cube_array",
 }  # fmt: skip
 
 TEXTURES = (
     *(TextureType(dimension, "float") for dimension in _SUFFIXES),
     *(TextureType(dimension, "depth") for dimension in _SUFFIXES if dimension != "3d"),
-    *(TextureType(d, sample) for sample in ("int", "uint") for d in _SUFFIXES if d != "cube"),
+    *(
+        TextureType(dimension, sample)
+        for sample in ("int", "uint")
+        for dimension in _SUFFIXES
+        if dimension not in ("cube", "cube_array")
+    ),
 )
 """All texture types.
 
 No API compares volumes, and the texels of a cube cannot be named by numbers, so integer cubes could
-not be read. Arrays of cubes are left out: ES 3.0 and GL 3.3 have none.
+not be read.
 """
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, TypedDict
 
 from ..constraints import Lanes
@@ -65,13 +65,17 @@ def _place(found: tuple[Block, StoredMember] | None, further: int, packed: Packi
     }
 
 
-def parameter_rows(infos: Sequence[ParameterInfo], places: Places) -> tuple[ParameterRow, ...]:
+def parameter_rows(
+    infos: Sequence[ParameterInfo], places: Places, reads: Reads
+) -> tuple[ParameterRow, ...]:
     """All declared parameters of a shader, or of a frame."""
     names = frozenset(info.leaf.name for info in infos)
-    return tuple(_parameter_row(info, names, places) for info in infos)
+    return tuple(_parameter_row(info, names, places, reads) for info in infos)
 
 
-def _parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -> ParameterRow:
+def _parameter_row(
+    info: ParameterInfo, names: frozenset[str], places: Places, reads: Reads
+) -> ParameterRow:
     """One of them; ``names`` are those of all, as one may count the elements of another."""
     parameter = info.leaf
     counter = f"{parameter.name}.count"
@@ -84,6 +88,7 @@ def _parameter_row(info: ParameterInfo, names: frozenset[str], places: Places) -
         **places.row(parameter),
         members=member_rows(packing(parameter.type), info.members),
         count=counter if counter in names else None,
+        read=reads.of(info),
     )
 
 
@@ -215,3 +220,84 @@ def _light_row(light: LightInfo, infos: list[ParameterInfo]) -> LightRow:
         count=counter if counter in names else None,
         parameters=tuple(each for each in names if each != counter),
     )
+
+
+# --- what is read --------------------------------------------------------------------------------
+# A block has all parameters of its group, so that its layout does not depend on what is read of it.
+
+_PARTS = ("member", "index")
+"""The operations that take a part of a value."""
+
+_COUNT = ("count",)
+"""The path of the number of an array's lights."""
+
+Path = tuple[str, ...]
+"""The names of members, from the outermost one to that which is meant; none for a whole value."""
+
+
+class Reads:
+    """The parts of parameters that something reads."""
+
+    def __init__(self) -> None:
+        self._paths: dict[str, set[Path]] = {}
+        """For each parameter, by name, what is read of it."""
+        self._of_lights: dict[str, set[Path]] = {}
+        """For each entry of the rig, by name, what shaders of a frame read of its lights."""
+
+    def add(self, nodes: Iterable[Node]) -> None:
+        """Add what some nodes read; those that they need are among them."""
+        nodes = list(nodes)
+        operands: set[int] = set()
+        whole: set[int] = set()
+        for node in nodes:
+            for place, operand in enumerate(node.operands):
+                operands.add(operand.id)
+                if place or node.op not in _PARTS:
+                    whole.add(operand.id)
+        for node in nodes:
+            if node.id in operands and node.id not in whole:
+                continue  # Only parts of it are read.
+            if (source := _source(node)) is not None:
+                parameter, path = source
+                self._paths.setdefault(parameter.name, set()).add(path)
+
+    def add_of_lights(self, shader_reads: Reads, infos: Iterable[ParameterInfo]) -> None:
+        """Add what a shader of the frame reads of its lights, whatever they are called there."""
+        for info in infos:
+            if info.light is not None:
+                found = shader_reads._paths.get(info.leaf.name, ())
+                of_entry = self._of_lights.setdefault(info.light.entry, set())
+                of_entry.update((*_own(info), *path) for path in found)
+
+    def of(self, info: ParameterInfo) -> tuple[str, ...] | None:
+        """The parts of a parameter that are read, by name; ``None`` if all of it is."""
+        name = info.leaf.name
+        paths = set(self._paths.get(name, ()))
+        if info.light is not None:
+            own = _own(info)
+            of_entry = self._of_lights.get(info.light.entry, ())
+            paths |= {path[len(own) :] for path in of_entry if path[: len(own)] == own}
+            if own == _COUNT and of_entry:
+                return None  # The host draws as often as it says.
+        if () in paths:
+            return None
+        return tuple(sorted(".".join((name, *path)) for path in paths))
+
+
+def _own(info: ParameterInfo) -> Path:
+    """The path of a parameter in its light: a single light has a parameter for each member."""
+    assert info.light is not None
+    name = info.leaf.name.removeprefix(info.light.name).removeprefix(".")
+    return (name,) if name else ()
+
+
+def _source(node: Node) -> tuple[Parameter, Path] | None:
+    """The parameter that a node is, or is a part of, and the part; ``None`` for other nodes."""
+    path: list[str] = []
+    while node.op in _PARTS:
+        if node.op == "member":
+            path.append(str(node.data))
+        node = node.operands[0]
+    if not isinstance(node.data, Parameter) or node.data.derived:
+        return None
+    return node.data, tuple(reversed(path))

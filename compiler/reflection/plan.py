@@ -51,12 +51,13 @@ from ..ir.frame import (
     Use,
 )
 from ..ir.leaves import Texture
+from ..ir.node import reachable
 from ..ir.shader import TextureInfo
 from ..ir.types import TextureType
 from ..planning.plan import Copy, Plan, PlannedStep, Target
 from ..planning.textures import Shape
 from .buffers import buffer_row
-from .parameters import Places, light_rows, parameter_rows
+from .parameters import Places, Reads, light_rows, parameter_rows
 from .values import steps
 
 VERSION: Literal[2] = 2
@@ -87,7 +88,7 @@ class _Document:
             doc=frame.doc,
             source=_place(frame.span),
             rig=frame.rig,
-            parameters=parameter_rows(frame.parameters, Places(())),
+            parameters=parameter_rows(frame.parameters, Places(()), self._reads()),
             lights=light_rows(frame.parameters),
             host_textures=tuple(map(self._host_texture_row, frame.textures)),
             host_buffers=tuple(map(buffer_row, frame.buffers)),
@@ -125,6 +126,16 @@ class _Document:
                 for output in frame.outputs
             ),
         )
+
+    def _reads(self) -> Reads:
+        """What the values of the frame read, and of lights what its shaders do."""
+        found = Reads()
+        found.add(reachable(self._frame.values))
+        for each in self._frame.shaders:
+            of_shader = Reads()
+            of_shader.add(reachable(each.shader.roots))
+            found.add_of_lights(of_shader, each.shader.parameters)
+        return found
 
     # --- resources ---
 

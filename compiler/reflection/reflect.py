@@ -28,7 +28,7 @@ from ..documents.values import PromiseRow
 from ..ir.blending import REPLACES
 from ..ir.formats import VERTEX_FORMATS
 from ..ir.leaves import Parameter
-from ..ir.node import Node
+from ..ir.node import Node, reachable
 from ..ir.primitives import DrawnPrimitive
 from ..ir.program import Program
 from ..ir.render_state import RenderState
@@ -36,10 +36,12 @@ from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import (
     EDGE_LEVEL,
     EVALUATION,
+    EXTENT,
     GEOMETRY,
     IMAGE,
     INNER_LEVEL,
     INSTANCES,
+    LENGTH,
     PATCHES,
     TARGET,
     Domain,
@@ -48,7 +50,7 @@ from ..ir.tessellation import Tessellation
 from ..promises import promises
 from .buffers import buffer_rows, extent_steps, result_rows
 from .bytes import block_rows
-from .parameters import Places, derived_rows, light_rows, parameter_rows
+from .parameters import Places, Reads, derived_rows, light_rows, parameter_rows
 from .textures import TextureRows
 from .values import steps
 
@@ -126,7 +128,7 @@ def reflect(
         doc=shader.doc,
         conventions=CONVENTIONS,
         blocks=tuple(block_rows(program)),
-        parameters=parameter_rows(infos, places),
+        parameters=parameter_rows(infos, places, _reads(shader, program, derived or {})),
         derived=derived_rows(places, derived or {}, infos),
         promises=tuple(_promise_rows(shader)),
         lights=light_rows(infos),
@@ -149,6 +151,17 @@ def reflect(
         targets=tuple(_target_rows(shader)),
         backends=dict(sorted(backends.items())),
     )
+
+
+def _reads(shader: Shader, program: Program, derived: Mapping[Parameter, Node]) -> Reads:
+    """What the stages read, and the values that the host computes for them or for a draw."""
+    found = Reads()
+    for stage in program.stages:
+        found.add(stage.nodes)
+    computed = [result.value for kind in (EXTENT, LENGTH) for result in shader.results_of(kind)]
+    levels = [level.value for level in shader.levels]
+    found.add(reachable([*derived.values(), *computed, *levels]))
+    return found
 
 
 def _render_state_row(state: RenderState) -> RenderStateRow:

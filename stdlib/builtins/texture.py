@@ -66,7 +66,11 @@ ROWS = (
         meaning="texel",
         method="",
         parameters=("coordinate",),
-        signatures=("F, K -> vec4", "texture2d_array, vec2, int -> vec4"),
+        signatures=(
+            "F, K -> vec4",
+            "texture2d_array, vec2, int -> vec4",
+            "texture_cube_array, vec3, int -> vec4",
+        ),
         doc="The texture's colour at a coordinate, filtered; the level of detail is implicit.",
         accuracy=FILTERED,
         cost=16,
@@ -78,7 +82,11 @@ ROWS = (
         meaning="texel",
         method="bias",
         parameters=("coordinate", "bias"),
-        signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
+        signatures=(
+            "F, K, float -> vec4",
+            "texture2d_array, vec2, int, float -> vec4",
+            "texture_cube_array, vec3, int, float -> vec4",
+        ),
         doc="The filtered colour at a coordinate; the last operand is added to the implicit level.",
         domain=_bias_is_small,
         needs=f"the bias lies in {-MOST_BIAS:g}..{MOST_BIAS:g}",
@@ -94,7 +102,11 @@ ROWS = (
         meaning="texel",
         method="level",
         parameters=("coordinate", "level"),
-        signatures=("F, K, float -> vec4", "texture2d_array, vec2, int, float -> vec4"),
+        signatures=(
+            "F, K, float -> vec4",
+            "texture2d_array, vec2, int, float -> vec4",
+            "texture_cube_array, vec3, int, float -> vec4",
+        ),
         doc="The filtered colour at a coordinate in a level of detail; fractions blend two levels.",
         accuracy=FILTERED,
         cost=16,
@@ -105,7 +117,11 @@ ROWS = (
         meaning="texel",
         method="grad",
         parameters=("coordinate", "dx", "dy"),
-        signatures=("F, K, K, K -> vec4", "texture2d_array, vec2, int, vec2, vec2 -> vec4"),
+        signatures=(
+            "F, K, K, K -> vec4",
+            "texture2d_array, vec2, int, vec2, vec2 -> vec4",
+            "texture_cube_array, vec3, int, vec3, vec3 -> vec4",
+        ),
         doc="The filtered colour at a coordinate, in the level that fits if the coordinate changes "
         "by the last two operands from one pixel to the next, to the right and downwards.",
         accuracy=FILTERED,
@@ -121,6 +137,7 @@ ROWS = (
             "texture2d, vec2, int -> vec4",
             "texture2d_array, vec2, int, int -> vec4",
             "texture_cube, vec3, int -> vec4",
+            "texture_cube_array, vec3, int, int -> vec4",
         ),
         doc="One lane of the four texels that a filtered read would blend, at level 0: "
         "lower left, lower right, upper right, upper left. The lane is a constant in 0..3.",
@@ -134,7 +151,11 @@ ROWS = (
         meaning="of_texture",
         method="",
         parameters=("coordinate", "reference"),
-        signatures=("D, K, float -> float", "depth2d_array, vec2, int, float -> float"),
+        signatures=(
+            "D, K, float -> float",
+            "depth2d_array, vec2, int, float -> float",
+            "depth_cube_array, vec3, int, float -> float",
+        ),
         doc="The share of depths at a coordinate, filtered, for which the map's comparison holds, "
         "with the last operand, the reference, on its left. With `less_equal` it is 1 where the "
         "reference is not behind the stored depth. Reads level 0.",
@@ -198,8 +219,8 @@ ROWS = (
         name="texture_layers",
         meaning="of_texture",
         method="layers",
-        signatures=("H -> int",),
-        doc="The number of layers.",
+        signatures=("H -> int", "texture_cube_array -> int", "depth_cube_array -> int"),
+        doc="The number of layers; a layer of an array of cubes is a whole cube.",
         range=_counted,
         accuracy=EXACT,
         cost=2,

@@ -82,8 +82,9 @@ def sample_textures(instance: HostValues, seed: int) -> None:
 
 def _sampled_texture(row: TextureDeclaration, chance: random.Random, turn: int) -> Texture:
     dimension, sample = row.dimension, row.sample
-    size = (16, 16) if dimension == "cube" else ((32, 32), (24, 20), (17, 31))[turn % 3]
-    count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12}[dimension]
+    is_cube = dimension in ("cube", "cube_array")
+    size = (16, 16) if is_cube else ((32, 32), (24, 20), (17, 31))[turn % 3]
+    count = {"2d": 1, "cube": 6, "2d_array": 3, "3d": 12, "cube_array": 18}[dimension]
     if sample in ("int", "uint"):
         numbers = _numbers_of(chance, (count, size[1], size[0], 4), sample)
         flat = numbers[0] if dimension == "2d" else numbers

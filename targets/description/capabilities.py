@@ -85,6 +85,7 @@ def a_texture(feature: str, type_: TextureType) -> Need:
 DEPTH_TEXTURES = a_texture("textures of depths", TextureType("2d", "depth"))
 INTEGER_TEXTURES = a_texture("textures of integers", TextureType("2d", "int"))
 LAYERED_TEXTURES = a_texture("textures with layers", TextureType("2d_array"))
+CUBE_ARRAYS = a_texture("arrays of cubes", TextureType("cube_array"))
 VOLUMES = a_texture("textures of three dimensions", TextureType("3d"))
 
 
@@ -93,6 +94,7 @@ def feature_of_texture(type_: TextureType, profile: Profile) -> str:
     needs = {
         DEPTH_TEXTURES: type_.sample == "depth",
         INTEGER_TEXTURES: type_.sample in ("int", "uint"),
+        CUBE_ARRAYS: type_.dimension == "cube_array",
         LAYERED_TEXTURES: type_.layered,
         VOLUMES: type_.dimension == "3d",
     }
@@ -344,6 +346,14 @@ CAPABILITIES: tuple[Capability, ...] = (
         "A texture has layers: `map t : texture2d_array`.",
         (Way((LAYERED_TEXTURES,)),),
         "put the layers beside each other in one `texture2d`",
+    ),
+    Capability(
+        "arrays of cubes",
+        "A texture has several cubes: `map t : texture_cube_array`. Vulkan has them where the "
+        "device's feature `imageCubeArray` is, and WebGPU but for its compatibility mode.",
+        (Way((CUBE_ARRAYS,)),),
+        "declare a `texture_cube` for each of them, and choose between what is read: "
+        "`if place == 0 then a(d) else b(d)`",
     ),
     Capability(
         "textures of three dimensions",

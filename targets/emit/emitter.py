@@ -87,7 +87,7 @@ class _Emitter:
         self._language = legal.language
         self._profile = legal.profile
         self._options = options
-        self._names = name_program(legal.program, legal.language)
+        self._names = name_program(legal.program, legal.language, legal.bindings.sampler_owners)
         self._bindings = legal.bindings
         self._context = Context(legal, self._names, options.flip_y)
         self._declarations = Declarations(self._context, legal.bindings)

@@ -13,6 +13,7 @@ from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, EVALUATION, EXPANDED, RASTERISED
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import BOOL, INT, VEC3, VEC4, Vector
+from ...compiler.ir.types import TEXTURES as TEXTURE_TYPES
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain
 from ..description.forms import Forms
@@ -46,7 +47,13 @@ TYPES = TypeNames(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"},
+    dimensions={
+        "2d": "2D",
+        "2d_array": "2DArray",
+        "3d": "3D",
+        "cube": "Cube",
+        "cube_array": "CubeArray",
+    },
     textures={
         "float": "texture{dimension}",
         "depth": "texture{dimension}",
@@ -62,6 +69,13 @@ TEXTURES = TextureNames(
     },
     compared="sampler{dimension}Shadow",
 )
+
+
+def in_layers(plain: str, layered: str) -> Read:
+    """A read whose layer is the last lane of the coordinate, behind two lanes or a direction."""
+    of_cubes = layered.replace("vec3({1}, {2})", "vec4({1}, {2})")
+    return Read(plain, layered, {"texture_cube_array": of_cubes})
+
 
 FETCH = "texelFetch({0}, {1}, {2})"
 FETCH_LAYER = "texelFetch({0}, ivec3({1}, {2}), {3})"
@@ -89,18 +103,22 @@ NATIVES: Spellings = {
     "reverse_bits": "bitfieldReverse",
     "first_leading_bit": "findMSB",
     "first_trailing_bit": "findLSB",
-    "sample": Read("texture({0}, {1})", "texture({0}, vec3({1}, {2}))"),
-    "sample_bias": Read("texture({0}, {1}, {2})", "texture({0}, vec3({1}, {2}), {3})"),
-    "sample_level": Read("textureLod({0}, {1}, {2})", "textureLod({0}, vec3({1}, {2}), {3})"),
-    "sample_grad": Read(
+    "sample": in_layers("texture({0}, {1})", "texture({0}, vec3({1}, {2}))"),
+    "sample_bias": in_layers("texture({0}, {1}, {2})", "texture({0}, vec3({1}, {2}), {3})"),
+    "sample_level": in_layers("textureLod({0}, {1}, {2})", "textureLod({0}, vec3({1}, {2}), {3})"),
+    "sample_grad": in_layers(
         "textureGrad({0}, {1}, {2}, {3})", "textureGrad({0}, vec3({1}, {2}), {3}, {4})"
     ),
-    "gather": Read("textureGather({0}, {1}, {2})", "textureGather({0}, vec3({1}, {2}), {3})"),
-    # Arrays and cubes of depths have no `textureLod`; a gradient of zero means the same.
+    "gather": in_layers("textureGather({0}, {1}, {2})", "textureGather({0}, vec3({1}, {2}), {3})"),
+    # Arrays and cubes of depths have no `textureLod`; a gradient of zero means the same. Arrays of
+    # cubes have neither, and their sampler stays at the first level.
     "compare": Read(
         "textureLod({0}, vec3({1}, {2}), 0.0)",
         "textureGrad({0}, vec4({1}, {2}, {3}), vec2(0.0), vec2(0.0))",
-        {"depth_cube": "textureGrad({0}, vec4({1}, {2}), vec3(0.0), vec3(0.0))"},
+        {
+            "depth_cube": "textureGrad({0}, vec4({1}, {2}), vec3(0.0), vec3(0.0))",
+            "depth_cube_array": "texture({0}, vec4({1}, {2}), {3})",
+        },
     ),
     "gather_compare": Read(
         "textureGather({0}, {1}, {2})", "textureGather({0}, vec3({1}, {2}), {3})"
@@ -203,7 +221,15 @@ VULKAN = Profile(
     framebuffer=Framebuffer(clip_y_down=True),
     patch_winding="cw",
     preamble=("#version 450",),
-    limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
+    # Every device has 16 textures and samplers in a stage (Vulkan, "Required Limits"). Those of the
+    # milestone Roadmap 2022 have 200 textures, and 200 resources of all kinds.
+    limits=Limits(
+        groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4, asked_textures=128
+    ),
+    limit_names={
+        "textures": "maxPerStageDescriptorSampledImages",
+        "samplers": "maxPerStageDescriptorSamplers",
+    },
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
@@ -224,12 +250,18 @@ NO_LEVELS = frozenset({"texture_levels"})
 CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""
 
+TEXTURE_UNITS = {"textures": "GL_MAX_TEXTURE_IMAGE_UNITS"}
+"""OpenGL's name of the limit. It is at least 16, in ES since 3.0; a host cannot ask for more."""
+
 BOTTOM_FIRST = Framebuffer(
     clip_depth="-1..1",
     rows_up=True,
     inputs={"frag_coord": FRAG_COORD_FROM_TOP},
     natives=DOWNWARDS,
 )
+
+NO_CUBE_ARRAYS = frozenset(each for each in TEXTURE_TYPES if each.dimension != "cube_array")
+"""The types of textures before GLSL 4.00 and ES 3.20, which brought arrays of cubes."""
 
 OPENGL = Profile(
     name="gl330",
@@ -249,6 +281,8 @@ OPENGL = Profile(
     lacks=LACKS,
     agrees=AGREES,
     cannot=CANNOT,
+    textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
     checkers=("glslang-gl330",),
 )
 
@@ -267,6 +301,7 @@ OPENGL_4 = Profile(
     # Only fragments and kernels are guaranteed to have storage buffers.
     limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
+    limit_names=TEXTURE_UNITS,
     checkers=("glslang-gl450",),
 )
 
@@ -295,6 +330,8 @@ ES = Profile(
     lacks=LACKS,
     agrees=AGREES,
     cannot=CANNOT,
+    textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
     checkers=("glslang-es300",),
 )
 
@@ -319,6 +356,8 @@ ES_31 = Profile(
     lacks=COUNTS,
     agrees=AGREES,
     cannot=NO_LEVELS,
+    textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
     checkers=("glslang-es310",),
 )
 

@@ -72,7 +72,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"},
+    dimensions={
+        "2d": "2D",
+        "2d_array": "2DArray",
+        "3d": "3D",
+        "cube": "Cube",
+        "cube_array": "CubeArray",
+    },
     textures={
         "float": "Texture{dimension}<float4>",
         "depth": "Texture{dimension}<float>",
@@ -81,6 +87,13 @@ TEXTURES = TextureNames(
     },
     samplers={"filtering": "SamplerState", "comparison": "SamplerComparisonState"},
 )
+
+
+def in_layers(plain: str, layered: str) -> Read:
+    """A read whose layer is the last lane of the coordinate, behind two lanes or a direction."""
+    of_cubes = layered.replace("float3({1}, {2})", "float4({1}, {2})")
+    return Read(plain, layered, dict.fromkeys(("texture_cube_array", "depth_cube_array"), of_cubes))
+
 
 IMAGES: Mapping[str, str] = {
     **dict.fromkeys(STORABLE, "RWTexture2D<float4>"),
@@ -110,21 +123,21 @@ NATIVES: Spellings = {
     # DXC takes `uint2(int2(v))` for `uint2(v)`, also where `v` is negative.
     "to_int": Spelling(usual="{type}({0})", integers="asint({0})", after={"to_float": _CAST}),
     "to_uint": Spelling(usual="{type}({0})", integers="asuint({0})", after={"to_float": _CAST}),
-    "sample": Read("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
-    "sample_bias": Read(
+    "sample": in_layers("{0}.Sample({sampler}, {1})", "{0}.Sample({sampler}, float3({1}, {2}))"),
+    "sample_bias": in_layers(
         "{0}.SampleBias({sampler}, {1}, {2})", "{0}.SampleBias({sampler}, float3({1}, {2}), {3})"
     ),
-    "sample_level": Read(
+    "sample_level": in_layers(
         "{0}.SampleLevel({sampler}, {1}, {2})", "{0}.SampleLevel({sampler}, float3({1}, {2}), {3})"
     ),
-    "sample_grad": Read(
+    "sample_grad": in_layers(
         "{0}.SampleGrad({sampler}, {1}, {2}, {3})",
         "{0}.SampleGrad({sampler}, float3({1}, {2}), {3}, {4})",
     ),
-    "gather": Read(
+    "gather": in_layers(
         "{0}.Gather{lane}({sampler}, {1})", "{0}.Gather{lane}({sampler}, float3({1}, {2}))"
     ),
-    "compare": Read(
+    "compare": in_layers(
         "{0}.SampleCmpLevelZero({sampler}, {1}, {2})",
         "{0}.SampleCmpLevelZero({sampler}, float3({1}, {2}), {3})",
     ),
@@ -148,6 +161,7 @@ COUNTS: Mapping[Dimension, tuple[str, str]] = {
     "2d_array": ("width, height, layers", "int2(width, height)"),
     "3d": ("width, height, depth", "int3(width, height, depth)"),
     "cube": ("width, height", "int2(width, height)"),
+    "cube_array": ("width, height, layers", "int2(width, height)"),
 }
 """The results of `GetDimensions` before the levels, and the size that is made of them."""
 
@@ -280,7 +294,11 @@ SM6 = Profile(
     single_file=True,
     agrees=AGREES,
     mistakes={"mul": gives_rectangle},
-    limits=Limits(varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768),
+    # A stage has 128 shader resource views and 16 samplers with resource binding tier 1 of Direct3D
+    # 12, the lowest one (Microsoft, "Hardware tiers"). Storage buffers are such views, too.
+    limits=Limits(
+        varyings=31, block_bytes=65536, work_group=1024, shared_bytes=32768, textures=120
+    ),
     checkers=("dxc-dxil", "dxc-spirv", "glslang-hlsl"),
 )
 

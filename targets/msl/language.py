@@ -72,7 +72,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    dimensions={
+        "2d": "2d",
+        "2d_array": "2d_array",
+        "3d": "3d",
+        "cube": "cube",
+        "cube_array": "cube_array",
+    },
     textures={
         "float": "texture{dimension}<float>",
         "depth": "depth{dimension}<float>",
@@ -143,12 +149,19 @@ NATIVES: Spellings = {
         {
             texture: f"{{0}}.sample({{sampler}}, {{1}}, {gradient}({{2}}, {{3}}))"
             for texture, gradient in GRADIENTS.items()
+        }
+        | {
+            "texture_cube_array": f"{{0}}.sample({{sampler}}, {{1}}, {LAYER}, "
+            "gradientcube({3}, {4}))"
         },
     ),
     "gather": Read(
         "{0}.gather({sampler}, {1}, int2(0), {lane})",
         f"{{0}}.gather({{sampler}}, {{1}}, {LAYER}, int2(0), {{lane}})",
-        {"texture_cube": "{0}.gather({sampler}, {1}, {lane})"},
+        {
+            "texture_cube": "{0}.gather({sampler}, {1}, {lane})",
+            "texture_cube_array": f"{{0}}.gather({{sampler}}, {{1}}, {LAYER}, {{lane}})",
+        },
     ),
     "compare": Read(
         "{0}.sample_compare({sampler}, {1}, {2}, level(0.0f))",
@@ -177,6 +190,7 @@ EXTENTS: Mapping[Dimension, tuple[str, ...]] = {
     "2d_array": ("width", "height"),
     "3d": ("width", "height", "depth"),
     "cube": ("width", "height"),
+    "cube_array": ("width", "height"),
 }
 
 
@@ -232,7 +246,9 @@ METAL2 = Profile(
     numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
     agrees={"dot": is_float},
-    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512),
+    # The argument tables of every device have 31 textures and 16 samplers (Apple, "Metal Feature
+    # Set Tables").
+    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512, textures=31),
     checkers=("clang-msl",),
 )
 

@@ -411,6 +411,18 @@ template <typename T> struct texturecube {
     uint get_num_mip_levels() const;
 };
 
+template <typename T> struct texturecube_array {
+    vec<T, 4> sample(sampler, float3, uint) const;
+    vec<T, 4> sample(sampler, float3, uint, bias) const;
+    vec<T, 4> sample(sampler, float3, uint, level) const;
+    vec<T, 4> sample(sampler, float3, uint, gradientcube) const;
+    vec<T, 4> gather(sampler, float3, uint, component = component::x) const;
+    uint get_width(uint = 0) const;
+    uint get_height(uint = 0) const;
+    uint get_array_size() const;
+    uint get_num_mip_levels() const;
+};
+
 template <typename T> struct depth2d {
     T sample(sampler, float2, int2 = int2(0)) const;
     T sample(sampler, float2, level, int2 = int2(0)) const;
@@ -443,6 +455,17 @@ template <typename T> struct depthcube {
     T sample_compare(sampler, float3, float, level) const;
     uint get_width(uint = 0) const;
     uint get_height(uint = 0) const;
+    uint get_num_mip_levels() const;
+};
+
+template <typename T> struct depthcube_array {
+    T sample(sampler, float3, uint) const;
+    T sample(sampler, float3, uint, level) const;
+    T sample_compare(sampler, float3, uint, float) const;
+    T sample_compare(sampler, float3, uint, float, level) const;
+    uint get_width(uint = 0) const;
+    uint get_height(uint = 0) const;
+    uint get_array_size() const;
     uint get_num_mip_levels() const;
 };
 

@@ -6,6 +6,7 @@ another field from each row, and ``FrameHost.set`` takes the row's name.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -22,6 +23,9 @@ _VIEW_ROLES = frozenset(
 """The roles of the parameters that the page and the scene set by themselves."""
 _MOST_ELEMENTS = 16
 """An array of more numbers than this is data, which nobody sets by hand."""
+_NUMBERS = re.compile(r"\[[0-9]+\]")
+_STOPS = (-8.0, 8.0)
+"""The exposures that a slider offers."""
 _PER_FRAME = "frame"
 """The group of the parameters that change from frame to frame."""
 
@@ -29,9 +33,10 @@ _PER_FRAME = "frame"
 def controls(host: FrameHost) -> list[dict[str, Any]]:
     """A row for each number, vector, colour and texture that a person can set.
 
-    Parameters of one name have one row if they are set together: those of several shaders of a
-    material, and of the rig. Those of several materials are told apart, as ``Clay.base``.
-    ``inherited_from`` names the declaration that brings one, if it is not the section's own.
+    What nothing reads has no row. Parameters of one name have one row if they are set together:
+    those of several shaders of a material, and of the rig. Those of several materials are told
+    apart, as ``Clay.base``. ``inherited_from`` names the declaration that brings one, if it is not
+    the section's own.
     """
     found: dict[str, dict[str, Any]] = {}
     of_shaders = sorted(_of_shaders(host), key=lambda each: each["section"] == host.plan.rig)
@@ -58,6 +63,30 @@ def _by_owner(plan: FramePlan, controls: Sequence[dict[str, Any]]) -> Iterator[d
 def _belongs(row: ParameterRow, lights: Sequence[LightRow]) -> bool:
     """True if a parameter belongs to a light, or is the number of lights."""
     return any(row.name in (*each.parameters, each.count) for each in lights)
+
+
+def of_development(
+    plan: FramePlan, exposure: float, tone: str, tones: Sequence[str]
+) -> list[dict[str, Any]]:
+    """The rows for what a screen shows of a picture's light; none of a plan without pictures.
+
+    They are called like the options of the command line, which no parameter can be.
+    """
+    if all(row.texture is None for row in plan.outputs):
+        return []
+    shared = {
+        "section": "Screen", "inherited_from": None, "is_light": False, "element": None,
+    }  # fmt: skip
+    return [
+        {
+            **shared, "name": "--exposure", "doc": "Each stop doubles the light.",
+            "kind": "number", "type": "float", "range": _STOPS, "value": exposure,
+        },
+        {
+            **shared, "name": "--tone", "doc": "How bright light is brought onto the screen.",
+            "kind": "choice", "type": "tone", "choices": tones, "value": tone,
+        },
+    ]  # fmt: skip
 
 
 # --- frames --------------------------------------------------------------------------------------
@@ -160,15 +189,26 @@ def _of_parameter(
     if row.role in _VIEW_ROLES:
         return
     for name, shape in _parts(row.name, shape_of(row), section if is_light else None):
+        value = instance.get(name)
+        if value is not None and not _is_read(row, name):
+            continue  # But for a value that hosts need, as there is no default.
         yield {
             "name": name, "section": section, "inherited_from": None,
             "is_light": is_light, "element": None,
             "doc": shape.doc or (row.doc if name == row.name else ""),
             "kind": _kind(shape), "type": shape.type, "lanes": shape.lanes,
             "columns": shape.columns, "whole": shape.kind in ("int", "uint"),
-            "range": shape.range, "value": instance.get(name),
+            "range": shape.range, "value": value,
             "is_timed": row.group == _PER_FRAME and shape.lanes == 1 and shape.range is None,
         }  # fmt: skip
+
+
+def _is_read(row: ParameterRow, part: str) -> bool:
+    """True if a part of a parameter, ``lamps[2].place``, is read: the same of all elements."""
+    if row.read is None:
+        return True
+    name = _NUMBERS.sub("", part)
+    return any(f"{name}.".startswith(f"{read}.") for read in row.read)
 
 
 def _parts(name: str, shape: Shape, light: str | None) -> Iterator[tuple[str, Numbers]]:

@@ -55,7 +55,13 @@ FORMS = Forms(
 )
 
 TEXTURES = TextureNames(
-    dimensions={"2d": "2d", "2d_array": "2d_array", "3d": "3d", "cube": "cube"},
+    dimensions={
+        "2d": "2d",
+        "2d_array": "2d_array",
+        "3d": "3d",
+        "cube": "cube",
+        "cube_array": "cube_array",
+    },
     textures={
         "float": "texture_{dimension}<f32>",
         "depth": "texture_depth_{dimension}",
@@ -164,7 +170,20 @@ WEBGPU = Profile(
     borders=False,
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
-    limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
+    # Every device has 16 textures and samplers in a stage (WebGPU, 3.6.2 "Limits"). Chromium offers
+    # 48 textures at most, and no more samplers (Dawn's tiers of limits).
+    limits=Limits(
+        nested_blocks=62,
+        groups=4,
+        bindings=1000,
+        block_bytes=65536,
+        work_group=256,
+        asked_textures=48,
+    ),
+    limit_names={
+        "textures": "maxSampledTexturesPerShaderStage",
+        "samplers": "maxSamplersPerShaderStage",
+    },
     checkers=("naga", "tint"),
 )
 

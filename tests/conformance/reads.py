@@ -74,7 +74,7 @@ class Reads:
             self._implicit, self._implicit, self._level, self._grad
         ]  # fmt: skip
         ways += [self._gather] if kind.dimension != "3d" else []
-        ways += [self._load] if kind.dimension != "cube" else []
+        ways += [] if kind.is_cube else [self._load]
         return self._chance.choice(ways)(name, kind, depth)
 
     def _implicit(self, name: str, kind: TextureType, depth: int) -> str:
@@ -100,7 +100,7 @@ class Reads:
 
     def _compared(self, name: str, kind: TextureType, depth: int) -> str:
         where, reference = self._where(kind, depth), self.scalar(depth)
-        if kind.dimension != "cube" and self._chance.random() < 0.3:
+        if not kind.is_cube and self._chance.random() < 0.3:
             return f"{name}.gather({where}, {reference})"
         return f"vec4({name}({where}, {reference}))"
 
@@ -173,7 +173,7 @@ class Reads:
 
 
 def _extents(dimension: Dimension) -> int:
-    return 3 if dimension in ("3d", "cube") else 2
+    return 2 if dimension.startswith("2d") else 3
 
 
 def _modulus(kind: TextureType) -> str:
@@ -187,7 +187,7 @@ def _state(chance: random.Random, kind: TextureType) -> str:
     settings = {"filter": chance.choice(["linear", "linear", "nearest"])}
     if kind.sample == "float":
         settings["mip"] = chance.choice(["linear", "linear", "nearest", "none"])
-    if kind.dimension != "cube":
+    if not kind.is_cube:
         axes = ("wrap", "wrap_u", "wrap_v", "wrap_w")[: 1 + _extents(kind.dimension)]
         for axis in (axes[0], *(axis for axis in axes[1:] if chance.random() < 0.3)):
             settings[axis] = chance.choice(["repeat", "clamp", "mirror"])

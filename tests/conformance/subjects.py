@@ -32,6 +32,9 @@ NAMES = _names()
 """The names of materials, such as ``operations: Limits`` for a file and one of its passes."""
 
 _NEEDING = {
+    "cube_arrays: Others": ("arrays of cubes", "gathering texels", "number of levels"),
+    "cube_arrays: Sampled": ("arrays of cubes",),
+    "cube_arrays: Slopes": ("arrays of cubes",),
     "gathered: Colors": ("gathering texels",),
     "gathered: Depths": ("gathering comparisons",),
     "gathered: Levels": ("number of levels",),
@@ -53,6 +56,7 @@ DEFECTS = {"gathered: Varying": ("lavapipe", "llvmpipe")}
 so it clamps loads to the wrong size."""
 
 MAY_PROVE_LITTLE = {
+    "cube_arrays: Slopes": "gradients of a cube read all levels, likewise",
     "kinds: Slopes": "gradients of a cube read all levels that some choice of derivatives allows",
     "pipeline: Singular": "a determinant that is zero, or its rounding",
     "values: Loops": "a loop ends where two sums are equal",

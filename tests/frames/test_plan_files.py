@@ -205,7 +205,7 @@ def test_pipes_and_devices_are_not_opened(folder: Path) -> None:
 def test_files_are_not_read_without_limits(folder: Path) -> None:
     with raised({"document": 1000}):
         assert said(folder) == (
-            "`Deferred.plan.json` has 11.5 kB, and the limit is 1 kB: `--budget "
+            "`Deferred.plan.json` has 11.6 kB, and the limit is 1 kB: `--budget "
             "document=12k` raises it"
         )
     with raised({"document": 60_000}):

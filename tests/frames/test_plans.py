@@ -99,6 +99,14 @@ def test_examples_are_planned_as_before(path: Path) -> None:
     assert_golden("\n".join(lines(plan)) + "\n", GOLDEN / f"{path.stem}.txt")
 
 
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_examples_leave_pictures_that_are_encoded(path: Path) -> None:
+    """Or floats: a host that shows the bytes of an output as they are draws no dark picture."""
+    plan = compiled(path).plan
+    formats = {plan.textures[row.texture].format for row in plan.outputs if row.texture is not None}
+    assert formats.isdisjoint(("rgba8", "bgra8", "rgb10a2"))
+
+
 def planted(plan: dict[str, Any]) -> Iterator[Change]:
     """Changes of one error each: a missing barrier, a wrong load, a texture for another."""
     for s, step in enumerate(plan["steps"]):

@@ -8,8 +8,8 @@ from functools import cache
 
 from .scope import FRAGMENT, UNIFORM
 
-COLORS = ("texture2d", "texture2d_array", "texture3d", "texture_cube")
-DEPTHS = ("depth2d", "depth2d_array", "depth_cube")
+COLORS = ("texture2d", "texture2d_array", "texture3d", "texture_cube", "texture_cube_array")
+DEPTHS = ("depth2d", "depth2d_array", "depth_cube", "depth_cube_array")
 INTEGERS = tuple(f"{kind}{name}" for kind in "iu" for name in COLORS[:3])
 KINDS = (*COLORS, *DEPTHS, *INTEGERS)
 

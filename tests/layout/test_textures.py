@@ -15,6 +15,8 @@ LAYOUTS = {
     ("texture2d_array", "t(uv, 1).rgb"): ("2d-array", "float", "filtering"),
     ("texture3d", "t(position).rgb"): ("3d", "float", "filtering"),
     ("texture_cube", "t(normal).rgb"): ("cube", "float", "filtering"),
+    ("texture_cube_array", "t(normal, 1).rgb"): ("cube-array", "float", "filtering"),
+    ("depth_cube_array", "vec3(t(normal, 1, 0.5))"): ("cube-array", "depth", "comparison"),
     ("texture2d", "t.load(ivec2(0)).rgb"): ("2d", "unfilterable-float", None),
     ("depth2d", "vec3(t(uv, 0.5))"): ("2d", "depth", "comparison"),
     ("depth_cube", "vec3(t(normal, 0.5))"): ("cube", "depth", "comparison"),
@@ -26,7 +28,8 @@ LAYOUTS = {
 
 def reflection(type_: str, color: str, state: str = "") -> Reflection:
     source = f"material M {{ map t : {type_} {state} color = {color} }}"
-    found = burnish.compile(source, ("wgsl", "glsl:es300"))["M"].reflection
+    targets = ("wgsl", "glsl:vulkan" if "cube_array" in type_ else "glsl:es300")
+    found = burnish.compile(source, targets)["M"].reflection
     assert read(Reflection, to_json(found)) == found
     return found
 

@@ -117,6 +117,25 @@ def test_a_filtered_cube_has_no_seams(along: float, face: int, side: int) -> Non
     assert values[0] == pytest.approx(values[1], abs=1e-5)
 
 
+@pytest.mark.parametrize(("layer", "cube"), [(0, 0), (1, 1), (7, 1), (-3, 0)])
+def test_each_layer_of_an_array_of_cubes_is_a_cube(layer: int, cube: int) -> None:
+    """Also where a filter goes on across the edges of its faces."""
+    texels = numbered(12, 4, 4)
+    array = Read("cube_array", "float", texels, filter="linear")
+    alone = Read("cube", "float", texels[6 * cube : 6 * cube + 6], filter="linear")
+    for direction in ((1, -0.5, 0.25), (-1, 1, 1), (0.5, -1, 0.99), (0.1, 0.99, -1)):
+        assert array("sample_level", direction, layer, 0.0) == alone("sample_level", direction, 0.0)
+        assert array("gather", direction, layer, 1) == alone("gather", direction, 1)
+    assert array("texture_layers") == [2]
+    assert array("texture_size", 0) == [4, 4]
+
+
+def test_a_layer_that_is_not_certain_may_be_any_of_its_cubes() -> None:
+    array = Read("cube_array", "float", numbered(18, 1, 1))
+    layer = Bounded(np.int64(1), np.int64(0), np.int64(2))
+    assert array.hull("sample_level", (1.0, 0.0, 0.0), (layer,), 0.0) == (0, 12)
+
+
 def test_beyond_a_corner_is_the_mean_of_the_three_texels_around_it() -> None:
     faces = np.zeros((6, 1, 1, 4))
     faces[0], faces[2], faces[4] = 3, 6, 30

@@ -28,7 +28,9 @@ Floats = npt.NDArray[np.float32]
 VULKAN = ("lavapipe", "swiftshader")
 DRIVERS = (*VULKAN, *textual_kit.COMMANDS)
 
-_SHAPES: dict[Dimension, str] = {"2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube"}
+_SHAPES: dict[Dimension, str] = {
+    "2d": "2D", "2d_array": "2DArray", "3d": "3D", "cube": "Cube", "cube_array": "CubeArray",
+}  # fmt: skip
 _PREFIXES: dict[Sample, str] = {"float": "", "depth": "", "sint": "i", "uint": "u"}
 _WGSL_KINDS: dict[Sample, str] = {"float": "f32", "sint": "i32", "uint": "u32"}
 

@@ -17,7 +17,7 @@ from burnish.compiler.ir.shader import ParameterInfo
 from burnish.compiler.ir.types import Array, Struct, Type
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.passes.lower_reads import lower_reads
-from burnish.compiler.reflection.parameters import Places, parameter_rows
+from burnish.compiler.reflection.parameters import Places, Reads, parameter_rows
 from burnish.support.frozen import changed
 
 from ..layout.declarations import parameters, values
@@ -44,7 +44,7 @@ def reflected(declared: list[Parameter]) -> Reflection:
         PLAIN,
         material="Random",
         blocks=tuple(changed(plain, name=block.name, size=block.size) for block in blocks),
-        parameters=parameter_rows(infos, Places(blocks)),
+        parameters=parameter_rows(infos, Places(blocks), Reads()),
         derived=(),
         lights=(),
     )

@@ -95,6 +95,18 @@ def test_pictures_for_each_layer(tmp_path: Path) -> None:
     assert blue.linear()[0][:, 0, 0].tolist() == [[0, 0, 1, 1]] * 6
 
 
+def test_pictures_for_each_face_of_several_cubes(tmp_path: Path) -> None:
+    paths = [saved(tmp_path / f"{n}.png", Image.new("RGB", (2, 2), (n, 0, 0))) for n in range(12)]
+    cubes = Texture.parse(", ".join(map(str, paths)), dimension="cube_array")
+    assert (255 * cubes.linear()[0][:, 0, 0, 0]).round().tolist() == list(range(12))
+    panoramas = [saved(tmp_path / f"{n}.tiff", Image.new("F", (4, 2), n / 4)) for n in range(3)]
+    whole = Texture.load(panoramas, dimension="cube_array")
+    assert whole.linear()[0][:, 0, 0, 0].tolist() == [n / 4 for n in range(3) for _face in range(6)]
+    assert Texture.load(panoramas[0], dimension="cube").as_array() == Texture.load(
+        panoramas[:1], dimension="cube_array"
+    )
+
+
 def test_pictures_of_depths_and_integers(tmp_path: Path) -> None:
     indexed = Image.fromarray(np.array([[0, 3]], np.uint8), "P")
     indexed.putpalette([200, 100, 50] * 4)
@@ -113,6 +125,9 @@ def test_lists_of_files_that_do_not_fit(tmp_path: Path) -> None:
     for text, about, message in [
         (f"{small},{small}", {"dimension": "cube"},
          "a cube takes six pictures, +x, -x, +y, -y, +z, -z, or a panorama; there are 2"),
+        (f"{small},{small}", {"dimension": "cube_array"},
+         "each cube of an array takes six pictures, +x, -x, +y, -y, +z, -z, or a panorama; there "
+         "are 2"),
         (f"{small},{large}", {"dimension": "3d"},
          f"the pictures of one texture are alike, and {large} is 2 x 2 uint8 of 4 lanes where "
          f"{small} is 1 x 1 uint8 of 4 lanes"),

@@ -48,7 +48,7 @@ def test_every_default_of_the_language_is_a_texture(type_: types.TextureType) ->
         texture = default_texture(name, type_.dimension, type_.sample)
         assert (texture.dimension, texture.sample) == (type_.dimension, type_.sample)
         assert (texture.width, texture.height, len(texture.levels)) == (1, 1, 1)
-        assert texture.depth == (6 if type_.dimension == "cube" else 1)
+        assert texture.depth == (6 if type_.is_cube else 1)
 
 
 def test_what_defaults_hold() -> None:
@@ -248,6 +248,10 @@ def test_integers_stay_what_they_are(dtype: str, lanes: int, sample: Any, form: 
          "a cube has six square faces, and not 3 x 2 x 6 texels"),
         (np.zeros((5, 2, 2), np.uint8), {"dimension": "cube"},
          "a cube has six square faces, and not 2 x 2 x 5 texels"),
+        (np.zeros((7, 2, 2), np.uint8), {"dimension": "cube_array"},
+         "each cube has six square faces, and these are 2 x 2 x 7 texels"),
+        (np.zeros((258, 1, 1), np.uint8), {"dimension": "cube_array"},
+         "the array has 258 faces, and may have 256"),
         (np.zeros((2, 2), np.uint8), {"dimension": "3d"},
          "a texture has the shape (layers, height, width) or (layers, height, width, 1, 3 or 4), "
          "not (2, 2)"),

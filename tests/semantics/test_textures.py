@@ -18,6 +18,8 @@ MAPS = """
     map depths  : depth2d
     map cascade : depth2d_array
     map around  : depth_cube
+    map probes  : texture_cube_array
+    map lamps   : depth_cube_array
     map codes   : utexture2d
     map signed  : itexture3d
     param n : int = 1
@@ -46,6 +48,15 @@ READS = {
     "volume.size()": "texture_size texture3d int -> ivec3",
     "sky.size(n)": "texture_size texture_cube int -> ivec2",
     "cascade.layers()": "texture_layers depth2d_array -> int",
+    "probes(normal, n)": "sample texture_cube_array vec3 int -> vec4",
+    "probes.bias(normal, n, 1)": "sample_bias texture_cube_array vec3 int float -> vec4",
+    "probes.level(normal, n, 1)": "sample_level texture_cube_array vec3 int float -> vec4",
+    "probes.grad(eye, n, eye, eye)": "sample_grad texture_cube_array vec3 int vec3 vec3 -> vec4",
+    "probes.gather(normal, n, 3)": "gather texture_cube_array vec3 int int -> vec4",
+    "lamps(normal, n, 1)": "compare depth_cube_array vec3 int float -> float",
+    "probes.size(n)": "texture_size texture_cube_array int -> ivec2",
+    "probes.layers()": "texture_layers texture_cube_array -> int",
+    "lamps.layers()": "texture_layers depth_cube_array -> int",
     "codes.levels()": "texture_levels utexture2d -> int",
 }
 LANES = {"vec4": "{}.xyz", "float": "vec3({})", "int": "vec3(float({}))"}

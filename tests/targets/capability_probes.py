@@ -212,6 +212,7 @@ PROBES: Mapping[str, Probe] = {
         "material M { map t : texture2d  color = vec3(vec2(t.size()), uv.x) / 64 }"
     ),
     "textures with layers": Probe("material M { map t : texture2d_array  color = t(uv, 1).rgb }"),
+    "arrays of cubes": Probe("material M { map t : texture_cube_array  color = t(normal, 1).rgb }"),
     "textures of three dimensions": Probe(
         "material M { map t : texture3d  color = t(vec3(uv, 0.5)).rgb }"
     ),

@@ -163,7 +163,7 @@ def _type(word: str, chosen: Mapping[str, Type]) -> Type:
 
 def _of_texture(word: str, texture: TextureType) -> Type:
     if word == "K":
-        return Vector("float", 3 if texture.dimension in ("3d", "cube") else 2)
+        return Vector("float", 2 if texture.dimension.startswith("2d") else 3)
     if word == "W":
         return Vector("int", 3 if texture.dimension == "3d" else 2)
     return FLOAT if texture.sample == "depth" else Vector(texture.sample, 4)

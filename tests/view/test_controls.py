@@ -71,13 +71,12 @@ def test_a_material() -> None:
         "frame": ("matrix", ((1.0, 0.0), (0.0, 1.0))),
         "time": ("number", 0.0),
         "dirt": ("texture", "white"),
-        "ambient_light": ("color", pytest.approx((0.1, 0.1, 0.1))),
     }
     assert (rows["bumps"]["range"], rows["parts"]["whole"]) == ((0.0, 2.0), True)
     assert [name for name, row in rows.items() if row.get("is_timed")] == ["time"]
     assert rows["dirt"]["intent"] == "color"
     assert (rows["base"]["doc"], rows["dirt"]["doc"]) == ("Of the clay", "On the clay")
-    assert (rows["base"]["section"], rows["ambient_light"]["section"]) == ("Clay", "Studio")
+    assert rows["base"]["section"] == "Clay"
 
 
 def test_lights_come_last_and_arrays_say_how_many_shine() -> None:
@@ -88,14 +87,11 @@ def test_lights_come_last_and_arrays_say_how_many_shine() -> None:
     assert found[-len(lights) :] == lights
     assert [(row["name"], row["section"]) for row in lights] == [
         ("sun.diffuse_color", "sun"),
-        ("sun.specular_color", "sun"),
         ("sun.direction", "sun"),
         ("lamps.count", "lamps"),
         ("lamps[0].diffuse_color", "lamps"),
-        ("lamps[0].specular_color", "lamps"),
         ("lamps[0].place", "lamps"),
         ("lamps[1].diffuse_color", "lamps"),
-        ("lamps[1].specular_color", "lamps"),
         ("lamps[1].place", "lamps"),
     ]
     last = lights[-1]
@@ -110,7 +106,6 @@ def test_a_frame_sets_some_of_its_passes() -> None:
     # Both materials have a `base`; what the passes read of each other is none of the person's.
     assert found == [
         ("exposure", "Deferred"), ("Clay.base", "Clay"), ("Jade.base", "Jade"),
-        ("ambient_light", "Studio"),
     ]  # fmt: skip
     host.set("Jade.base", (0, 0, 0))
     values = {row["name"]: row["value"] for row in controls(host)}
@@ -148,3 +143,69 @@ def test_what_a_material_inherits_is_told_from_its_own() -> None:
     assert {row["name"]: row["inherited_from"] for row in own} == {
         "glaze": None, "tint": None, "gloss": "Glazed", "dirt": "Glazed",
     }  # fmt: skip
+
+
+UNREAD = """
+import std.lights.{Point}
+import std.terms.{ambient, lambert}
+
+struct Grain { size : float, tint : rgb, turns : float }
+
+material Clay {
+    param base   : rgb = #b5651d
+    param unread : float = 1
+    param unset  : float
+    param grain  : Grain = Grain(0.25, #ffffff, 1)
+    param steps  : float = 2
+    color = lambert(base) * grain.size * fract(grain.turns) * fract(sqrt(steps))
+}
+
+rig Studio { torch : Point, lamps : Point[<= 1] }
+"""
+
+
+def test_what_nothing_reads_is_not_shown() -> None:
+    """But a value that hosts have to set, since it has no default."""
+    (material,) = burnish.compile(UNREAD, ("wgsl",)).materials
+    frame = single_frame(material)
+    found = controls(FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8)))
+    assert [row["name"] for row in found] == [
+        "base", "unset", "grain.size", "grain.turns", "steps", "torch.diffuse_color", "torch.place",
+        "lamps.count", "lamps[0].diffuse_color", "lamps[0].place",
+    ]  # fmt: skip
+    read = {row.name: row.read for row in material.reflection.parameters}
+    assert (read["base"], read["unread"], read["steps"]) == (None, (), None)
+    assert read["grain"] == ("grain.size", "grain.turns")
+
+
+PASSES = """
+import std.frames.{FullScreen}
+import std.lights.{Point}
+import std.terms.{lambert}
+
+material Clay { color = lambert(vec3(0.5)) }
+pass Lit : Forward { target color : rgba16f = vec4(color, 1) }
+pass Toned : FullScreen {
+    map source : texture2d
+    param gain : float = 1
+    target color : rgba8 = source(uv) * gain
+}
+frame Shown {
+    param gain   : float = 1
+    param unread : float = 1
+    models scene
+    lit   = Lit(scene)
+    toned = Toned(screen, size / 2) with { source = lit.color, gain = 2 * gain }
+    output picture = toned.color
+}
+rig Studio { torch : Point, lamps : Point[<= 1] }
+"""
+
+
+def test_what_nothing_in_a_frame_reads_is_not_shown() -> None:
+    (frame,) = burnish.compile(PASSES, ("wgsl",)).frames
+    found = controls(FrameHost(frame, in_a_row(["Clay"], {}, "sphere"), (8, 8)))
+    assert [row["name"] for row in found] == [
+        "gain", "torch.diffuse_color", "torch.place",
+        "lamps.count", "lamps[0].diffuse_color", "lamps[0].place",
+    ]  # fmt: skip

@@ -23,9 +23,11 @@ _DOWN = np.array([[0, -1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0, -1, 0], [0,
 _OUT = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
 """The directions of the columns and the rows of each face, and the one in which it lies."""
 
+FACES = len(_OUT)
+
 _AXES = [(np.abs(axes).argmax(axis=1), axes.sum(axis=1)) for axes in (_ACROSS, _DOWN, _OUT)]
 """The directions as numbers of lanes, with signs."""
-_FACES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
+_SIDES = [(int(axis), int(sign)) for axis, sign in zip(*_AXES[2], strict=True)]
 """The lane that is the largest on each face, and its sign."""
 
 _ASSUMED = 2.0**-18
@@ -71,7 +73,7 @@ def met(direction: Sequence[Bounded], exactly: bool = False) -> Iterator[tuple[P
     yield ALL, _met(face, direction, out, off)
     if exactly and all(lane.is_exact for lane in direction):
         return
-    for number, (axis, sign) in enumerate(_FACES):
+    for number, (axis, sign) in enumerate(_SIDES):
         lane = direction[axis]
         farthest = lane.high if sign > 0 else -lane.low
         possible = (farthest > 0) & (farthest * (1 + off) >= out.low) & (face != number)

@@ -50,7 +50,7 @@ class Place:
     axes: Sequence[Bounded]
     """The coordinates, in units of the texture, or of a cube's face."""
     layer: Choice
-    """The layer, or the face of a cube."""
+    """The layer, or the face of a cube; the faces of several cubes are counted on."""
     level: Bounded | None
     """``None`` if all reads use the first one."""
     reference: Bounded | None
@@ -176,7 +176,7 @@ class Filter:
         sizes = image.sizes(level)
         texels = [self._in_texels(x, size) for x, size in zip(place.axes, sizes, strict=True)]
         choices = [_floors(lane) for lane in texels]
-        if image.type.dimension == "cube":
+        if image.type.is_cube:
             before = int(self._kind != "nearest")
             choices = [
                 choice.limited(-before, size - 1)

@@ -18,7 +18,7 @@ from ..namespace import Lane, Lanes
 from ..texture_reads import Reader
 from . import levels
 from .choices import Choice, Part, hull_of_choices, sure, with_hull
-from .cube import may_be_nowhere, met
+from .cube import FACES, may_be_nowhere, met
 from .filtering import Filter, Place
 from .intervals import finite, increasing
 from .levels import CoordinateSteps
@@ -121,7 +121,7 @@ class TextureReader:
     @property
     def _moves_on_surface(self) -> bool:
         """True if the level follows from the movement on a cube's surface, and not in its face."""
-        return self._image.type.dimension == "cube" and not self._image.rules.projects_cubes
+        return self._image.type.is_cube and not self._image.rules.projects_cubes
 
     def _steps(self, place: Lanes) -> CoordinateSteps:
         """The changes of a coordinate between the pixels of quads."""
@@ -140,7 +140,7 @@ class TextureReader:
             return self._read(filter_, where)
         if isinstance(level, CoordinateSteps) and self._moves_on_surface:
             level = levels.on_surface(image, level)
-        elif isinstance(level, CoordinateSteps) and image.type.dimension != "cube":
+        elif isinstance(level, CoordinateSteps) and not image.type.is_cube:
             level = levels.of_steps(image, level)
         return self._read(filter_, where, level)
 
@@ -168,7 +168,7 @@ class TextureReader:
             flat(level) if isinstance(level, Bounded) else None,
             None if reference is None else flat(reference),
         )
-        if self._image.type.dimension != "cube":
+        if not self._image.type.is_cube:
             return _lanes(filter_.of(place), shape)
         flat_steps = level.mapped(flat) if isinstance(level, CoordinateSteps) else None
         (_, nominal), *further = self._in_faces(place, flat_steps)
@@ -209,7 +209,13 @@ class TextureReader:
                 changes = steps.at(part)
                 across, down = where.change(changes.across), where.change(changes.down)
                 level = levels.of_steps(image, CoordinateSteps(across, down, changes.bias))
-            yield part, Place([where.across, where.down], sure(where.face), level, here.reference)
+            axes = [where.across, where.down]
+            yield part, Place(axes, _with_face(here.layer, where.face), level, here.reference)
+
+
+def _with_face(layer: Choice, face: Ints) -> Choice:
+    """The numbers of faces in an array of cubes, whose faces are counted on from cube to cube."""
+    return layer.mapped(lambda number: number * FACES + face)
 
 
 def _in_range(reference: Lane) -> Bounded:

@@ -21,7 +21,7 @@ from ..bounds import Bounded, exact, hull
 from ..namespace import Lanes
 from .blending import BLENDING
 from .canvas import with_missing
-from .cube import across_edges, beyond_corner
+from .cube import FACES, across_edges, beyond_corner
 from .intervals import increasing, widened
 from .scene import Floats, Ints, RasterRules, Texels
 
@@ -69,8 +69,8 @@ class Image:
         self._ends = None if self.is_exact else _ends_of(self._table, texels, border)
         """Between which numbers the texels of a device are, if it does not have just these."""
         self._size = np.stack([widths, heights, layers])
-        self.layers = int(layers[0])
-        """The layers of an array, or the faces of a cube."""
+        self._slices = int(layers[0])
+        """The layers of an array, with six for each cube, or the faces of a cube."""
         tables = (self._table, *(self._ends or ()))
         same = all(bool((table == table[:, :1]).all()) for table in tables)
         self.only = _lanes(self._texel_at(np.int64(0))) if same else None
@@ -100,13 +100,20 @@ class Image:
     @property
     def has_known_steps(self) -> bool:
         """True if the device takes the steps of a quad as the reference does."""
-        is_known = self.rules.footprint == "euclidean" and self.type.dimension != "cube"
+        is_known = self.rules.footprint == "euclidean" and not self.type.is_cube
         return self.is_exact or is_known
 
     @property
     def levels(self) -> int:
         """The number of levels."""
         return len(self._starts)
+
+    @property
+    def layers(self) -> int:
+        """The layers of an array, each of which may be a cube; 1 of any other texture."""
+        if not self.type.layered:
+            return 1
+        return self._slices // FACES if self.type.is_cube else self._slices
 
     @property
     def has_one_level(self) -> bool:
@@ -155,7 +162,7 @@ class Image:
         """
         pairs = [(i, i + 1) for i in first]
         sizes = self.sizes(level)
-        if self.type.dimension == "cube":
+        if self.type.is_cube:
             return [self._around_cube(place, layer, level, lanes) for place in product(*pairs)]
         within = [
             tuple(_wrapped(i, size, wrap) for i in pair)
@@ -176,7 +183,7 @@ class Image:
     @cached_property
     def _wraps(self) -> list[str]:
         """The texels beyond the edges along each axis."""
-        if self.type.dimension == "cube":
+        if self.type.is_cube:
             return ["clamp"] * self.axes
         return [self.state.get(f"wrap_{axis}", self.state["wrap"]) for axis in AXES[: self.axes]]
 
@@ -187,24 +194,28 @@ class Image:
         least = np.minimum.reduceat(low, self._starts, axis=1)
         return least, np.maximum.reduceat(high, self._starts, axis=1)
 
-    def _around_cube(self, place: Sequence[Ints], face: Ints, level: Ints, lanes: slice) -> Bounded:
+    def _around_cube(
+        self, place: Sequence[Ints], number: Ints, level: Ints, lanes: slice
+    ) -> Bounded:
         """Texels of a face or, beyond one of its edges, of its neighbours.
 
+        ``number`` counts the faces of all cubes.
         Beyond a corner there is none. Vulkan recommends the mean of the three texels around it; a
         device may use one of them. Other methods are allowed as well, as long as they keep a value
         that all three have: devices take the mean of comparisons instead of depths, or something
         else, so that nothing more is known of a depth that is compared.
         """
         size = self.sizes(level)[0]
+        cube, face = np.divmod(number, FACES)
         there, other = across_edges(place, face, size)
         within = [np.clip(i, 0, size - 1) for i in there]
-        texel = self._texels(within, other, level, lanes)
+        texel = self._texels(within, cube * FACES + other, level, lanes)
         beyond = beyond_corner(place, size)
         if not beyond.any():
             return texel
         inside = [np.clip(i, 0, size - 1) for i in place]
         three = [
-            self._around_cube(around, face, level, lanes)
+            self._around_cube(around, number, level, lanes)
             for around in (inside, [inside[0], place[1]], [place[0], inside[1]])
         ]
         mean = increasing(lambda x, y, z: (x + y + z) / 3, *three)

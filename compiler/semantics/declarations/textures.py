@@ -96,12 +96,13 @@ DEFAULTS = frozenset((*COLOR_DEFAULTS, *DEPTHS.defaults, *INTEGERS.defaults))
 
 def kind_of(texture: TextureType) -> Kind:
     """The kind of textures of this type."""
-    is_cube = texture.dimension == "cube"
     match texture.sample:
+        case "float" if texture.is_cube:
+            return CUBES
         case "float":
-            return {"cube": CUBES, "3d": VOLUMES}.get(texture.dimension, COLORS)
+            return VOLUMES if texture.dimension == "3d" else COLORS
         case "depth":
-            return DEPTH_CUBES if is_cube else DEPTHS
+            return DEPTH_CUBES if texture.is_cube else DEPTHS
         case _:
             return INTEGERS
 

@@ -10,14 +10,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ....support.frozen import fresh, frozen, record
+from ....support.frozen import cached_property, fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
 from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
 if TYPE_CHECKING:
-    from ....stdlib.synonyms import Meant
+    from ....stdlib.other_names import Meant
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
@@ -78,6 +78,14 @@ class Module:
     offers: Callable[[], Offers] = dict
     """Finds what the library's files declare, by name: an unknown name may be one of these."""
 
+    @cached_property
+    def read(self) -> frozenset[str]:
+        """The names in all expressions of the file; ``light.name`` counts as one, too.
+
+        Each declaration may ask for them, and they are looked for in all of the others.
+        """
+        return frozenset(_names_in(self.file.declarations))
+
     def find(self, name: str) -> tuple[Symbol, ...]:
         """The declarations that ``name`` stands for here; empty if there are none."""
         if name in self.doubtful:
@@ -111,6 +119,8 @@ class Module:
             meant = _said_elsewhere(written, fitting)
             if meant is not None and _offered(meant, offers, kinds):
                 return self._meant(name, meant)
+            if told := _compared(written):
+                return told
         if near:
             return respelt(written, name.span, near)
         found = nearest_in(name.span.source, written, fitting)
@@ -141,9 +151,20 @@ class Module:
             yield from self.prelude.declared
 
 
+def _names_in(root: object) -> Iterator[str]:
+    """The names in all expressions of a syntax tree: `name`, and `light.name`."""
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        match node:
+            case ast.Reference(name=name) | ast.Field(name=ast.Name(text=name)):
+                yield name
+        waiting += ast.parts(node)
+
+
 def _is_alike(one: str, other: str) -> bool:
     """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
-    from ....stdlib.synonyms import folded
+    from ....stdlib.other_names import folded
 
     return folded(one) == folded(other)
 
@@ -154,12 +175,20 @@ def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
     It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
     ``DirectionalLight``; or is another one, as ``luma``.
     """
-    from ....stdlib.synonyms import BY_FOLDED, Meant, folded
+    from ....stdlib.other_names import BY_FOLDED, Meant, folded
 
     plain = folded(written)
     alike = (plain, plain.removesuffix("light"))
     found = min((each for each in fitting if folded(each) in alike), default=None)
     return BY_FOLDED.get(plain) if found is None else Meant(fitting[found], (found,))
+
+
+def _compared(written: str) -> str:
+    """What the pages for those who come from other systems say of a name of theirs."""
+    from ....stdlib.comparisons import compared
+
+    row = compared().get(written)
+    return "" if row is None else row.hint
 
 
 def _offered(meant: Meant, offers: Offers, kinds: Sequence[str]) -> bool:

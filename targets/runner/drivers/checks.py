@@ -17,7 +17,7 @@ from .draws import Dispatch, Draw
 from .frame_job import FrameJob
 from .pipeline import Pipeline
 from .slots import BlockSlot, BufferSlot, TextureSlot
-from .texels import TEXELS, Image
+from .texels import FACES, TEXELS, Image
 
 
 def check_dispatch(pipeline: Pipeline, dispatch: Dispatch) -> None:
@@ -155,8 +155,13 @@ def _check_texture(what: str, slot: TextureSlot, image: Image) -> None:
 
 def _check_image(what: str, image: Image) -> None:
     size = f"{image.width} x {image.height} x {image.depth}"
-    if image.dimension == "cube" and (image.depth != 6 or image.width != image.height):
+    is_square = image.width == image.height
+    if image.dimension == "cube" and not (is_square and image.depth == FACES):
         raise DriverError(f"{what} of {size} texels is no cube, which has six square faces")
+    if image.dimension == "cube_array" and not (
+        is_square and image.depth and not image.depth % FACES
+    ):
+        raise DriverError(f"{what} of {size} texels has no cubes, each of six square faces")
     if image.dimension == "2d" and image.depth != 1:
         raise DriverError(f"{what} of {size} texels has one layer only")
     sides = (image.width, image.height, *([image.depth] if image.dimension == "3d" else []))

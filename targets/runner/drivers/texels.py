@@ -10,7 +10,9 @@ TextureFormat = Literal[
     "rgba8unorm", "rgba8unorm-srgb", "rgba32float", "depth32float",
     "r8uint", "rgba8uint", "r32uint", "rgba32uint", "r32sint", "rgba32sint",
 ]  # fmt: skip
-Dimension = Literal["2d", "2d_array", "3d", "cube"]
+Dimension = Literal["2d", "2d_array", "3d", "cube", "cube_array"]
+FACES = 6
+"""The number of faces of a cube."""
 Sample = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
 """The sample type of a texture; a shader never filters an ``unfilterable-float``."""
 
@@ -51,6 +53,7 @@ class Image:
 
     They are stored row by row, the first at the top (v = 0), then layer by layer, slice by slice of
     a 3D texture, or face by face of a cube: +x, -x, +y, -y, +z, -z, each oriented as in all APIs.
+    Arrays of cubes have cube after cube.
     """
 
     format: TextureFormat

@@ -130,10 +130,13 @@ def _check_size(texels: NDArray[Any], dimension: Dimension) -> None:
             raise PictureError(f"{what}, and no side may have more than {MAX_VOLUME_SIDE}")
         return
     check_sides(width, height, "the array")
-    if dimension == "2d_array" and depth > MAX_LAYERS:
-        raise PictureError(f"the array has {depth} layers, and may have {MAX_LAYERS}")
+    if dimension in ("2d_array", "cube_array") and depth > MAX_LAYERS:
+        what = "layers" if dimension == "2d_array" else "faces"
+        raise PictureError(f"the array has {depth} {what}, and may have {MAX_LAYERS}")
     if dimension == "cube" and (depth != len(FACES) or width != height):
         raise PictureError(f"a cube has six square faces, and not {_size(texels)} texels")
+    if dimension == "cube_array" and (depth % len(FACES) or width != height):
+        raise PictureError(f"each cube has six square faces, and these are {_size(texels)} texels")
 
 
 def check_sides(width: int, height: int, what: str) -> None:

@@ -61,7 +61,7 @@ logging.getLogger("PIL").addHandler(logging.NullHandler())
 
 
 def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> NDArray[Any]:
-    """The array of a texture from one picture for each layer, or of a cube from a panorama. Raises
+    """The array of a texture from one picture for each layer, or of cubes from panoramas. Raises
     ``PictureError``, and ``BudgetError`` if it takes too much."""
     memory = Tally("memory", "the texture takes")
     if dimension == "cube" and len(paths) == 1:
@@ -81,7 +81,20 @@ def read_pictures(paths: Sequence[Path], dimension: Dimension, sample: Kind) -> 
                 f" where {paths[0]} is {_size_of(arrays[0])}"
             )
     memory.add(0, passing=_PASSING_OF_LAYERS * sum(each.nbytes for each in arrays))
-    return np.stack(arrays)
+    return _cubes_of(arrays, paths) if dimension == "cube_array" else np.stack(arrays)
+
+
+def _cubes_of(pictures: Sequence[NDArray[Any]], paths: Sequence[Path]) -> NDArray[Any]:
+    """The faces of several cubes, one cube after the other, from six square pictures for each or
+    from one panorama for each. Raises ``PictureError``."""
+    height, width = pictures[0].shape[:2]
+    if height != width:
+        named = zip(pictures, paths, strict=True)
+        return np.concatenate([cube_of(picture, str(path)) for picture, path in named])
+    if len(pictures) % len(FACES):
+        wanted = f"each cube of an array takes six pictures, {', '.join(FACES)}, or a panorama"
+        raise PictureError(f"{wanted}; there {_are(len(pictures))}")
+    return np.stack(pictures)
 
 
 def read_picture(path: Path, sample: Kind, memory: Tally) -> NDArray[Any]:
@@ -133,7 +146,7 @@ def picture_given(data: bytes, name: str, dimension: Dimension, sample: Kind) ->
         array = read_candelas(BytesIO(data), name)
     else:
         array = picture_in(data, name, memory, sample)
-    if dimension == "cube":
+    if dimension in ("cube", "cube_array"):
         return cube_of(array, name)
     return array if dimension == "2d" else array[np.newaxis]
 

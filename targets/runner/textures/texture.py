@@ -13,7 +13,7 @@ do it this way.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
@@ -55,7 +55,8 @@ class Texture:
         sample: Kind = "float",
     ) -> Texture:
         """The first picture of a file, rotated as its camera noted; or one file for each layer.
-        A cube may also be made of a panorama, which is twice as wide as high and holds floats.
+        A cube may also be made of a panorama, which is twice as wide as high and holds floats. An
+        array of cubes takes six files for each cube, or a panorama for each.
 
         Colours get 8 bits a lane: palettes are looked up, grey becomes three equal lanes, a missing
         alpha is opaque, and 16 bits are reduced to 8. A file of floats keeps its floats. With
@@ -84,6 +85,7 @@ class Texture:
         """The texture of an array (height, width), or (height, width, lanes) with 1, 3 or 4 lanes.
 
         If the dimension is not ``2d``, layers, slices or faces come first: (6, size, size, 4).
+        An array of cubes has the faces of one cube after those of another.
 
         Colours: ``uint8`` and ``uint16`` mean 0..1, and are stored with 8 bits; floats are linear,
         and stored unchanged. Integers of up to 32 bits are stored unchanged. Depths have one lane
@@ -112,7 +114,8 @@ class Texture:
     def solid(cls, color: str | Sequence[float], *, dimension: Dimension = "2d") -> Texture:
         """One texel of a colour: ``"#b5651d"``, which is sRGB, or 3 or 4 linear lanes in 0..1.
 
-        A cube has one such texel on each face. Raises ``PictureError`` for any other value.
+        A cube has one such texel on each face, and an array one layer. Raises ``PictureError`` for
+        any other value.
         """
         import numpy as np
 
@@ -179,6 +182,10 @@ class Texture:
         depth, height, width = self._size(min(max(level, 0), len(self.levels) - 1))
         return (width, height, depth) if self.dimension == "3d" else (width, height)
 
+    def as_array(self) -> Texture:
+        """An array whose only layer is this cube."""
+        return replace(self, dimension="cube_array")
+
     def image(self) -> Image:
         """The texture in the form that drivers take."""
         return Image(self.format, self.width, self.height, self.levels, self.dimension, self.depth)
@@ -224,7 +231,7 @@ def described(dimension: Dimension, sample: Kind) -> str:
     """A type of texture in words: ``an array of textures of integers``."""
     shapes: dict[Dimension, str] = {
         "2d": "a flat texture", "2d_array": "an array of textures",
-        "3d": "a volume", "cube": "a cube",
+        "3d": "a volume", "cube": "a cube", "cube_array": "an array of cubes",
     }  # fmt: skip
     return f"{shapes[dimension]} of {_HELD[sample]}"
 
@@ -247,7 +254,7 @@ def _texel(
     """A texture of one texel, or of one on each face."""
     import numpy as np
 
-    depth = len(FACES) if dimension == "cube" else 1
+    depth = len(FACES) if dimension in ("cube", "cube_array") else 1
     shape = (1, 1, len(lanes)) if dimension == "2d" else (depth, 1, 1, len(lanes))
     whole = np.broadcast_to(lanes, shape)
     return Texture.of_array(whole, srgb=srgb, dimension=dimension, sample=sample)

@@ -21,7 +21,7 @@ import { present } from "../present.js";
  */
 
 /** @typedef {"TEXTURE_2D" | "TEXTURE_2D_ARRAY" | "TEXTURE_3D" | "TEXTURE_CUBE_MAP"} Bind */
-/** @type {Record<PictureRow["dimension"], Bind>} */
+/** WebGL has no arrays of cubes. @type {Partial<Record<PictureRow["dimension"], Bind>>} */
 const BINDS = {
   "2d": "TEXTURE_2D", "2d-array": "TEXTURE_2D_ARRAY", "3d": "TEXTURE_3D", cube: "TEXTURE_CUBE_MAP",
 };
@@ -63,7 +63,11 @@ const STORAGE = {
 const constant = (gl, name) => /** @type {number} */ (gl[/** @type {keyof Gl} */ (name)]);
 
 /** @type {(gl: Gl, dimension: PictureRow["dimension"]) => number} */
-export const bindOf = (gl, dimension) => gl[BINDS[dimension]];
+export const bindOf = (gl, dimension) => {
+  const bind = BINDS[dimension];
+  if (!bind) throw new Error(`WebGL 2 has no textures of dimension ${dimension}`);
+  return gl[bind];
+};
 
 /**
  * @param {Context} context

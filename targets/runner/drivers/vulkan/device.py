@@ -41,6 +41,8 @@ class Gpu:
     """``VkPhysicalDeviceMemoryProperties``."""
     independent_blend: bool
     """True if each render target may have a blend mode of its own."""
+    cube_arrays: bool
+    """True if there are arrays of cubes."""
     draws_lines: bool
     """True if the edges of triangles can be drawn (the fill mode of lines)."""
     clamps_bias: bool
@@ -81,6 +83,7 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             properties=properties,
             memory=vk.vkGetPhysicalDeviceMemoryProperties(physical),
             independent_blend=bool(features.independentBlend),
+            cube_arrays=bool(features.imageCubeArray),
             draws_lines=bool(features.fillModeNonSolid),
             clamps_bias=bool(features.depthBiasClamp),
             transform_feedback=captures,
@@ -139,6 +142,7 @@ def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captu
         depthBiasClamp=offered.depthBiasClamp,
         geometryShader=offered.geometryShader,
         tessellationShader=offered.tessellationShader,
+        imageCubeArray=offered.imageCubeArray,
     )
     extended = vk.VkPhysicalDeviceTransformFeedbackFeaturesEXT(transformFeedback=True)
     info = vk.VkDeviceCreateInfo(

@@ -35,6 +35,7 @@ VIEWS: dict[Dimension, int] = {
     "2d_array": vk.VK_IMAGE_VIEW_TYPE_2D_ARRAY,
     "3d": vk.VK_IMAGE_VIEW_TYPE_3D,
     "cube": vk.VK_IMAGE_VIEW_TYPE_CUBE,
+    "cube_array": vk.VK_IMAGE_VIEW_TYPE_CUBE_ARRAY,
 }
 
 TARGETS: dict[TargetFormat, int] = {

@@ -15,6 +15,7 @@ from ..pipeline import Pipeline
 from ..slots import TextureSlot
 from ..texels import Image
 from .blocks import block_sizes
+from .descriptor_sets import sampler_places
 from .device import Gpu
 from .formats import DEPTHS, TARGETS, TEXTURES
 
@@ -83,6 +84,13 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"{place.identifier!r} is in descriptor set {place.group}, and the device has "
                 f"{limits.maxBoundDescriptorSets}"
             )
+    counts = {
+        "textures": (len(pipeline.textures), limits.maxPerStageDescriptorSampledImages),
+        "samplers": (len(sampler_places(pipeline)), limits.maxPerStageDescriptorSamplers),
+    }
+    for what, (count, most) in counts.items():
+        if count > most:
+            yield f"there are {count} {what}, and the device reads at most {most} in a stage"
     yield from _target_problems(gpu, pipeline)
     yield from _state_problems(gpu, pipeline)
 
@@ -146,6 +154,8 @@ def _texture_problems(gpu: Gpu, slot: TextureSlot, image: Image) -> Iterator[str
                 f"texture {name} has {image.depth} layers, and the device takes at most "
                 f"{limits.maxImageArrayLayers}"
             )
+    if image.dimension == "cube_array" and not gpu.cube_arrays:
+        yield f"the device has no arrays of cubes, as texture {name} is one"
     features = _features(gpu, TEXTURES[image.format])
     if not features & vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT:
         yield f"the device cannot read {image.format}, as texture {name} wants it"

@@ -93,7 +93,7 @@ def make_image(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> tuple[Any, Any]:
 
 def image_without_memory(owned: ExitStack, gpu: Gpu, spec: ImageSpec) -> Any:
     """An image without memory: ``give_memory`` has to be called before the image is used."""
-    is_cube = spec.view == vk.VK_IMAGE_VIEW_TYPE_CUBE
+    is_cube = spec.view in (vk.VK_IMAGE_VIEW_TYPE_CUBE, vk.VK_IMAGE_VIEW_TYPE_CUBE_ARRAY)
     info = vk.VkImageCreateInfo(
         flags=vk.VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT if is_cube else 0,
         imageType=vk.VK_IMAGE_TYPE_3D if spec.is_volume else vk.VK_IMAGE_TYPE_2D,
