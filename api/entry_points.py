@@ -29,6 +29,7 @@ from .compiling import Asked, check_filtering, opened, program_of, result_of
 from .remembered import Remembered
 
 if TYPE_CHECKING:
+    from ..compiler.semantics.equations.model import Equations
     from ..targets.runner.instances.host_values import MissingValuesError
     from ..targets.runner.instances.instance import Instance
     from ..targets.runner.instances.values import ParameterError
@@ -144,6 +145,26 @@ def has_frames(
     if module is None or report.failed:
         raise CompileError(report.diagnostics)
     return frontend.has_frames(module, material)
+
+
+def equations(
+    source: str | Path,
+    *,
+    material: str | None = None,
+    rig: str | None = None,
+    pass_: str | None = None,
+    search_path: Sequence[str | Path] = (),
+) -> list[Equations]:
+    """The own equations of the materials of a file, as graphs; for ``burnish graph``.
+
+    Raises ``CompileError``.
+    """
+    report = Report()
+    frontend, module = _opened(source, search_path, report)
+    found = [] if module is None else frontend.equations(module, material, rig, pass_)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    return found
 
 
 @frozen

@@ -7,10 +7,11 @@ Its paragraphs stand on the page of the file. An indented one is a command, and 
     //!
     //!     burnish render cloth.burnish -o cloth.png --steps 60 --again now=after
 
-Such a command is not run, since the file may come from anybody and the page may be published.
-``FOLLOWED`` lists the options that a file may ask for; each is read by itself, with the rules that
-``render`` has for it. Whoever asks for something else is drawn plainly, with a note. The gallery
-calls ``asked``, and so does ``as_asked.py`` for ``render`` and ``view``.
+As in a shell, a line that ends with a backslash continues on the next. Such a command is not run,
+since the file may come from anybody and the page may be published. ``FOLLOWED`` lists the options
+that a file may ask for; each is read by itself, with the rules that ``render`` has for it. Whoever
+asks for something else is drawn plainly, with a note. The gallery calls ``asked``, and so does
+``as_asked.py`` for ``render`` and ``view``.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from typing import Any, NamedTuple
 
 import click
 
+from ..targets.runner.textures.environments import FORMULAS
 from ..targets.runner.textures.kinds import without_prefix
 from .catalogue import is_shown
 
@@ -84,11 +86,16 @@ def paragraphs(source: str) -> list[Paragraph]:
         if not text.strip():
             continue
         if text.startswith(_INDENT):
-            found.append(Paragraph(text.strip(), is_command=True))
+            before = found.pop().text[:-1] if found and _continues(found[-1]) else ""
+            found.append(Paragraph(before + text.strip(), is_command=True))
         else:
             lines.append(text.strip())
     end()
     return found
+
+
+def _continues(paragraph: Paragraph) -> bool:
+    return paragraph.is_command and paragraph.text.endswith("\\")
 
 
 def asked(source: str, name: str, root: Path, size: int, command: click.Command) -> Asked:
@@ -213,6 +220,10 @@ def _own_files(value: str, root: Path) -> str:
     return ""
 
 
+def _computed_environment(value: str, _root: Path) -> str:
+    return "" if value in (*FORMULAS, "none") else "files are not taken"
+
+
 FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
     "-o": _plain_name,
     "--output": _plain_name,
@@ -222,6 +233,13 @@ FOLLOWED: Mapping[str, Callable[[str, Path], str]] = {
     "--steps": _at_most(1000),
     "--again": _anything,
     "--background": _anything,
+    "--environment": _computed_environment,
+    "--eye": _anything,
+    "--exposure": _anything,
+    "--look-at": _anything,
+    "--samples": _anything,
+    "--tone": _anything,
+    "--turn": _anything,
     "--frames": _at_most(60),
     "--target": _anything,
     "--material": _anything,

@@ -23,6 +23,9 @@ STUDIO = "studio"
 """The light from all around that is computed unless another is asked for."""
 BACKGROUND = "#1b1d21"
 """The colour behind a mesh."""
+TONES = ("none", "reinhard", "hable", "aces_narkowicz", "aces", "agx", "khronos_neutral")
+"""The ways to bring bright light onto a screen: functions of ``std.tone_mapping``, or to cut it
+off."""
 
 file_argument = click.argument("file", type=click.Path(path_type=Path))
 
@@ -118,6 +121,15 @@ turn_option = click.option(
 mesh_option = click.option(
     "--mesh", type=click.Choice(MESHES), default="sphere", show_default=True,
     help="The mesh to draw.",
+)  # fmt: skip
+exposure_option = click.option(
+    "--exposure", metavar="STOPS", default=0.0, show_default=True, type=click.FloatRange(-32, 32),
+    help="Brighten the picture; each stop doubles the light. Files of numbers keep these.",
+)  # fmt: skip
+tone_option = click.option(
+    "--tone", type=click.Choice(TONES), default=TONES[0], show_default=True,
+    help="The tone mapping that brings bright light onto a screen, by a function of "
+    "std.tone_mapping; without one, light above 1 is cut off.",
 )  # fmt: skip
 format_option = click.option(
     "--format",

@@ -147,15 +147,16 @@ def _shown(
     """
     import numpy as np
 
-    from ..targets.runner.pictures import Development, keeps_numbers, to_image
+    from ..targets.runner.pictures import keeps_numbers, to_image
     from ..targets.runner.sheet import Panel
+    from .developing import Development
 
     development = Development(request.exposure, request.tone)
     found = []
     for output, titles in subject.outputs.items():
         pixels, lanes = np.concatenate(list(pictures[output])), _lanes(subject.host.plan, output)
         has_numbers = keeps_numbers(request.output)
-        image = None if has_numbers else to_image(pixels, lanes=lanes, development=development)
+        image = None if has_numbers else to_image(pixels, lanes, development.applied)
         numbers = pixels if has_numbers else None
         found.append(Panel((*titles, route), note, image, numbers=numbers, lanes=lanes))
     return found

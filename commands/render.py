@@ -19,6 +19,7 @@ from .options import (
     check_device,
     device_option,
     environment_option,
+    exposure_option,
     eye_option,
     file_argument,
     hoist_option,
@@ -32,6 +33,7 @@ from .options import (
     rig_option,
     scene_option,
     search_option,
+    tone_option,
     turn_option,
     values_option,
 )
@@ -43,8 +45,6 @@ if TYPE_CHECKING:
     from ..targets.runner.sheet import Panel
 
 REFERENCE = "reference"
-TONES = ("none", "reinhard", "aces")
-"""The words for ways to bring bright light onto a screen."""
 OF_A_PIXEL = 600
 """The approximate bytes that the reference needs for each pixel of a plain picture."""
 LARGEST_SHEET = 2**27
@@ -116,13 +116,12 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
     "--background", metavar="COLOR", default=BACKGROUND, show_default=True, callback=_color,
     help="The colour behind the mesh.",
 )  # fmt: skip
+@exposure_option
+@tone_option
 @click.option(
-    "--exposure", metavar="STOPS", default=0.0, show_default=True, type=click.FloatRange(-32, 32),
-    help="Brighten the picture; each stop doubles the light. Files of numbers keep these.",
-)  # fmt: skip
-@click.option(
-    "--tone", type=click.Choice(TONES), default=TONES[0], show_default=True,
-    help="The tone mapping that brings bright light onto a screen.",
+    "--samples", type=click.Choice(("1", "4")), default="1", show_default=True,
+    callback=lambda _context, _option, given: int(given),
+    help="The samples of a pixel: 4 smooth the edges of a material, as `burnish view` does.",
 )  # fmt: skip
 @click.option(
     "--frames", metavar="N", default=1, show_default=True, type=click.IntRange(1, 10_000),

@@ -72,6 +72,8 @@ class RenderRequest(NamedTuple):
     """The stops by which the picture is brightened."""
     tone: str
     """The name of a tone mapping."""
+    samples: int
+    """The number of samples in each pixel of a material."""
     target: str | None
     material: str | None
     rig: str | None
@@ -236,7 +238,7 @@ def _single_frames(materials: Materials, request: RenderRequest) -> Frames:
         label = ", ".join(pictures[0][0])
         fail(f"{label} captures vertices, so its pass draws nothing: `burnish conform` runs it")
     return [
-        (titles, single_frame(material, request.background, exact=True))
+        (titles, single_frame(material, request.background, exact=True, samples=request.samples))
         for titles, material in drawn
     ]
 

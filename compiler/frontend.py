@@ -34,6 +34,7 @@ from .watching import is_watched
 
 if TYPE_CHECKING:
     from .ir.frame import Frame
+    from .semantics.equations.model import Equations
 
 
 def current_library() -> StandardLibrary:
@@ -171,28 +172,63 @@ class Frontend:
                 drawn = [(symbol, self._forward()) for symbol in self._rigs_of(module)]
                 self._check_unused(module, drawn, (), set())
             return self._kernels(module, kernels)
-        materials = self._materials(module, material)
-        rig_symbol = self._rig(module, rig)
-        pass_symbol = self._pass(module, pass_)
-        if rig_symbol is None or pass_symbol is None:
+        parts = self._parts(module, material, rig, pass_)
+        if parts is None:
             return []
+        rig_symbol, pass_symbol, materials = parts
         reached: set[Symbol] = set()
-        parts = [Parts(symbol, rig_symbol, pass_symbol, module) for symbol in materials]
-        settings: list[Setting] = []
-        found: list[Shader | None] = []
-        for part in parts:
-            if not has_room(part.material, self._records, self._report):
-                break
-            setting = set_up(part, self._report.apart(), self._records)
-            found.append(elaborate(setting, reached))
-            self._report.extend(setting.ctx.report.since(0))
-            settings.append(setting)
+        found = list(self._elaborated(module, rig_symbol, pass_symbol, materials, reached))
+        settings = [setting for setting, _shader in found]
         if material is None:
             rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
             drawn = list(product(rigs, dict.fromkeys([pass_symbol, self._forward()])))
             self._check_unused(module, drawn, settings, reached)
-        drawn_shaders = [shader for shader in found if shader is not None]
+        drawn_shaders = [shader for _setting, shader in found if shader is not None]
         return [*drawn_shaders, *self._kernels(module, kernels)]
+
+    def equations(
+        self, module: Module, material: str | None, rig: str | None, pass_: str | None
+    ) -> list[Equations]:
+        """The graphs of the own equations of materials, as ``shaders`` chooses among these.
+
+        Errors are in the report.
+        """
+        from .semantics.equations.building import equations_of
+
+        parts = self._parts(module, material, rig, pass_)
+        if parts is None:
+            return []
+        found = self._elaborated(module, *parts, set())
+        return [equations_of(setting) for setting, shader in found if shader is not None]
+
+    def _parts(
+        self, module: Module, material: str | None, rig: str | None, pass_: str | None
+    ) -> tuple[Symbol, Symbol, list[Symbol]] | None:
+        """The rig, the pass and the materials that are asked for; ``None`` if one is unknown."""
+        materials = self._materials(module, material)
+        rig_symbol = self._rig(module, rig)
+        pass_symbol = self._pass(module, pass_)
+        if rig_symbol is None or pass_symbol is None:
+            return None
+        return rig_symbol, pass_symbol, materials
+
+    def _elaborated(
+        self,
+        module: Module,
+        rig: Symbol,
+        pass_: Symbol,
+        materials: Iterable[Symbol],
+        reached: set[Symbol],
+    ) -> Iterator[tuple[Setting, Shader | None]]:
+        """Yields materials put together, each with its shader; ``None`` where errors are found."""
+        for material in materials:
+            if not has_room(material, self._records, self._report):
+                return
+            parts = Parts(material, rig, pass_, module)
+            setting = set_up(parts, self._report.apart(), self._records)
+            shader = elaborate(setting, reached)
+            self._report.extend(setting.ctx.report.since(0))
+            yield setting, shader
 
     def has_frames(self, module: Module, wanted: str | None) -> bool:
         """True if a file is compiled to its frames: it has some, and no material is asked for."""

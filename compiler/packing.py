@@ -66,8 +66,8 @@ def packing(type_: Type) -> Packing:
     match type_:
         case Scalar() | Vector():
             return Packing(type_, stored, size, _kind(stored), width(type_))
-        case Matrix(columns):
-            return Packing(type_, stored, size, "float", columns, columns, ROW)
+        case Matrix(columns, rows):
+            return Packing(type_, stored, size, "float", rows, columns, ROW)
         case Struct():
             return Packing(type_, stored, size, None, 0, members=_members(type_))
         case Array(element, count):

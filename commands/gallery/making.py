@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ...api.compiled import CompiledFrame, CompiledMaterial
+from ...api.entry_points import equations
 from ...compiler.budget import BudgetError
 from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import CompileError, Report
@@ -164,7 +165,7 @@ class _Making:
     def _texts(self, found: compared.Subjects) -> None:
         for label, subject in found:
             name = label.rpartition(": ")[2]
-            self._entry["graphs"].append(_graph(name, subject))
+            self._entry["graphs"].append(_graph(name, self._file, subject))
             if isinstance(subject, CompiledFrame):
                 self._entry["programs"] += (_program(s.name, s) for s in subject.shaders)
             else:
@@ -288,9 +289,14 @@ def _program(label: str, material: CompiledMaterial) -> Program:
     return {"label": label, "stages": found, "lacking": lacks}
 
 
-def _graph(label: str, subject: CompiledFrame | CompiledMaterial) -> Graph:
+def _graph(label: str, file: Path, subject: CompiledFrame | CompiledMaterial) -> Graph:
+    """The steps of a frame, the equations of a material, or the program of a kernel."""
     try:
-        return {"label": label, "svg": as_svg(subject), "problem": ""}
+        if isinstance(subject, CompiledFrame) or subject.shader.chain == COMPUTED:
+            return {"label": label, "svg": as_svg(subject), "problem": ""}
+        drawn_by = {"rig": subject.shader.rig_name, "pass_": subject.shader.pass_name}
+        (found,) = equations(file, material=subject.shader.name, **drawn_by)
+        return {"label": label, "svg": as_svg(found), "problem": ""}
     except CompileError as error:
         return {"label": label, "svg": "", "problem": error.diagnostics[0].message}
 

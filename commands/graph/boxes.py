@@ -36,8 +36,10 @@ def size_of(box: Box) -> tuple[float, float]:
     widths = [width_of(cut(box.heading), NAME_SIZE)]
     widths += [width_of(cut(line), TEXT_SIZE) for line in box.below]
     widths += [width_of(_row(port), TEXT_SIZE) + 17 for port in box.ports]
+    widths += [width_of(cut(each.text), TEXT_SIZE) + 6 for each in box.inputs]
     guard = 16.0 if box.guarded else 0.0
-    height = _head(box) + ROW * len(box.ports) + (5 if box.ports else 4)
+    rows = len(box.ports) + len(box.inputs)
+    height = _head(box) + ROW * rows + (5 if rows else 4)
     return max(widths) + 20 + guard + _stack(box), height + _stack(box)
 
 
@@ -50,11 +52,17 @@ def start_of(box: Box, item: Item, port: str) -> tuple[float, float]:
     return right, item.middle
 
 
+def end_of(box: Box, item: Item, row: int | None) -> float:
+    """The height at which an arrow ends: that of a row if it leads to one."""
+    return item.middle if row is None else item.y + _head(box) + ROW * (row + 0.5)
+
+
 def drawn_box(box: Box, item: Item) -> str:
     """The shapes of a box, with its facts for those who point at it."""
     stack = _stack(box)
     width, height = item.width - stack, item.height - stack
-    corner = min(height / 2, 14.0) if box.kind.is_round else 6.0
+    is_round = box.kind.is_round and not box.inputs
+    corner = min(height / 2, 14.0) if is_round else 6.0
     line, thickness = (GUARD, 1.8) if box.guarded else (box.kind.line, 1.1)
     looks = f'rx="{corner:.1f}" fill="{box.fill}" stroke="{line}" stroke-width="{thickness}"'
     looks += dashed(ONCE if box.only_first or box.kind.is_dashed else "")
@@ -63,6 +71,7 @@ def drawn_box(box: Box, item: Item) -> str:
     shapes += _words(box, item)
     if box.ports:
         shapes += _ports(box, item, width)
+    shapes += _inputs(box, item, width)
     if box.guarded:
         shapes.append(shield(item.x + item.width - 17, item.y + 6))
     return titled(_tooltip(box), *shapes)
@@ -81,7 +90,7 @@ def _stack(box: Box) -> float:
 
 def _head(box: Box) -> float:
     """The height of a box above the rows of its results."""
-    return HEAD + LINE * len(list(box.below)) + (6 if box.ports else 2)
+    return HEAD + LINE * len(list(box.below)) + (6 if box.ports or box.inputs else 2)
 
 
 def _row(port: Port) -> str:
@@ -106,6 +115,21 @@ def _ports(box: Box, item: Item, width: float) -> Iterator[str]:
         looks = f'rx="2" fill="{fill}" stroke="{color}"'
         yield rectangle(item.x + 10, y + 5, 10, 10, looks)
         yield text(item.x + 27, y + 14, _row(port), TEXT_SIZE, ink)
+
+
+def _inputs(box: Box, item: Item, width: float) -> Iterator[str]:
+    """What a box reads: one row each, with a point, which is filled where an arrow ends."""
+    if not box.inputs:
+        return
+    top, height = item.y + _head(box), ROW * len(box.inputs) + 4
+    yield rectangle(item.x + 1, top - 1, width - 2, height, f'rx="4" fill="{WHITE}"')
+    for number, each in enumerate(box.inputs):
+        y = end_of(box, item, number)
+        line = box.kind.line
+        fill = line if each.is_read else WHITE
+        looks = f'r="3" fill="{fill}" stroke="{line}"'
+        yield f'<circle cx="{item.x:.1f}" cy="{y:.1f}" {looks}/>'
+        yield text(item.x + 12, y + 4, cut(each.text), TEXT_SIZE, INK)
 
 
 def _tooltip(box: Box) -> str:

@@ -18,7 +18,11 @@ from ..terminal import FAILED, print_output
 if TYPE_CHECKING:
     from ...api.compiled import CompiledFrame, CompiledMaterial
     from ...compiler.diagnostics.source import Span
+    from ...compiler.semantics.equations.model import Equations
     from .model import Picture
+
+    Subject = CompiledMaterial | CompiledFrame | Equations
+    """A program, a frame, or the equations of a material."""
 
 STDOUT = "-"
 FORMATS = ("svg", "dot", "text")
@@ -34,6 +38,7 @@ class GraphRequest(NamedTuple):
     """A file, or ``-``."""
     form: str | None
     """One of ``FORMATS``; by default the ending of the file's name, or else ``text``."""
+    program: bool
     why: bool
     error: tuple[int, int] | None
     case: str
@@ -44,6 +49,11 @@ class GraphRequest(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+
+    @property
+    def is_of_programs(self) -> bool:
+        """True if something is asked for that only the program of a material has."""
+        return self.program or self.why or self.everything or self.error is not None
 
 
 @click.command()
@@ -62,16 +72,23 @@ class GraphRequest(NamedTuple):
     type=click.Choice(FORMATS),
     help="A picture, a text for Graphviz, or one for people; by default what FILE's name says.",
 )
+@click.option(
+    "--program", is_flag=True,
+    help="Of a material, the optimised program: each value, by the stage that computes it.",
+)  # fmt: skip
 @click.option("--why", is_flag=True, help="Instead, say why guards went, and why others stay.")
 @click.option(
     "--error", metavar="X,Y", callback=pixel,
-    help="Colour each value by its part in the error of this pixel of `conform`'s pictures.",
+    help="Colour each value of the program by its part in the error of this pixel of `conform`'s "
+    "pictures.",
 )  # fmt: skip
 @click.option(
     "--case", metavar="NAME", default="defaults", show_default=True,
     help="The scene of `conform` in which the pixel is.",
 )  # fmt: skip
-@click.option("--all", "everything", is_flag=True, help="Every value, and not only named ones.")
+@click.option(
+    "--all", "everything", is_flag=True, help="Every value of the program, and not only named ones."
+)
 @click.option("--material", metavar="NAME", help="The material or frame of the file that is shown.")
 @click.option(
     "--shader", metavar="NAME",
@@ -87,11 +104,14 @@ class GraphRequest(NamedTuple):
     show_default=True,
 )
 def graph(**chosen: Any) -> None:
-    """Show what the materials of FILE compute, and where; or the steps of its frames.
+    """Show the equations of the materials of FILE, their programs, or the steps of its frames.
 
-    The host, the stages, functions and loops each have a border of their own. Boxes are values, and
-    the parameters and textures that they read. A shield marks a value that keeps a guard. In a
+    Data flow from left to right: from parameters and textures through the operations of each
+    equation to the pass that draws. Whatever a base or the library declares is one box. In a
     browser, point at a box to see where it is written.
+
+    With `--program`, boxes are values of the optimised program. The host, the stages, functions and
+    loops each have a border of their own, and a shield marks a value that keeps a guard.
 
     Of a frame, boxes are steps with what they leave to each other. A time line says what each
     texture holds from step to step.
@@ -100,6 +120,7 @@ def graph(**chosen: Any) -> None:
     Example:
         burnish graph plastic.burnish
         burnish graph plastic.burnish -o plastic.svg
+        burnish graph plastic.burnish --program
         burnish graph plastic.burnish --why
         burnish graph plastic.burnish --error 36,28 -o error.svg
         burnish graph deferred.burnish -o deferred.svg
@@ -137,7 +158,7 @@ def _parts(material: CompiledMaterial, request: GraphRequest) -> Mapping[Span, f
             fail(str(error))
 
 
-def _subjects(request: GraphRequest) -> Sequence[CompiledMaterial | CompiledFrame]:
+def _subjects(request: GraphRequest) -> Sequence[Subject]:
     """The subjects to show: the frames of the file, one shader of them, or its materials."""
     from ...api import entry_points as api
 
@@ -157,15 +178,34 @@ def _subjects(request: GraphRequest) -> Sequence[CompiledMaterial | CompiledFram
                 "--shader is for frames, and there is none in the file: --material chooses among "
                 "materials"
             )
-        return result.materials
+        return result.materials if request.is_of_programs else _equations(request, result.materials)
     if request.shader is not None:
         return [_named(request.shader, result.materials)]
     if request.why:
         return result.materials
-    for option, given in (("--error", request.error), ("--all", request.everything)):
-        if given:
+    given = {"--error": request.error, "--all": request.everything, "--program": request.program}
+    for option, value in given.items():
+        if value:
             raise click.UsageError(f"{option} is about one shader of a frame: name it by --shader")
     return result.frames
+
+
+def _equations(request: GraphRequest, shaders: Sequence[CompiledMaterial]) -> Sequence[Subject]:
+    """The equations of materials, and the programs of kernels."""
+    from ...api import entry_points as api
+    from ...compiler.ir.stages import COMPUTED
+
+    if all(shader.shader.chain == COMPUTED for shader in shaders):
+        return shaders
+    found = api.equations(
+        request.file,
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=request.search_path,
+    )
+    own = {each.name: each for each in found}
+    return [own.get(shader.name, shader) for shader in shaders]
 
 
 def _named(name: str, shaders: Sequence[CompiledMaterial]) -> CompiledMaterial:
@@ -178,7 +218,7 @@ def _named(name: str, shaders: Sequence[CompiledMaterial]) -> CompiledMaterial:
     return shaders[names.index(name)]
 
 
-def _deliver(request: GraphRequest, subjects: Sequence[CompiledMaterial | CompiledFrame]) -> None:
+def _deliver(request: GraphRequest, subjects: Sequence[Subject]) -> None:
     from ...api.compiled import CompiledFrame
 
     form = _form(request)
@@ -218,15 +258,15 @@ def _form(request: GraphRequest) -> str:
     return request.form or known.get(ending, "text")
 
 
-def _written(subject: CompiledMaterial | CompiledFrame, request: GraphRequest, form: str) -> str:
-    from ...api.compiled import CompiledFrame
+def _written(subject: Subject, request: GraphRequest, form: str) -> str:
+    from ...api.compiled import CompiledMaterial
 
-    if request.why and not isinstance(subject, CompiledFrame):
+    if request.why and isinstance(subject, CompiledMaterial):
         from .why import written
 
         title = f"{subject.name}, pass {subject.shader.pass_name}, rig {subject.shader.rig_name}"
         return written(title, subject.proofs)
-    parts = None if isinstance(subject, CompiledFrame) else _parts(subject, request)
+    parts = _parts(subject, request) if isinstance(subject, CompiledMaterial) else None
     found = picture_of(subject, everything=request.everything, parts=parts)
     if form == "text":
         from .text import written as as_text
@@ -240,28 +280,32 @@ def _written(subject: CompiledMaterial | CompiledFrame, request: GraphRequest, f
 
 
 def picture_of(
-    subject: CompiledMaterial | CompiledFrame,
+    subject: Subject,
     *,
     everything: bool = False,
     parts: Mapping[Span, float] | None = None,
 ) -> Picture:
-    """The contents of the picture of a frame, a material or a kernel.
+    """The contents of the picture of a frame, of a material's equations, or of a program.
 
-    For the options of a material see ``material_picture``.
+    For the options of a program see ``program_picture``.
     """
-    from ...api.compiled import CompiledFrame
+    from ...api.compiled import CompiledFrame, CompiledMaterial
 
     if isinstance(subject, CompiledFrame):
         from .frame import frame_picture
 
         return frame_picture(subject)
-    from .material import material_picture
+    if not isinstance(subject, CompiledMaterial):
+        from .equations import equations_picture
 
-    return material_picture(subject.shader, subject.staged, everything=everything, parts=parts)
+        return equations_picture(subject)
+    from .program import program_picture
+
+    return program_picture(subject.shader, subject.staged, everything=everything, parts=parts)
 
 
-def as_svg(subject: CompiledFrame | CompiledMaterial) -> str:
-    """The picture of a frame, a material or a kernel; ``burnish gallery`` shows it.
+def as_svg(subject: Subject) -> str:
+    """The picture of a frame, of a material's equations, or of a program, for ``burnish gallery``.
 
     Raises ``CompileError`` if it is too large to be read.
     """

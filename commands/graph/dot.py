@@ -30,8 +30,9 @@ def written(picture: Picture) -> str:
 
 
 def _box(box: Box) -> Iterator[str]:
+    rows = (each.text for each in box.inputs)
     attributes = [
-        _label(box.heading, *box.below), f'fillcolor="{box.fill}"',
+        _label(box.heading, *box.below, *rows), f'fillcolor="{box.fill}"',
         f'color="{box.kind.line}"', f"tooltip={_quoted(' '.join(box.facts))}",
     ]  # fmt: skip
     if box.is_dark:

@@ -40,6 +40,15 @@ class Kind(Enum):
     CROSSING = "crosses to the next stage", "#dff3f1", "#12857a", "said"
     ARGUMENT = "argument, or index of a loop", "#f1f1f1", "#8a8a8a", "round"
     RESULT = "result of the stage", "#34404c", "#1d252d", "dark"
+    # Equations of a material, as they are written.
+    INHERITED = "inherited", "#eef3e6", "#8aa36b", "round"
+    LIGHTS = "lights of the rig", "#fdf0cf", "#b98a14", "round"
+    EQUATION = "equation", "#ffffff", "#34404c"
+    OPERATION = "operation", "#f1f3f5", "#8b97a3"
+    FUNCTION = "function", "#efe9fb", "#7a55c7"
+    TERM = "term", "#e2f1f8", "#2b7da3"
+    STATEMENT = "statement of the material", "#f0e8e0", "#8c7458"
+    DRAWN_BY = "pass that draws the material", "#34404c", "#1d252d", "dark"
     # Steps of a frame.
     DRAW = "pass", "#e3e9f8", "#4a68b0"
     RUN = "kernel", "#d9eef2", "#23808f"
@@ -65,6 +74,7 @@ class ArrowKind(Enum):
     """
 
     USE = "", 1.1, "", "#8b97a3", None
+    WIRE = "", 1.4, "", "", None
     CROSSING = "", 1.6, "", "#12857a", None
     GIVEN = "given by the host", 1.0, "", "", ""
     READ = "read", 1.5, "", "", ""

@@ -1,7 +1,7 @@
 """The contents of a picture: boxes in clusters, arrows between them, and perhaps a time line.
 
-``material.py`` makes it of the stages of a material and ``frame.py`` of the plan of a frame;
-``svg.py``, ``dot.py`` and ``text.py`` write it.
+``equations.py`` makes it of the equations of a material, ``program.py`` of the stages of its
+program and ``frame.py`` of the plan of a frame; ``svg.py``, ``dot.py`` and ``text.py`` write it.
 """
 
 from __future__ import annotations
@@ -28,8 +28,28 @@ class Port:
 
 
 @dataclass(slots=True)
+class Input:
+    """A row of a box: something that it reads, with the name of whatever gives it."""
+
+    label: str
+    """The name of an argument, or a sign; it may be empty."""
+    words: str
+    """A constant, or the name of another box and what is picked out of it."""
+    is_read: bool
+    """True if it is read of another box; false for a constant."""
+
+    @property
+    def text(self) -> str:
+        """The row in words."""
+        if self.label in ("", self.words):
+            return self.words
+        is_sign = not self.label[0].isalnum()
+        return f"{self.label}{' ' if is_sign else ': '}{self.words}"
+
+
+@dataclass(slots=True)
 class Box:
-    """A value, or an input or output of the host, or a step, or the repetitions of a step."""
+    """A value, or an input or output of the host, an equation, a step or its repetitions."""
 
     key: str
     kind: Kind
@@ -56,6 +76,7 @@ class Box:
     only_first: bool = False
     """True if a step is done in the first frame only."""
     ports: list[Port] = field(default_factory=list)
+    inputs: list[Input] = field(default_factory=list)
 
     @property
     def heading(self) -> str:
@@ -109,20 +130,25 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """An arrow between boxes, given by their keys; from one of the rows of the first one if that
-    has rows."""
+    """An arrow between boxes, given by their keys.
+
+    It comes from one of the rows of the first one if that has rows, and leads to a row of the other
+    one if that has inputs.
+    """
 
     source: str
     target: str
     kind: ArrowKind
     port: str = ""
+    row: int | None = None
+    """The number of the input at which it ends."""
 
 
 @dataclass(slots=True)
 class Cluster:
     """Boxes that belong together: what a stage, a function, a loop or the host computes.
 
-    The clusters of a frame (its inputs, steps and outputs) have no borders: in a picture, these
+    The clusters of a frame, and of a material's equations, have no borders: in a picture, these
     mix, so that every arrow points right.
     """
 

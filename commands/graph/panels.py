@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .boxes import drawn_box, size_of, start_of
+from .boxes import drawn_box, end_of, size_of, start_of
 from .kinds import ArrowKind, texture_color
 from .layout import laid_out
 from .model import Arrow, Box, Cluster, Picture
@@ -93,7 +93,7 @@ class Panel:
     def end(self, arrow: Arrow) -> tuple[float, float]:
         """The place in the picture where an arrow from another panel ends."""
         (left, top), item = self.origin, self._layout.items[arrow.target]
-        return left + item.x, top + item.middle
+        return left + item.x, top + end_of(self.boxes[arrow.target], item, arrow.row)
 
     def border(self) -> Iterator[str]:
         """The background and the title, in the picture."""
@@ -124,8 +124,11 @@ class Panel:
         x = self._edges[first.column]
         path = [f"M{begin:.1f} {y:.1f} H{x:.1f}"]
         for item in others:
-            path.append(curve(x, y, item.x, item.middle))
-            x, y = item.x, item.middle
+            end = item.middle
+            if item is others[-1]:
+                end = end_of(self.boxes[arrow.target], item, arrow.row)
+            path.append(curve(x, y, item.x, end))
+            x, y = item.x, end
             if item is not others[-1]:
                 x += item.width
                 path.append(f"L{x:.1f} {y:.1f}")

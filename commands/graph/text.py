@@ -50,8 +50,9 @@ def _details(box: Box) -> Iterator[str]:
 def _below(box: Box, into: list[Arrow], boxes: Mapping[str, Box]) -> Iterator[str]:
     """The inputs and results of a step; for other boxes, a formula names the inputs."""
     yield from box.settings
+    yield from (each.text for each in box.inputs)
     for arrow in into:
-        if arrow.kind.told is not None and not box.formula:
+        if arrow.kind.told is not None and not box.formula and not box.inputs:
             source = boxes[arrow.source]
             before = " of the last frame" if source.kind is Kind.PREVIOUS else ""
             yield f"<- {arrow.port or source.name}{before}{arrow.kind.told}"

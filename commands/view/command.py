@@ -15,6 +15,7 @@ from ..failures import errors_as_messages, fail, needed
 from ..options import (
     budget_option,
     environment_option,
+    exposure_option,
     eye_option,
     hoist_option,
     instances_option,
@@ -25,6 +26,7 @@ from ..options import (
     rig_option,
     scene_option,
     search_option,
+    tone_option,
     turn_option,
     values_option,
 )
@@ -40,6 +42,8 @@ from .request import ViewRequest
 @look_at_option
 @turn_option
 @instances_option
+@exposure_option
+@tone_option
 @values_option
 @plain_option
 @budget_option

@@ -22,6 +22,7 @@ from ...compiler.documents.writing import to_json
 from ...targets.runner.textures.kinds import without_prefix
 from ..as_asked import wishes
 from ..console import remark, say, show
+from ..developing import development_package
 from ..failures import drawing_errors
 from ..hosts import (
     is_single,
@@ -33,7 +34,7 @@ from ..hosts import (
     tell_unused_lamps,
 )
 from ..kernels import feed, kernels_of
-from ..options import BACKGROUND, MESHES
+from ..options import BACKGROUND, MESHES, TONES
 from ..render import render
 from ..surroundings import surround
 from .keeping import Keeping, Shelf
@@ -53,6 +54,8 @@ _PICTURE = "picture."
 """The beginning of the names by which a page asks for pictures; the rest is the texture's name."""
 _SIZE = (512, 512)
 """The size of the picture, until the page states its size."""
+_SAMPLES = 4
+"""The samples in each pixel of a material."""
 _MOST_NAMES = 1000
 """The most names of each kind of declaration from which a page can choose."""
 _MOST_CHOICES = 1000
@@ -181,7 +184,7 @@ class Documents:
 
     def _drawn(self, choice: Choice) -> dict[str, Any]:
         from ...targets.web_host.package import frame_package
-        from ...targets.web_view.controls import controls
+        from ...targets.web_view.controls import controls, of_development
         from ...targets.web_view.orbit import orbit
 
         self._asked = self._with_wishes()
@@ -190,6 +193,8 @@ class Documents:
         frame = self._compiled(chosen, declared)
         host, given = self._host(frame, chosen)
         has_mesh = self._request.scene is None and _takes_mesh(frame)
+        light = self._asked.exposure, self._asked.tone
+        rows = [*controls(host), *of_development(host.plan, *light, TONES)]
         return {
             "chosen": {
                 "subject": chosen.subject, "rig": chosen.rig, "pass": chosen.pass_,
@@ -197,9 +202,12 @@ class Documents:
             },
             "meshes": list(MESHES) if has_mesh else [],
             "doc": frame.plan.doc,
-            "controls": [{**row, "picture": given.get(row["name"])} for row in controls(host)],
+            "controls": [{**row, "picture": given.get(row["name"])} for row in rows],
             "orbit": orbit(host.scenery),
             "package": to_json(frame_package(host, (choice.profile,))),
+            "development": {
+                "package": to_json(development_package(choice.profile)), "tones": TONES,
+            },
         }  # fmt: skip
 
     def _with_wishes(self) -> ViewRequest:
@@ -264,7 +272,7 @@ class Documents:
         if chosen.subject in declared.frames:
             return result.frames[0]
         red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
-        return single_frame(result.materials[0], (red, green, blue, 1.0))
+        return single_frame(result.materials[0], (red, green, blue, 1.0), samples=_SAMPLES)
 
     def _host(
         self, frame: FrameSubject, chosen: Choice

@@ -20,6 +20,10 @@ class ViewRequest(NamedTuple):
     turn: tuple[float, float]
     """The angles by which the camera turns, in radians: to the right and upwards."""
     instances: int
+    exposure: float
+    """The stops by which the picture is brightened at first."""
+    tone: str
+    """The name of the tone mapping at first."""
     values: tuple[tuple[str, str], ...]
     material: str | None
     rig: str | None

@@ -11,13 +11,11 @@ from .stages import CORNER, Crossing
 from .types import (
     FLOAT,
     INT,
-    VEC4,
     Array,
     Matrix,
     RuntimeArray,
     ScalarKind,
     Struct,
-    TallMatrix,
     Type,
     Vector,
     scalar_kind,
@@ -76,8 +74,8 @@ def splat(graph: Graph, operand: Node, lanes: int) -> Node:
 
 
 def matrix(graph: Graph, columns: tuple[Node, ...]) -> Node:
-    """A square matrix from its columns."""
-    return graph.node("matrix", Matrix(len(columns)), columns)
+    """A matrix from its columns."""
+    return graph.node("matrix", Matrix(len(columns), width(columns[0].type)), columns)
 
 
 def swizzle(graph: Graph, operand: Node, lanes: tuple[int, ...]) -> Node:
@@ -98,10 +96,8 @@ def index(graph: Graph, operand: Node, position: Node) -> Node:
     match operand.type:
         case Array(element=element) | RuntimeArray(element):
             type_: Type = element
-        case Matrix(size=size):
-            type_ = Vector("float", size)
-        case TallMatrix():
-            type_ = VEC4
+        case Matrix():
+            type_ = operand.type.column
         case Vector(kind=kind):
             type_ = with_width(kind, 1)
         case _:

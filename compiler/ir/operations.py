@@ -177,7 +177,7 @@ CALL = Operation(
 Calls that some language can make without a guard stay to the end: ``targets/legalise`` decides.
 """
 
-NATIVE = Operation("native", "builtin", str, result_types.native, arity=None)
+NATIVE = Operation("native", "builtin", str, result_types.builtin, arity=None)
 """A builtin as the hardware does it.
 
 Where backends agree on it, that is its meaning; elsewhere the result may be anything, so ``guard``
@@ -193,7 +193,7 @@ SPLAT = Operation("splat", "join", NoneType, result_types.splat, arity=1, noun="
 """A vector with one scalar in every lane."""
 
 MATRIX = Operation("matrix", "join", NoneType, result_types.matrix, arity=None, noun="columns")
-"""A square matrix of its columns."""
+"""A matrix of its columns."""
 
 STRUCT = Operation(
     "struct", "join", NoneType, result_types.aggregate, arity=None, until="opened"

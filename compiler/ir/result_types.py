@@ -16,7 +16,6 @@ from .stages import Crossing, SystemInput
 from .types import (
     BOOL,
     INT,
-    VEC4,
     Array,
     Matrix,
     Opaque,
@@ -24,7 +23,6 @@ from .types import (
     Scalar,
     ScalarKind,
     Struct,
-    TallMatrix,
     Type,
     Vector,
     scalar_kind,
@@ -63,8 +61,8 @@ def _holds(type_: Type, data: object) -> bool:
             return isinstance(data, _LANES[kind]) and (kind == "bool") == isinstance(data, bool)
         case Vector(kind, size):
             return _all_hold(Scalar(kind), size, data)
-        case Matrix(size):
-            return _all_hold(Vector("float", size), size, data)
+        case Matrix(columns):
+            return _all_hold(type_.column, columns, data)
         case _:
             return False
 
@@ -77,15 +75,6 @@ def builtin(node: Node) -> Type | None:
     """The result type by the signatures of the builtin."""
     types = tuple(operand.type for operand in node.operands)
     return signatures.result_type(str(node.data), types)
-
-
-def native(node: Node) -> Type | None:
-    """The result type of a builtin; besides, hardware multiplies a stored matrix with a column."""
-    match [operand.type for operand in node.operands]:
-        case [TallMatrix(columns), Vector("float", size)] if node.data == "mul":
-            return VEC4 if size == columns else None
-        case _:
-            return builtin(node)
 
 
 def vector(node: Node) -> Type | None:
@@ -107,10 +96,11 @@ def splat(node: Node) -> Type | None:
 
 
 def matrix(node: Node) -> Type | None:
-    """A square matrix of its columns."""
-    size = len(node.operands)
-    columns = all(operand.type == Vector("float", size) for operand in node.operands)
-    return Matrix(size) if columns else None
+    """A matrix of its columns."""
+    column, columns = node.operands[0].type, len(node.operands)
+    fits = 2 <= columns <= 4 and all(operand.type == column for operand in node.operands)
+    is_column = isinstance(column, Vector) and column.kind == "float"
+    return Matrix(columns, width(column)) if fits and is_column else None
 
 
 def aggregate(node: Node) -> Type | None:
@@ -138,10 +128,8 @@ def index(node: Node) -> Type | None:
     match aggregate:
         case Array(element=element) | RuntimeArray(element):
             return element
-        case Matrix(size=size):
-            return Vector("float", size)
-        case TallMatrix():
-            return VEC4
+        case Matrix():
+            return aggregate.column
         case Vector(kind=kind):
             return Scalar(kind)
         case _:

@@ -16,6 +16,7 @@ from .types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     TEXTURES,
     UINT,
     Matrix,
@@ -77,14 +78,14 @@ FIXED: Mapping[str, Type] = {
     **{str(texture): texture for texture in TEXTURES},
     **{f"vec{n}": Vector("float", n) for n in (2, 3, 4)},
     **{f"{p}vec{n}": Vector(k, n) for n in (2, 3, 4) for p, k in _PREFIXES},
-    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
+    **{str(matrix): matrix for matrix in MATRICES},
 }  # fmt: skip
 """Words of a signature that are one type."""
 
 _OF_KIND: Mapping[str, ScalarKind] = {"Q": "bool", "U": "uint", "J": "int"}
 """Letters for lanes of a kind, as many as another letter has."""
 
-DEPENDENT = "CLQUJKWE"
+DEPENDENT = "COLQUJKWEZ"
 """Letters that follow from others and so are bound last."""
 
 
@@ -115,8 +116,8 @@ def meaning(letter: str, bound: Mapping[str, Type]) -> Type:
 
 def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
     """The type that follows from a letter bound before: lanes, columns, how a texture is read."""
-    if letter == "C" and isinstance(matrix := bound.get("M"), Matrix):
-        return Vector("float", matrix.size)
+    if isinstance(matrix := bound.get("M"), Matrix) and letter in _OF_MATRIX:
+        return _of_matrix(letter, matrix, bound)
     base = next((bound[source] for source in "NTIP" if source in bound), None)
     kind = scalar_kind(base) if base is not None else None
     if letter == "L" and kind is not None:
@@ -125,6 +126,31 @@ def dependent(letter: str, bound: Mapping[str, Type]) -> Type | None:
         return with_width(_OF_KIND[letter], width(base))
     texture = next((t for t in bound.values() if isinstance(t, TextureType)), None)
     return None if texture is None else _of_texture(letter, texture)
+
+
+_OF_MATRIX = "COAY"
+
+
+def _of_matrix(letter: str, matrix: Matrix, bound: Mapping[str, Type]) -> Type | None:
+    """The type of a column, of a row, of the transpose, or of a product of matrices."""
+    match letter, bound.get("Z"):
+        case "C", _:
+            return matrix.column
+        case "O", _:
+            return Vector("float", matrix.columns)
+        case "A", _:
+            return Matrix(matrix.rows, matrix.columns)
+        case "Y", Matrix(columns):
+            return Matrix(columns, matrix.rows)
+        case _:
+            return None
+
+
+def is_factor(matrix: Type | None, type_: Type) -> bool:
+    """True if a matrix can be multiplied by one of ``type_``: it has a column for each row."""
+    if not isinstance(matrix, Matrix) or not isinstance(type_, Matrix):
+        return False
+    return matrix.columns == type_.rows
 
 
 def _of_texture(letter: str, texture: TextureType) -> Type | None:
@@ -162,4 +188,6 @@ def _may_be(letter: str, type_: Type, bound: Mapping[str, Type]) -> bool:
         return type_ in TEXTURE_FAMILIES[letter]
     if letter == "M":
         return isinstance(type_, Matrix)
+    if letter == "Z":
+        return is_factor(bound.get("M"), type_)
     return letter == "R" or type_ == (FIXED.get(letter) or dependent(letter, bound))

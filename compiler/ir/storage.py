@@ -37,7 +37,6 @@ from .types import (
     Scalar,
     ScalarKind,
     Struct,
-    TallMatrix,
     Type,
     Vector,
 )
@@ -96,10 +95,8 @@ def stored_type(type_: Type) -> Type:
             return Scalar(_stored_kind(kind))
         case Vector(kind, size):
             return Vector(_stored_kind(kind), size)
-        case Matrix(size):
-            return type_ if size == 4 else TallMatrix(size)
-        case TallMatrix():
-            return type_
+        case Matrix(columns):
+            return Matrix(columns, 4)
         case Array(element, count):
             return _stored_array(element, count)
         case RuntimeArray(element):
@@ -138,7 +135,7 @@ def stored_element(element: Type) -> Type:
 
 def stored_elements(element: Type) -> int:
     """The number of elements of the stored type that hold one value."""
-    return element.size if isinstance(element, Matrix) else 1
+    return element.columns if isinstance(element, Matrix) else 1
 
 
 def element_stride(element: Type) -> int:
@@ -151,8 +148,8 @@ def _stored_array(element: Type, count: int) -> Array:
         case Scalar(kind) | Vector(kind):
             rows = -(-count // elements_in_row(element))
             return Array(Vector(_stored_kind(kind), 4), rows)
-        case Matrix(size):
-            return Array(Vector("float", 4), size * count)
+        case Matrix(columns):
+            return Array(Vector("float", 4), columns * count)
         case Struct():
             return Array(stored_struct(element), count)
         case _:
@@ -181,7 +178,7 @@ def byte_size(stored: Type) -> int:
             return LANE
         case Vector(size=size):
             return LANE * size
-        case Matrix(4 as columns) | TallMatrix(columns):
+        case Matrix(columns, 4):
             return columns * ROW
         case Array(element, count):
             return count * byte_size(element)

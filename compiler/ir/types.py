@@ -54,23 +54,24 @@ class Vector:
 
 @frozen(interned=True)
 class Matrix:
-    """Square float matrix of ``size`` columns, each a ``Vector("float", size)``."""
-
-    size: int
-    kind: ClassVar[ScalarKind] = "float"
-
-    def __str__(self) -> str:
-        return f"mat{self.size}"
-
-
-@frozen(interned=True)
-class TallMatrix:
-    """Two or three columns of type ``vec4``: how blocks store a smaller ``Matrix``."""
+    """Two to four columns of floats with ``rows`` lanes each."""
 
     columns: int
+    rows: int
+    kind: ClassVar[ScalarKind] = "float"
+
+    @property
+    def column(self) -> Vector:
+        """The type of a column."""
+        return Vector("float", self.rows)
+
+    @property
+    def is_square(self) -> bool:
+        """True if there are as many columns as rows."""
+        return self.columns == self.rows
 
     def __str__(self) -> str:
-        return f"mat{self.columns}x4"
+        return f"mat{self.columns}" if self.is_square else f"mat{self.columns}x{self.rows}"
 
 
 @frozen(interned=True)
@@ -145,7 +146,7 @@ class TextureType:
         return _PREFIXES[self.sample] + _SUFFIXES[self.dimension]
 
 
-Type = Scalar | Vector | Matrix | TallMatrix | Array | RuntimeArray | Struct | TextureType
+Type = Scalar | Vector | Matrix | Array | RuntimeArray | Struct | TextureType
 Numeric = Scalar | Vector
 Opaque = TextureType | RuntimeArray
 """Types that are read in place, and are never values by themselves."""
@@ -159,6 +160,11 @@ IVEC2 = Vector("int", 2)
 IVEC4 = Vector("int", 4)
 VEC3 = Vector("float", 3)
 VEC4 = Vector("float", 4)
+MATRICES = (
+    *(Matrix(size, size) for size in (2, 3, 4)),
+    *(Matrix(columns, rows) for columns in (2, 3, 4) for rows in (2, 3, 4) if columns != rows),
+)
+"""All types of matrices, the square ones first."""
 
 _PREFIXES: Mapping[Sample, str] = {
     "float": "texture", "depth": "depth", "int": "itexture", "uint": "utexture",
@@ -192,8 +198,8 @@ def width(type_: Type) -> int:
             return 1
         case Vector(size=size):
             return size
-        case Matrix(size=size):
-            return size * size
+        case Matrix(columns=columns, rows=rows):
+            return columns * rows
         case _:
             raise TypeError(f"{type_} has no width")
 
@@ -207,8 +213,6 @@ def numbers(type_: Type) -> int:
     match type_:
         case Scalar() | Vector() | Matrix():
             return width(type_)
-        case TallMatrix(columns=columns):
-            return 4 * columns
         case Array(element=element, count=count):
             return count * numbers(element)
         case Struct(members=members):
@@ -223,6 +227,11 @@ _NUMERIC: dict[tuple[ScalarKind, int], Numeric] = {
     for kind in _KINDS
     for lanes in (1, 2, 3, 4)
 }
+
+
+def square(size: int) -> Matrix:
+    """The matrix with as many rows as columns."""
+    return Matrix(size, size)
 
 
 def with_width(kind: ScalarKind, lanes: int) -> Numeric:

@@ -267,7 +267,7 @@ class _Hoisting:
         If so, the value is counted.
         """
         assert reads.array is not None and reads.owner is not None
-        columns = node.type.size if isinstance(node.type, Matrix) else 1
+        columns = node.type.columns if isinstance(node.type, Matrix) else 1
         size = ROW * columns * _length(reads.array)
         if self._filled[reads.owner] + size > ROOM:
             return False

@@ -27,7 +27,6 @@ from ..ir.types import (
     RuntimeArray,
     Scalar,
     Struct,
-    TallMatrix,
     Type,
     Vector,
     width,
@@ -84,8 +83,8 @@ def _loaded(graph: Graph, type_: Type, stored: Node) -> Node:
         case Vector("bool", size):
             lanes = (swizzle(graph, stored, (lane,)) for lane in range(size))
             return vector(graph, tuple(_is_set(graph, lane) for lane in lanes))
-        case Matrix(size) if size < 4:
-            return _square(graph, size, stored)
+        case Matrix(rows=rows) if rows < 4:
+            return _upper(graph, type_, stored)
         case _:
             return stored
 
@@ -93,10 +92,10 @@ def _loaded(graph: Graph, type_: Type, stored: Node) -> Node:
 def _element(graph: Graph, element: Type, stored: Node, position: Node) -> Node:
     """Element ``position`` of an array in stored form."""
     match element:
-        case Matrix(size):
-            first = _computed(graph, "mul", position, size)
-            columns = [_computed(graph, "add", first, column) for column in range(size)]
-            return _matrix(graph, size, stored, columns)
+        case Matrix(columns):
+            first = _computed(graph, "mul", position, columns)
+            positions = [_computed(graph, "add", first, column) for column in range(columns)]
+            return _matrix(graph, element, stored, positions)
         case Scalar() | Vector():
             return _loaded(graph, element, _from_row(graph, element, stored, position))
         case _:
@@ -107,8 +106,8 @@ def _buffered(graph: Graph, element: Type, stored: Node, position: Node) -> Node
     """Element ``position`` of a storage buffer in stored form."""
     if isinstance(element, Matrix):
         first = _computed(graph, "mul", position, stored_elements(element))
-        columns = [_computed(graph, "add", first, column) for column in range(element.size)]
-        return _matrix(graph, element.size, stored, columns)
+        positions = [_computed(graph, "add", first, column) for column in range(element.columns)]
+        return _matrix(graph, element, stored, positions)
     read = index(graph, stored, position)
     if isinstance(element, Vector) and element.size == 3:
         read = swizzle(graph, read, (0, 1, 2))
@@ -132,29 +131,29 @@ def _from_row(graph: Graph, element: Scalar | Vector, stored: Node, position: No
     return graph.node("select", halves[0].type, (is_first, *halves))
 
 
-def _matrix(graph: Graph, size: int, stored: Node, positions: list[Node]) -> Node:
-    lanes = tuple(range(size))
+def _matrix(graph: Graph, type_: Matrix, stored: Node, positions: list[Node]) -> Node:
+    lanes = tuple(range(type_.rows))
     columns = (swizzle(graph, index(graph, stored, position), lanes) for position in positions)
     return matrix(graph, tuple(columns))
 
 
-def _square(graph: Graph, size: int, stored: Node) -> Node:
+def _upper(graph: Graph, type_: Matrix, stored: Node) -> Node:
     """The upper rows of a stored matrix."""
-    return _matrix(graph, size, stored, [constant(graph, INT, i) for i in range(size)])
+    positions = [constant(graph, INT, column) for column in range(type_.columns)]
+    return _matrix(graph, type_, stored, positions)
 
 
-def _whole(graph: Graph, square: Node) -> Node | None:
-    """The stored matrix that was read to give ``square``, if it was read and not computed."""
-    if not isinstance(square.type, Matrix):
+def _whole(graph: Graph, upper: Node) -> Node | None:
+    """The stored matrix that was read to give ``upper``, if it was read and not computed."""
+    if not isinstance(upper.type, Matrix):
         return None
-    stored = square
+    stored = upper
     for op in ("matrix", "swizzle", "index"):
         if stored.op != op:
             return None
         stored = stored.operands[0]
-    size = square.type.size
-    read = stored.type == TallMatrix(size) and _square(graph, size, stored) is square
-    return stored if read else None
+    fits = stored.type == stored_type(upper.type)
+    return stored if fits and _upper(graph, upper.type, stored) is upper else None
 
 
 def _from_whole(graph: Graph, node: Node, stored: Node, operands: tuple[Node, ...]) -> Node | None:

@@ -115,7 +115,7 @@ class _Dissolving:
             self._nesting[whole.id] = depth
             return None
         columns = []
-        for i in range(type_.size):
+        for i in range(type_.columns):
             position = build.constant(self._graph, INT, i)
             then, otherwise = (build.index(self._graph, side, position) for side in sides)
             columns.append(self._chosen(condition, then, otherwise))

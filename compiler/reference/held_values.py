@@ -29,8 +29,8 @@ def stored(type_: Type, value: Lanes) -> Lanes:
     match type_:
         case Scalar("bool") | Vector("bool"):
             return tuple(int(lane) for lane in value)
-        case Matrix(size) if size < _ROW:
-            return tuple((*column, *[0.0] * (_ROW - size)) for column in value)
+        case Matrix(rows=rows) if rows < _ROW:
+            return tuple((*column, *[0.0] * (_ROW - rows)) for column in value)
         case Array(Scalar() | Vector() as element, _):
             lanes = [lane for part in value for lane in _row_part(element, stored(element, part))]
             lanes += [0] * (-len(lanes) % _ROW)

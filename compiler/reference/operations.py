@@ -15,7 +15,6 @@ from ..ir.types import (
     RuntimeArray,
     Scalar,
     Struct,
-    TallMatrix,
     Type,
     Vector,
     scalar_kind,
@@ -114,7 +113,7 @@ def _index(node: Node, operands: list[Lanes], xp: Namespace) -> Lanes:
         element: Lanes = aggregate[0].element(position)
         return element
     parts = aggregate
-    if not isinstance(node.operands[0].type, Matrix | TallMatrix | Array):
+    if not isinstance(node.operands[0].type, Matrix | Array):
         parts = tuple((lane,) for lane in aggregate)
     part: Lanes = _at(parts, position, xp)
     return part

@@ -33,7 +33,6 @@ from ..ir.types import (
     Scalar,
     ScalarKind,
     Struct,
-    TallMatrix,
     Type,
     Vector,
 )
@@ -115,10 +114,8 @@ class BufferReader:
                 return (self._column(kind, offset),)
             case Vector(kind, size):
                 return tuple(self._column(kind, offset + LANE * lane) for lane in range(size))
-            case Matrix(size):
-                return self._columns(size, size, offset)
-            case TallMatrix(columns):
-                return self._columns(columns, 4, offset)
+            case Matrix(columns, rows):
+                return self._columns(columns, rows, offset)
             case Struct():
                 return tuple(
                     self._lanes(inner, offset + further, is_stored=is_stored)

@@ -37,9 +37,9 @@ def together(said: str, parts: Sequence[FixIt]) -> FixIt:
     return FixIt(said.format(" and ".join(part.text for part in parts)), (Fix(edits),))
 
 
-def called_here(name: str, span: Span, here: str) -> Hint:
+def called_here(name: str, span: Span, here: str, why: str = "") -> Hint:
     """A hint that ``name`` at ``span`` is of another language, and is called ``here`` in this."""
-    said = f"it is `{here}` here"
+    said = f"it is `{here}` here{f': {why}' if why else ''}"
     return fix_it(said, (span, here)) if span.text == name else said
 
 

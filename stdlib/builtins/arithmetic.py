@@ -138,10 +138,11 @@ ROWS = (
     ),
     Builtin(
         name="mul",
-        signatures=(*_LANEWISE, "M, C -> C", "M, M -> M", "M, S -> M", "S, M -> M"),
+        signatures=(*_LANEWISE, "M, O -> C", "M, Z -> Y", "M, S -> M", "S, M -> M"),
         meaning="product",
         doc="Product: lane by lane for numbers and vectors, that of linear algebra for matrices.",
         operator="*",
+        definition="product",
         range=_product,
         accuracy=CORRECT,
     ),

@@ -222,6 +222,9 @@ def _vectors(prefix: str, ours: str, suffixes: str = "234") -> Mapping[str, str]
     return {f"{prefix}{n}": f"{ours}{n}" for n in suffixes}
 
 
+_SHAPES = [(columns, rows) for columns in (2, 3, 4) for rows in (2, 3, 4) if columns != rows]
+"""The columns and rows of the matrices that are not square."""
+
 TYPES: Mapping[str, str] = MappingProxyType(
     {
         **_vectors("float", "vec"),
@@ -235,6 +238,10 @@ TYPES: Mapping[str, str] = MappingProxyType(
         **{f"vec{n}u": f"uvec{n}" for n in (2, 3, 4)},
         **{f"{word}{n}x{n}": f"mat{n}" for n in (2, 3, 4) for word in ("float", "half", "mat")},
         **{f"mat{n}x{n}f": f"mat{n}" for n in (2, 3, 4)},
+        **{f"{word}{r}x{c}": f"mat{c}x{r}" for c, r in _SHAPES for word in ("float", "half")},
+        **{f"mat{c}x{r}f": f"mat{c}x{r}" for c, r in _SHAPES},
+        **{f"dmat{c}x{r}": f"mat{c}x{r}" for c, r in _SHAPES},
+        **_vectors("dvec", "vec"), **_vectors("dmat", "mat"),
         **_vectors("fixed", "vec"), **_vectors("vector", "vec"), "fixed": "float",
         "color3": "rgb", "color4": "rgba", "filename": "texture2d",
         "f32": "float", "f16": "float", "half": "float", "double": "float", "i32": "int",
@@ -253,6 +260,13 @@ TYPES: Mapping[str, str] = MappingProxyType(
         "color": "rgb", "colour": "rgb",
     }
 )  # fmt: skip
+COLUMNS_FIRST: Mapping[str, str] = MappingProxyType(
+    dict.fromkeys(
+        (f"{word}{r}x{c}" for c, r in _SHAPES for word in ("float", "half")),
+        "columns are counted before rows",
+    )
+)
+"""The types of HLSL whose names count rows before columns, and what to know about them."""
 """Types of other languages, and the most similar type here."""
 
 VALUES: Mapping[str, str] = MappingProxyType(

@@ -1,9 +1,11 @@
-"""Rows for square matrices. The product of matrices is a form of ``mul``."""
+"""Rows for matrices. The product of matrices is a form of ``mul``."""
 
 from __future__ import annotations
 
 from .accuracy import CORRECT, EXACT, PLATFORMS, Inherited, promised, silent
 from .row import Builtin, nowhere
+
+_SIZES = (2, 3, 4)
 
 DETERMINANT = promised(
     Inherited("sums of products"),
@@ -14,10 +16,17 @@ DETERMINANT = promised(
     ),
 )
 
+
+def _outer(columns: int, rows: int) -> str:
+    """The signature of an outer product."""
+    size = f"{columns}" if columns == rows else f"{columns}x{rows}"
+    return f"vec{rows}, vec{columns} -> mat{size}"
+
+
 ROWS = (
     Builtin(
         name="transpose",
-        signatures=("M -> M",),
+        signatures=("M -> A",),
         meaning="numbers",
         doc="Rows and columns exchanged.",
         definition="transpose",
@@ -26,16 +35,16 @@ ROWS = (
     ),
     Builtin(
         name="determinant",
-        signatures=("M -> S",),
+        signatures=tuple(f"mat{n} -> S" for n in _SIZES),
         meaning="numbers",
-        doc="Determinant.",
+        doc="Determinant of a square matrix.",
         definition="determinant",
         accuracy=DETERMINANT,
         cost=16,
     ),
     Builtin(
         name="outer",
-        signatures=("vec2, vec2 -> mat2", "vec3, vec3 -> mat3", "vec4, vec4 -> mat4"),
+        signatures=tuple(_outer(columns, rows) for columns in _SIZES for rows in _SIZES),
         doc="outer(c, r): the matrix whose columns are c times each lane of r.",
         domain=nowhere,
         outside="Not every backend has it, so it is expanded.",
@@ -55,9 +64,9 @@ ROWS = (
     ),
     Builtin(
         name="inverse",
-        signatures=("M -> M",),
+        signatures=tuple(f"mat{n} -> mat{n}" for n in _SIZES),
         meaning="reversed",
-        doc="The inverse matrix.",
+        doc="The inverse of a square matrix.",
         domain=nowhere,
         outside="The zero matrix if the magnitude of the determinant is below 2^-126.",
         expansion="inverse",

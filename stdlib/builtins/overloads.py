@@ -24,7 +24,9 @@ _FAMILIES: dict[str, tuple[str, ...]] = {
     "B": ("bool",), "P": ("float", "int", "uint", "bool"),
 }  # fmt: skip
 _SAME_WIDTH = {"Q": "bool", "U": "uint", "J": "int"}
-_NAMED = re.compile(r"(?P<prefix>[iub]?)(?P<form>vec|mat)(?P<size>\d)")
+_VECTOR = re.compile(r"(?P<prefix>[iub]?)vec(?P<lanes>\d)")
+_MATRIX = re.compile(r"mat(?P<columns>\d)(x(?P<rows>\d))?")
+_SIZES = (2, 3, 4)
 
 
 @frozen
@@ -37,7 +39,8 @@ class Shape:
 
     def __str__(self) -> str:
         if self.columns:
-            return f"mat{self.width}"
+            is_square = self.columns == self.width
+            return f"mat{self.columns}" if is_square else f"mat{self.columns}x{self.width}"
         return self.kind if self.width == 1 else f"{_PREFIXES[self.kind]}vec{self.width}"
 
     @property
@@ -64,38 +67,66 @@ def overloads(row: Builtin) -> Iterator[Overload]:
     for signature in row.signatures:
         operands, result = signature.split(" -> ")
         words = [*operands.split(", "), result]
-        for kind, width in _choices(words):
-            shapes = [_shape(word, kind, width) for word in words]
+        for choice in _choices(words):
+            shapes = [_shape(word, choice) for word in words]
             found = Overload(row, tuple(shapes[:-1]), shapes[-1])
             if str(found) not in seen:
                 seen.add(str(found))
                 yield found
 
 
-def _choices(words: Sequence[str]) -> list[tuple[str, int]]:
-    """The kinds and widths for which the letters of a signature can stand."""
+@frozen
+class _Choice:
+    """What the letters of a signature stand for."""
+
+    kind: str
+    width: int
+    """Lanes of vectors, and rows of the matrix ``M``."""
+    columns: int = 0
+    """Columns of the matrix ``M``."""
+    further: int = 0
+    """Columns of the matrix ``Z``."""
+
+
+def _choices(words: Sequence[str]) -> list[_Choice]:
+    """The kinds, widths and sizes for which the letters of a signature can stand."""
     letters = {word for word in words if len(word) == 1}
     if not letters:
-        return [("float", 1)]
-    narrowest = 2 if letters & {"V", "M"} else 1
+        return [_Choice("float", 1)]
+    if "M" in letters:
+        sizes = product(_SIZES, _SIZES, _SIZES if "Z" in letters else (0,))
+        return [_Choice("float", rows, columns, more) for rows, columns, more in sizes]
+    narrowest = 2 if "V" in letters else 1
     kinds = next((_FAMILIES[letter] for letter in letters if letter in _FAMILIES), ("float",))
-    return list(product(kinds, range(narrowest, 5)))
+    return [_Choice(kind, width) for kind, width in product(kinds, range(narrowest, 5))]
 
 
-def _shape(word: str, kind: str, width: int) -> Shape:
+def _shape(word: str, choice: _Choice) -> Shape:
+    if (of_matrix := _shape_of_matrix(word, choice)) is not None:
+        return of_matrix
     if word in _SAME_WIDTH:
-        return Shape(_SAME_WIDTH[word], width)
-    if word == "M":
-        return Shape("float", width, width)
+        return Shape(_SAME_WIDTH[word], choice.width)
     if word in ("S", "L"):
-        return Shape(kind, 1)
-    if word == "C":
-        return Shape("float", width)
+        return Shape(choice.kind, 1)
     if word in _FAMILIES:
-        return Shape(kind, width)
-    named = _NAMED.fullmatch(word)
-    if named is None:
-        return Shape(word, 1)
-    lanes = int(named["size"])
-    of_prefix = {short: long for long, short in _PREFIXES.items()}
-    return Shape(of_prefix[named["prefix"]], lanes, lanes if named["form"] == "mat" else 0)
+        return Shape(choice.kind, choice.width)
+    if (vector := _VECTOR.fullmatch(word)) is not None:
+        of_prefix = {short: long for long, short in _PREFIXES.items()}
+        return Shape(of_prefix[vector["prefix"]], int(vector["lanes"]))
+    if (matrix := _MATRIX.fullmatch(word)) is not None:
+        return Shape("float", int(matrix["rows"] or matrix["columns"]), int(matrix["columns"]))
+    return Shape(word, 1)
+
+
+def _shape_of_matrix(word: str, choice: _Choice) -> Shape | None:
+    """The type of a letter that has to do with the matrix ``M``; ``None`` for others."""
+    rows, columns, further = choice.width, choice.columns, choice.further
+    widths = {
+        "M": (rows, columns),
+        "C": (rows, 0),
+        "O": (columns, 0),
+        "A": (columns, rows),
+        "Z": (columns, further),
+        "Y": (rows, further),
+    }
+    return Shape("float", *widths[word]) if word in widths else None

@@ -76,7 +76,10 @@ class Builtin:
     ``signatures`` are texts such as ``"T, T -> T"`` whose letters range over type families::
 
         T  floats: float, vec2, vec3, vec4        S  float
-        V  vec2, vec3, vec4                       M  mat2, mat3, mat4; C its column vector
+        V  vec2, vec3, vec4                       M  mat2, mat2x3 … mat4: any matrix
+        C, O  a column and a row of M             A  M with rows and columns exchanged
+        Z  a matrix with a row for each of the    Y  the product of M and Z
+           columns of M
         N  numbers: floats and int, uint, ivec*, uvec*
         I  integers: int, uint, ivec*, uvec*      L  the scalar of N, I or T's lane kind
         B  bool, bvec2, bvec3, bvec4              P  any scalar or vector

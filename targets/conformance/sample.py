@@ -164,7 +164,7 @@ def _near(declared: tuple[float, float] | None, default: float | None) -> tuple[
 
 def _matrix(shape: Numbers, chance: random.Random) -> list[list[float]]:
     """A matrix near its default, or near the identity."""
-    start = shape.default or np.eye(shape.columns).tolist()
+    start = shape.default or np.eye(shape.columns, shape.lanes).tolist()
     return [[lane + chance.uniform(-0.1, 0.1) for lane in column] for column in start]
 
 

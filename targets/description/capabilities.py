@@ -59,6 +59,9 @@ OWN_DEPTHS = Need("depths of fragments", lambda profile: profile.fragment_depths
 BORDERS = Need("borders of textures", lambda profile: profile.borders)
 INTEGER_ATTRIBUTES = Need("vertex inputs of integers", lambda profile: profile.integer_attributes)
 FLAT_VALUES = Need("values of a single vertex at fragments", lambda profile: profile.flat_varyings)
+RECTANGULAR_MATRICES = Need(
+    "matrices that are not square", lambda profile: profile.rectangular_matrices
+)
 COMPUTED_PLACES = Need("places that are computed", lambda profile: profile.computed_indices)
 WIDE_INTEGERS = Need(
     "integers of 32 bits",
@@ -391,6 +394,13 @@ CAPABILITIES: tuple[Capability, ...] = (
         "integers and bools get to them.",
         (Way((FLAT_VALUES,)),),
         "let floats cross, which are interpolated",
+    ),
+    Capability(
+        "matrices that are not square",
+        "A matrix has more columns than rows, or fewer: `mat3x2`. A profile without these still "
+        "multiplies those of its uniforms by vectors, and reads their columns.",
+        (Way((RECTANGULAR_MATRICES,)),),
+        "keep the columns as vectors",
     ),
     Capability(
         "computed places",

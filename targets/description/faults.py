@@ -62,6 +62,7 @@ def _builtins(language: Language, profile: Profile) -> Iterator[str]:
         "Profile.natives": profile.natives,
         "Profile.lacks": profile.lacks,
         "Profile.agrees": profile.agrees,
+        "Profile.mistakes": profile.mistakes,
         "Profile.cannot": profile.cannot,
         "Profile.requires": profile.requires,
     }

@@ -123,11 +123,12 @@ class Forms:
     splat_constant: bool = True
     """True if a constant whose lanes are equal is written with one of them."""
     matrix: str = "{type}({columns})"
+    """A matrix from its ``{columns}``, which ``{transposed}`` would take for rows."""
     matrix_by_rows: bool = False
     """True if a constant matrix lists its lanes row by row."""
-    product_of_tall: str = ""
-    """A tall ``{matrix}`` times a ``{vector}``, where a tall matrix is written as a square one:
-    ``{zeros}`` are the lanes that the vector has not got."""
+    product_of_stored: str = ""
+    """A stored ``{matrix}`` times a ``{vector}``, where it is written as a square one: ``{zeros}``
+    are the lanes that the vector has not got."""
     product_of_columns: str = ""
     """A matrix from its ``{columns}`` times a ``{vector}``, if that is shorter than ``matrix``."""
     lane: str = "{vector:p}.{lanes}"

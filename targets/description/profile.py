@@ -6,12 +6,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Literal
 
 from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain, StageRow
-from ...compiler.ir.types import TEXTURES, TextureType
+from ...compiler.ir.types import TEXTURES, TextureType, Type
 from ...stdlib.builtins.row import Domain
 from ...support.frozen import EMPTY, frozen
 from .forms import Forms
@@ -22,6 +22,10 @@ Numbering = Literal["set", "kind"]
 
 GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
 """Bind group of each parameter group: WebGPU guarantees four."""
+
+
+OfTypes = Callable[[tuple[Type, ...]], bool]
+"""A question about an operation on operands of these types."""
 
 
 @frozen(kw_only=True)
@@ -284,6 +288,8 @@ class Profile:
     flat_varyings: bool = True
     """True if a varying can be flat: the value of one vertex of the triangle. Integers have to be
     flat."""
+    rectangular_matrices: bool = True
+    """True if a matrix can have another number of columns than of rows."""
     computed_indices: bool = True
     """True if any integer can be the index of an element or a lane. Otherwise an index consists of
     constants and of the counters of loops around it; only arrays of uniforms are read at any index,
@@ -298,6 +304,9 @@ class Profile:
     others than the builtin's ``domain``. They are more if the language defines what others leave
     open; then it needs fewer guards. They are fewer if it has the operation for some types only, or
     a compiler of it gets it wrong; elsewhere the ``definition`` is used."""
+    mistakes: Mapping[str, OfTypes] = EMPTY
+    """The types of operands for which a driver gets the dialect's own operation wrong, where the
+    builtin's ``definition`` is used instead."""
     cannot: frozenset[str] = frozenset()
     """Builtins that the profile has neither by itself nor by an exact replacement. The message
     about a program that uses one is in ``capabilities.py``."""

@@ -64,13 +64,15 @@ class TextureNames:
 
 @frozen
 class TypeNames:
-    """The names of types; ``{n}`` is a number of lanes or columns."""
+    """The names of types; ``{n}`` is a number of lanes, or of both columns and rows."""
 
     scalars: Mapping[ScalarKind, str]
     vectors: Mapping[ScalarKind, str]
     matrix: str
-    tall_matrix: str
-    """A matrix of four rows and ``{n}`` columns, as which blocks store matrices of fewer rows."""
+    """A square matrix."""
+    rectangular_matrix: str
+    """A matrix of ``{columns}`` and another number of ``{rows}``. Blocks store matrices of fewer
+    columns than four as such, with four rows."""
     array: str = ""
     """``{element}`` and ``{count}``; empty where the count stands behind the variable's name."""
     declaration: str = "{type} {name}"

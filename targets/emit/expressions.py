@@ -15,7 +15,6 @@ from ...compiler.ir.types import (
     Matrix,
     Scalar,
     Struct,
-    TallMatrix,
     Type,
     Vector,
     scalar_kind,
@@ -131,9 +130,9 @@ class Expressions:
         assert kind is not None and isinstance(node.data, tuple)
         lanes = [literal(lane, kind, self._literals) for lane in node.data]
         if isinstance(node.type, Matrix):
-            size = node.type.size
+            rows = node.type.rows
             if self._forms.matrix_by_rows:
-                return [lanes[column * size + row] for row in range(size) for column in range(size)]
+                return [lane for row in range(rows) for lane in lanes[row::rows]]
             return lanes
         return lanes[:1] if len(set(lanes)) == 1 and self._forms.splat_constant else lanes
 
@@ -147,22 +146,27 @@ class Expressions:
             if made.op == "matrix" and made not in self.bound and isinstance(node.type, Vector):
                 return self._product_of_columns(made, vector)
         operands = self.operands(node.operands)
-        if self._forms.product_of_tall and isinstance(node.operands[0].type, TallMatrix):
-            return self._product_of_tall(node.operands[1].type, *operands)
+        if self._forms.product_of_stored and _is_rectangular(node.operands[0].type):
+            return self._product_of_stored(node.operands[1].type, *operands)
         if node.data in _SHIFTS and self._is_literal(node.operands[0]):
             operands[0] = self._typed(operands[0], node.type)
         return self._natives.print(node, operands)
 
-    def _product_of_tall(self, type_: Type, matrix: Printed, vector: Printed) -> Printed:
-        """A tall matrix times a vector of ``type_``, where it is written as a square one."""
+    def _product_of_stored(self, type_: Type, matrix: Printed, vector: Printed) -> Printed:
+        """A stored matrix times a vector of ``type_``, where it is written as a square one."""
         zeros = ", ".join([literal(0.0, "float", self._literals)] * (4 - width(type_)))
-        form = self._forms.product_of_tall
+        form = self._forms.product_of_stored
         return form.format(matrix=Field(*matrix), vector=vector[0], zeros=zeros), POSTFIX
 
     def _product_of_columns(self, made: Node, vector: Node) -> Printed:
-        type_, columns = self._types.type(made.type), self._arguments(made.operands)
+        type_, columns = self._transposed(made.type), self._arguments(made.operands)
         form = self._forms.product_of_columns
-        return form.format(vector=self.text(vector), type=type_, columns=columns), POSTFIX
+        return form.format(vector=self.text(vector), transposed=type_, columns=columns), POSTFIX
+
+    def _transposed(self, type_: Type) -> str:
+        """The type of the transpose of a matrix."""
+        assert isinstance(type_, Matrix)
+        return self._types.type(Matrix(type_.rows, type_.columns))
 
     def _vector(self, node: Node) -> Printed:
         return self._constructed(node.type, self._arguments(node.operands))
@@ -179,9 +183,10 @@ class Expressions:
         return self._natives.splatted(self.operand(lane), node.type)
 
     def _matrix(self, node: Node) -> Printed:
-        type_ = self._types.type(node.type)
+        type_, transposed = self._types.type(node.type), self._transposed(node.type)
         columns = self._arguments(node.operands)
-        return self._forms.matrix.format(type=type_, columns=columns), POSTFIX
+        form = self._forms.matrix
+        return form.format(type=type_, transposed=transposed, columns=columns), POSTFIX
 
     def _array(self, node: Node) -> Printed:
         assert self._forms.array, "each element is assigned"
@@ -205,7 +210,7 @@ class Expressions:
     def _index(self, node: Node) -> Printed:
         aggregate, position = node.operands
         operand, place = self.operand(aggregate), self.text(position)
-        if isinstance(aggregate.type, Matrix | TallMatrix):
+        if isinstance(aggregate.type, Matrix):
             form = self._forms.column
             return form.format(matrix=Field(*operand), position=place), POSTFIX
         form = self._forms.element
@@ -269,6 +274,11 @@ class Expressions:
         "formal": _formal,
     }
     """The method that prints each operation; loops are not among them, as they are statements."""
+
+
+def _is_rectangular(type_: Type) -> bool:
+    """True for a matrix that is not square."""
+    return isinstance(type_, Matrix) and not type_.is_square
 
 
 def _number(text: str) -> Printed:

@@ -14,7 +14,6 @@ from ...compiler.ir.operations import NATIVE, OF_GROUPS
 from ...compiler.ir.types import (
     Matrix,
     Scalar,
-    TallMatrix,
     TextureType,
     Type,
     Vector,
@@ -44,7 +43,7 @@ def spelling_of(name: str, operands: Sequence[Type], table: Spellings) -> str:
 
 def _special(row: Spelling, operands: Sequence[Type]) -> str:
     """The spelling in a row for operands of these types in particular; empty if it has none."""
-    if any(isinstance(operand, Matrix | TallMatrix) for operand in operands):
+    if any(isinstance(operand, Matrix) for operand in operands):
         return row.matrix
     if row.vectors and isinstance(operands[0], Vector):
         return row.vectors

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
+from ...compiler.ir.types import Array, Matrix, Scalar, Struct, Type, Vector
 from ...support.frozen import frozen
 from ..description.spellings import TypeNames
 
@@ -69,10 +69,10 @@ class TypeSpeller:
                 return self._names.scalars[kind]
             case Vector(kind=kind, size=size):
                 return self._names.vectors[kind].format(n=size)
-            case Matrix(size=size):
-                return self._names.matrix.format(n=size)
-            case TallMatrix(columns=columns):
-                return self._names.tall_matrix.format(n=columns)
+            case Matrix(columns) if type_.is_square:
+                return self._names.matrix.format(n=columns)
+            case Matrix(columns, rows):
+                return self._names.rectangular_matrix.format(columns=columns, rows=rows)
             case Struct(name=name):
                 return self._structs.get(name, name)
             case Array(element=element, count=count):
@@ -90,7 +90,7 @@ class TypeSpeller:
         element, name = self._element_and_name(type_)
         text = self._names.stored.get(str(element)) or self.type(element)
         inner = element.element if isinstance(element, Array) else element
-        if isinstance(inner, Matrix | TallMatrix):
+        if isinstance(inner, Matrix):
             text = self._names.stored_matrix.format(type=text)
         return self._names.declaration.format(type=text, name=name)
 

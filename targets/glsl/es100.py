@@ -23,8 +23,8 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "int", "bool": "bool"},
     vectors={"float": "vec{n}", "int": "ivec{n}", "uint": "ivec{n}", "bool": "bvec{n}"},
     matrix="mat{n}",
-    # All matrices are square. A host fills the columns that a tall matrix lacks with zeros.
-    tall_matrix="mat4",
+    # All matrices are square. A host fills the columns that a stored matrix lacks with zeros.
+    rectangular_matrix="mat4",
 )
 
 NATIVES: Spellings = {
@@ -45,7 +45,7 @@ FORMS = Forms(
     loop_while="",
     at_most="{value}",
     array="",
-    product_of_tall="({matrix:factor} * vec4({vector}, {zeros}))",
+    product_of_stored="({matrix:factor} * vec4({vector}, {zeros}))",
 )
 
 
@@ -110,6 +110,7 @@ def es100(framebuffer: Framebuffer) -> Profile:
         wide_integers=False,
         integer_attributes=False,
         flat_varyings=False,
+        rectangular_matrices=False,
         computed_indices=False,
         loose_uniforms=True,
         lacks=LACKS,

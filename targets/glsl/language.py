@@ -43,7 +43,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "vec{n}", "int": "ivec{n}", "uint": "uvec{n}", "bool": "bvec{n}"},
     matrix="mat{n}",
-    tall_matrix="mat{n}x4",
+    rectangular_matrix="mat{columns}x{rows}",
 )
 
 TEXTURES = TextureNames(

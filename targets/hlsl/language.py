@@ -10,7 +10,7 @@ from pathlib import Path
 from ...compiler.ir.kernel import ScatterOperator
 from ...compiler.ir.stages import COMPUTED, CONTROL, ENTRY_POINTS, EVALUATION, EXPANDED
 from ...compiler.ir.tessellation import Patch, Spacing
-from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Vector
+from ...compiler.ir.types import BOOL, UINT, VEC2, VEC3, VEC4, Dimension, Matrix, Type, Vector
 from ...stdlib.builtins.facts import Fact
 from ...stdlib.builtins.row import Domain, everywhere
 from ..description.forms import Forms
@@ -33,7 +33,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
     matrix="float{n}x{n}",
-    tall_matrix="float4x{n}",
+    rectangular_matrix="float{rows}x{columns}",
     stored_matrix="column_major {type}",
 )
 
@@ -45,9 +45,9 @@ LITERALS = Literals(typed={"float": "{0}f", "int": "int({0})"})
 FORMS = Forms(
     splat="{value:p}.{lanes}",
     splat_constant=False,
-    matrix="transpose({type}({columns}))",
+    matrix="transpose({transposed}({columns}))",
     matrix_by_rows=True,
-    product_of_columns="mul({vector}, {type}({columns}))",
+    product_of_columns="mul({vector}, {transposed}({columns}))",
     array="{{{elements}}}",
     # DXC takes an array that is a copy of a whole block for the block itself, and then reads a
     # member of that at a computed place, which SPIR-V has not got.
@@ -270,6 +270,20 @@ AGREES: Mapping[str, Domain] = {
     "shift_right": everywhere,
 }
 
+
+def gives_rectangle(types: tuple[Type, ...]) -> bool:
+    """True for a product of matrices that is not square.
+
+    DXC writes a matrix of columns as the transpose of one of rows. Where both factors are such,
+    Mesa's Vulkan drivers take the product for one of another shape, and refuse the shader.
+    """
+    match types:
+        case Matrix(rows=rows), Matrix(columns=columns):
+            return rows != columns
+        case _:
+            return False
+
+
 SM6 = Profile(
     name="sm6",
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
@@ -279,6 +293,7 @@ SM6 = Profile(
     doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
     single_file=True,
     agrees=AGREES,
+    mistakes={"mul": gives_rectangle},
     # A stage has 128 shader resource views and 16 samplers with resource binding tier 1 of Direct3D
     # 12, the lowest one (Microsoft, "Hardware tiers"). Storage buffers are such views, too.
     limits=Limits(

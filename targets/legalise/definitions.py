@@ -1,7 +1,8 @@
 """Adds functions to a program for the builtins that a profile does not have as Burnish means them.
 
-``legalise`` asks for them first. A profile has no word for a builtin (``Profile.lacks``), or its
-own operation has another meaning, or none, for operands of some types (``Profile.agrees``). Then
+``legalise`` asks for them first. A profile has no word for a builtin (``Profile.lacks``), its own
+operation has another meaning, or none, for operands of some types (``Profile.agrees``), or a driver
+gets it wrong (``Profile.mistakes``). Then
 the builtin's ``definition``, which says the same in simpler operations, becomes a function, and
 every use of the builtin on operands of these types is printed as a call of it.
 """
@@ -70,7 +71,8 @@ def _use(native: NativeUse) -> Use:
 def _lacking(natives: Iterable[NativeUse], profile: Profile) -> Iterator[NativeUse]:
     """The uses of builtins whose meaning the profile lacks."""
     for native in natives:
-        known = native.builtin in profile.lacks or native.builtin in profile.agrees
+        name = native.builtin
+        known = name in profile.lacks or name in profile.agrees or name in profile.mistakes
         if known and not has_meaning(profile, _use(native)):
             yield native
 
@@ -84,7 +86,10 @@ def has_meaning(profile: Profile, use: Use) -> bool:
     name, types = use
     domain = profile.agrees.get(name) if BUILTINS[name].definition else None
     known = (UNKNOWN.as_kind(scalar_kind(type_) or "matrix") for type_ in types)
-    return name not in profile.lacks and (domain is None or domain(tuple(known)))
+    mistaken = profile.mistakes.get(name)
+    if name in profile.lacks or (mistaken is not None and mistaken(types)):
+        return False
+    return domain is None or domain(tuple(known))
 
 
 def _function(use: Use, profile: Profile) -> Function:

@@ -11,13 +11,14 @@ from itertools import islice
 
 from ...compiler.ir.program import Field, NativeUse, Program, Stage
 from ...compiler.ir.stages import INSTANCES as PER_INSTANCE
-from ...compiler.ir.types import scalar_kind
+from ...compiler.ir.types import Matrix, scalar_kind
 from ..description.capabilities import (
     COMPUTED_PLACES,
     FLAT_VALUES,
     INSTANCES,
     INTEGER_ATTRIBUTES,
     OF_INPUTS,
+    RECTANGULAR_MATRICES,
     WIDE_INTEGERS,
 )
 from ..description.capability import Need
@@ -79,11 +80,23 @@ def _of_wide_integers(_program: Program, stage: Stage) -> Iterator[int]:
     return (use.node.id for use in stage.natives if needs_wide_integers(use))
 
 
+_STORED = frozenset({"parameter", "member", "index"})
+"""Operations that read a matrix as it is stored, which all profiles can multiply by a vector."""
+
+
+def _of_rectangular_matrices(_program: Program, stage: Stage) -> Iterator[int]:
+    for node in stage.nodes:
+        is_matrix = isinstance(node.type, Matrix) and not node.type.is_square
+        if is_matrix and node.op not in _STORED:
+            yield node.id
+
+
 _NEEDING: tuple[tuple[Need, Finder], ...] = (
     *((need, _reading("input", _named(name))) for name, need in OF_INPUTS.items()),
     (INSTANCES, _reading("attribute", _inputs(lambda field: field.step == PER_INSTANCE))),
     (INTEGER_ATTRIBUTES, _reading("attribute", _inputs(lambda f: scalar_kind(f.type) != "float"))),
     (WIDE_INTEGERS, _of_wide_integers),
+    (RECTANGULAR_MATRICES, _of_rectangular_matrices),
     (COMPUTED_PLACES, lambda _, stage: computed_places(stage)),
 )
 """Needs that values may have, each with a function that finds those that do in a stage."""

@@ -43,7 +43,7 @@ TYPES = TypeNames(
     scalars={"float": "float", "int": "int", "uint": "uint", "bool": "bool"},
     vectors={"float": "float{n}", "int": "int{n}", "uint": "uint{n}", "bool": "bool{n}"},
     matrix="float{n}x{n}",
-    tall_matrix="float{n}x4",
+    rectangular_matrix="float{columns}x{rows}",
     array="array<{element}, {count}>",
     stored={
         "vec3": "alignas(16) packed_float3",

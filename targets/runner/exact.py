@@ -30,27 +30,11 @@ _WHOLE: Any = {"samples": 1, "alpha_to_coverage": False}
 
 
 @dataclass(frozen=True, slots=True)
-class Exact:
-    """A material whose targets keep what it writes.
-
-    They are neither rounded to the declared formats nor blended, and each pixel has one sample.
-    """
+class Retargeted:
+    """A material that is drawn to other targets than those that its pass declares."""
 
     subject: Subject
     reflection: Reflection
-
-    @classmethod
-    def of(cls, subject: Subject) -> Exact:
-        """The material with such targets."""
-        reflection = subject.reflection
-        return cls(
-            subject,
-            changed(
-                reflection,
-                targets=tuple(map(_exact_row, reflection.targets)),
-                render_state=changed(reflection.render_state, **_WHOLE),
-            ),
-        )
 
     @property
     def name(self) -> str:
@@ -66,6 +50,27 @@ class Exact:
     def lacking(self) -> Mapping[str, str]:
         """The reason for each profile that has no texts."""
         return self.subject.lacking
+
+
+@dataclass(frozen=True, slots=True)
+class Exact(Retargeted):
+    """A material whose targets keep what it writes.
+
+    They are neither rounded to the declared formats nor blended, and each pixel has one sample.
+    """
+
+    @classmethod
+    def of(cls, subject: Subject) -> Exact:
+        """The material with such targets."""
+        reflection = subject.reflection
+        return cls(
+            subject,
+            changed(
+                reflection,
+                targets=tuple(map(_exact_row, reflection.targets)),
+                render_state=changed(reflection.render_state, **_WHOLE),
+            ),
+        )
 
     @property
     def shader(self) -> Shader:

@@ -5,10 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,48 +21,26 @@ from .textures.kinds import PictureError
 Floats = NDArray[np.float64]
 
 
-class Development(NamedTuple):
-    """The way from light to what a screen can show."""
-
-    exposure: float = 0.0
-    """The stops by which light is brightened: each doubles it."""
-    curve: str = "none"
-    """A key of ``CURVES``."""
-
-    def applied(self, light: Floats) -> Floats:
-        """What a screen shows of light, before it is encoded."""
-        return np.clip(CURVES[self.curve](np.maximum(light * 2.0**self.exposure, 0.0)), 0.0, 1.0)
+def cut_off(light: Floats) -> Floats:
+    """What a screen shows of light as it is: nothing that is brighter than white."""
+    return np.clip(light, 0.0, 1.0)
 
 
-def _reinhard(light: Floats) -> Floats:
-    """E. Reinhard and others, "Photographic Tone Reproduction for Digital Images", 2002, eq. 3."""
-    return light / (1 + light)
-
-
-def _aces(light: Floats) -> Floats:
-    """The fit of ACES by K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016."""
-    return light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14)
-
-
-CURVES: Mapping[str, Callable[[Floats], Floats]] = {
-    "none": lambda light: light, "reinhard": _reinhard, "aces": _aces,
-}  # fmt: skip
-"""Tone mapping, each lane by itself; without any, light above 1 is cut off."""
-AS_IT_IS = Development()
-
-
-def to_image(pixels: Floats, *, lanes: int = 4, development: Development = AS_IT_IS) -> Image.Image:
+def to_image(
+    pixels: Floats, lanes: int = 4, developed: Callable[[Floats], Floats] = cut_off
+) -> Image.Image:
     """A target of shape (height, width, 4) as a screen shows it: sRGB, without alpha.
 
-    A target with a single lane is no light, and is shown in grey as it is. Numbers that are not
-    finite are shown in magenta, which no picture contains by accident.
+    ``developed`` says what a screen shows of light. A target with a single lane is no light, and is
+    shown in grey as it is. Numbers that are not finite are shown in magenta, which no picture
+    contains by accident.
     """
     if lanes == 1:
-        rgb, development = np.repeat(pixels[..., :1], 3, axis=2), AS_IT_IS
+        rgb, developed = np.repeat(pixels[..., :1], 3, axis=2), cut_off
     else:
         rgb = pixels[..., :3]
     finite = np.isfinite(rgb).all(axis=2, keepdims=True)
-    shown = encode_srgb(development.applied(np.where(finite, rgb, 0.0)))
+    shown = encode_srgb(developed(np.where(finite, rgb, 0.0)))
     shown = np.where(finite, shown, [1.0, 0.0, 1.0])
     return Image.fromarray(np.rint(shown * 255).astype(np.uint8), "RGB")
 

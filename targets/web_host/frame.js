@@ -119,6 +119,19 @@ export class PlanFrame {
   }
 
   /**
+   * Give a texture of the host, of two dimensions, an output that another frame on the same canvas
+   * has drawn. It is read as it is when this frame draws, and what this frame shows has its rows in
+   * the same order.
+   * @param {string} name
+   * @param {PlanFrame<Texture, Buffer>} from
+   * @param {string} output
+   */
+  give(name, from, output) {
+    this.#resources.pictures[this.#from.textures[name]] = from.#outputOf(output);
+    this.#isBottomUp = from.#isBottomUp;
+  }
+
+  /**
    * Move the camera. Members that are left out stay as they are.
    * @param {Partial<CameraRow>} camera
    */
@@ -174,8 +187,7 @@ export class PlanFrame {
    * @returns {[number, number]}
    */
   sizeOf(output) {
-    const [width, height] = this.#renderer.sizeOf(this.#outputOf(output));
-    return [width, height];
+    return /** @type {[number, number]} */ (this.#renderer.sizeOf(this.#outputOf(output)));
   }
 
   /**
@@ -221,10 +233,8 @@ export class PlanFrame {
    */
   #outputOf(name) {
     const { outputs, frame } = this.plan;
-    const row = outputs.find((each) =>
-      name === undefined ? each.texture !== null : each.name === name,
-    );
-    const wanted = name === undefined ? "that is a picture" : `\`${name}\``;
+    const row = outputs.find((each) => (name ? each.name === name : each.texture !== null));
+    const wanted = name ? `\`${name}\`` : "that is a picture";
     if (!row) throw new Error(`${frame} has no output ${wanted}`);
     const found = this.#resources.shown(row.result, row.texture);
     if (!found) throw new Error(`\`${row.name}\` of ${frame} is no picture, or was not drawn yet`);
@@ -345,9 +355,8 @@ export class PlanFrame {
     if (known) return known;
     const mesh = make();
     /** @type {[string, Buffer][]} */
-    const elements = mesh.elements.map(({ name, bytes }) => {
-      return [name, this.#renderer.makeBuffer(bytes)];
-    });
+    const elements =
+      mesh.elements.map(({ name, bytes }) => [name, this.#renderer.makeBuffer(bytes)]);
     const found = { mesh, elements };
     this.#meshes.set(key, found);
     return found;

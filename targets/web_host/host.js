@@ -15,10 +15,7 @@ import { WebGpuRenderer } from "./webgpu/renderer.js";
 /** @typedef {import("./generated/documents.js").Value} Value */
 /** @typedef {import("./renderer.js").Pixels} Pixels */
 
-/**
- * A frame of any API.
- * @typedef {Pick<PlanFrame<unknown, unknown>, keyof PlanFrame<unknown, unknown>>} Frame
- */
+/** A frame of any API. @typedef {PlanFrame<any, any>} Frame */
 
 /** The API that a browser draws with. @typedef {"webgpu" | "webgl2"} Api */
 

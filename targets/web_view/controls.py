@@ -22,6 +22,8 @@ _VIEW_ROLES = frozenset(
 """The roles of the parameters that the page and the scene set by themselves."""
 _MOST_ELEMENTS = 16
 """An array of more numbers than this is data, which nobody sets by hand."""
+_STOPS = (-8.0, 8.0)
+"""The exposures that a slider offers."""
 _PER_FRAME = "frame"
 """The group of the parameters that change from frame to frame."""
 
@@ -58,6 +60,30 @@ def _by_owner(plan: FramePlan, controls: Sequence[dict[str, Any]]) -> Iterator[d
 def _belongs(row: ParameterRow, lights: Sequence[LightRow]) -> bool:
     """True if a parameter belongs to a light, or is the number of lights."""
     return any(row.name in (*each.parameters, each.count) for each in lights)
+
+
+def of_development(
+    plan: FramePlan, exposure: float, tone: str, tones: Sequence[str]
+) -> list[dict[str, Any]]:
+    """The rows for what a screen shows of a picture's light; none of a plan without pictures.
+
+    They are called like the options of the command line, which no parameter can be.
+    """
+    if all(row.texture is None for row in plan.outputs):
+        return []
+    shared = {
+        "section": "Screen", "inherited_from": None, "is_light": False, "element": None,
+    }  # fmt: skip
+    return [
+        {
+            **shared, "name": "--exposure", "doc": "Each stop doubles the light.",
+            "kind": "number", "type": "float", "range": _STOPS, "value": exposure,
+        },
+        {
+            **shared, "name": "--tone", "doc": "How bright light is brought onto the screen.",
+            "kind": "choice", "type": "tone", "choices": tones, "value": tone,
+        },
+    ]  # fmt: skip
 
 
 # --- frames --------------------------------------------------------------------------------------

@@ -6,7 +6,8 @@
  */
 
 /**
- * A value that a person can set: a row of `controls.py`.
+ * A value that a person can set: a row of `controls.py`. Names that begin with two hyphens are
+ * options of the command line, and all others parameters.
  * @typedef {object} Control
  * @property {string} name
  * @property {string} section
@@ -14,7 +15,7 @@
  *   section does.
  * @property {string} doc
  * @property {"number" | "angle" | "vector" | "direction" | "matrix" | "color" | "checkbox"
- *   | "checkboxes" | "texture"} kind
+ *   | "checkboxes" | "texture" | "choice"} kind
  * @property {string} type
  * @property {boolean} is_light
  * @property {{ count: string | null, index: number } | null} element Of a light in an array: its
@@ -24,6 +25,7 @@
  * @property {number} [columns]
  * @property {boolean} [whole]
  * @property {[number, number] | null} [range]
+ * @property {string[]} [choices] The words of a choice.
  * @property {boolean} [is_given] Of a texture: true if it is not the default, which `value`
  *   names.
  * @property {{ file: string, is_float: boolean, is_srgb: boolean } | null} picture The picture
@@ -69,6 +71,7 @@
  *   controls: Control[],
  *   orbit: OrbitRow,
  *   package: FramePackage,
+ *   development: { package: FramePackage, tones: string[] },
  * }} Drawable
  */
 

@@ -60,6 +60,7 @@ const makers = {
   color: (control, label, changed) => colorField(control, label, changed),
   checkbox: (_control, label, changed) => checkbox({ label }, changed),
   checkboxes: (control, label, changed) => checkboxes(control, label, changed),
+  choice: (control, label, changed) => choiceField(control, label, changed),
   texture: () => { throw new Error("textures have fields of their own"); },
 };
 
@@ -308,7 +309,7 @@ function matrixField(control, label, changed) {
   return { element, show };
 }
 
-// --- colours, switches ---------------------------------------------------------------------------
+// --- colours, switches, choices ------------------------------------------------------------------
 
 /**
  * A colour; with a strength where it may be brighter than any picker's, and with an alpha where it
@@ -383,4 +384,17 @@ function checkboxes(control, label, changed) {
     fields.forEach((field, lane) => field.show(values[lane]));
   };
   return { element, show };
+}
+
+/**
+ * @param {Control} control
+ * @param {string} label
+ * @param {Changed<string>} changed
+ * @returns {Field<string>}
+ */
+function choiceField(control, label, changed) {
+  const words = present(control.choices).map((word) => make("option", { value: word }, word));
+  const element = make("select", { "aria-labelledby": label }, ...words);
+  element.addEventListener("change", () => changed(element.value));
+  return { element, show: (value) => { element.value = value; } };
 }

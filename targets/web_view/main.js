@@ -91,7 +91,7 @@ function view(api) {
       fillOutputs(found);
       showTextsOf(found.package);
       try {
-        await screen.open(found.package, found.orbit, values, outputs.value);
+        await screen.open(found, values, outputs.value);
         problems.picture = "";
       } catch (error) {
         problems.picture = /** @type {Error} */ (error).message;

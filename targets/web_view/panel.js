@@ -160,7 +160,9 @@ export class Panel {
     const pictures = [...this.#rows.values()].flatMap(({ control: { name, picture } }) =>
       picture ? [[name, `${picture.is_srgb ? "srgb:" : ""}${picture.file}`]] : [],
     );
-    return [...values, ...pictures].map(([name, text]) => `--set '${name}=${text}'`).join(" ");
+    return [...values, ...pictures].map(([name, text]) =>
+      name.startsWith("--") ? `${name}=${text}` : `--set '${name}=${text}'`,
+    ).join(" ");
   }
 
   // --- building ----------------------------------------------------------------------------------
@@ -353,7 +355,8 @@ export class Panel {
  * @returns {string}
  */
 function shortName(control) {
-  const { name, section } = control;
+  const { section } = control;
+  const name = control.name.replace(/^--/, "");
   return name.startsWith(section) && name !== section
     ? name.slice(section.length).replace(/^\./, "") : name;
 }

@@ -2,11 +2,13 @@
 // again while time goes on.
 
 import { openFrame } from "../web_host/host.js";
+import { Development } from "./development.js";
 import { Orbit } from "./orbit.js";
 import { layoutOf } from "./records.js";
 
 /**
  * @import { Api, Frame, FramePackage, Value } from "../web_host/host.js"
+ * @import { Drawable } from "./documents.js"
  * @import { OrbitRow } from "./orbit.js"
  * @import { Layout } from "./records.js"
  */
@@ -46,6 +48,8 @@ export class Screen {
   scale = 1;
   /** @type {Frame | null} */
   #frame = null;
+  /** @type {Development | null} */
+  #development = null;
   /** @type {FramePackage | null} */
   #package = null;
   /** @type {OrbitRow | null} */
@@ -93,19 +97,24 @@ export class Screen {
   }
 
   /**
-   * Show another package. What was shown before stays until it is ready, and for good if it cannot
-   * be opened. The camera stays where it is, unless `start` is another one than before.
-   * @param {FramePackage} opened
-   * @param {OrbitRow} start
+   * Show another document. What was shown before stays until it is ready, and for good if it cannot
+   * be opened. The camera stays where it is, unless it starts from another place than before.
+   * `values` has those of all controls that somebody has set.
+   * @param {Drawable} document
    * @param {Map<string, Value>} values
    * @param {string} output
    * @returns {Promise<void>}
    */
-  async open(opened, start, values, output) {
+  async open({ package: opened, development: developing, orbit: start, controls }, values, output) {
     const frame = await openFrame(this.#canvas, opened, this.#api);
-    for (const [name, value] of values) frame.set(name, value);
+    const development = await Development.open(this.#canvas, developing, this.#api);
+    for (const { name, value } of controls) development.takes(name, value);
+    for (const [name, value] of values) {
+      if (!development.takes(name, value)) frame.set(name, value);
+    }
     this.#frame?.dispose();
-    this.#frame = frame;
+    this.#development?.dispose();
+    [this.#frame, this.#development] = [frame, development];
     this.#package = opened;
     if (JSON.stringify(start) !== JSON.stringify(this.#start)) this.orbit = new Orbit(start);
     this.#start = start;
@@ -123,7 +132,9 @@ export class Screen {
    * @param {Value} value
    */
   set(name, value) {
-    this.#attempt(() => this.#frame?.set(name, value));
+    this.#attempt(() => {
+      if (!this.#development?.takes(name, value)) this.#frame?.set(name, value);
+    });
     this.request();
   }
 
@@ -222,7 +233,7 @@ export class Screen {
     const [wide, high] = this.#size();
     const isOwn = width !== wide || height !== high;
     canvas.classList.toggle("crisp", isOwn && magnified > 1);
-    frame.show(this.#output);
+    this.#development?.show(frame, this.#output);
     this.#watcher.drawn({ width, height, magnified: isOwn ? magnified : 1, rate: this.#rate });
   }
 

@@ -30,7 +30,7 @@ TYPES = TypeNames(
     scalars={"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"},
     vectors={"float": "vec{n}f", "int": "vec{n}i", "uint": "vec{n}u", "bool": "vec{n}<bool>"},
     matrix="mat{n}x{n}f",
-    tall_matrix="mat{n}x4f",
+    rectangular_matrix="mat{columns}x{rows}f",
     array="array<{element}, {count}>",
     declaration="{name}: {type}",
 )

@@ -64,15 +64,17 @@ def shapes(draw: st.DrawFn, row: Builtin) -> list[Shape]:
     """Operand types that fit one of the row's signatures."""
     signature = draw(st.sampled_from(row.signatures))
     width = draw(st.integers(2 if "V" in signature or "M" in signature else 1, 4))
+    columns, further = draw(st.integers(2, 4)), draw(st.integers(2, 4))
     numbers: LaneKind = draw(st.sampled_from(["float", "int", "uint"]))
     integers: LaneKind = draw(st.sampled_from(["int", "uint"]))
     plain: LaneKind = draw(st.sampled_from(["float", "int", "uint", "bool"]))
     words = {
         "T": Shape("float", width),
         "V": Shape("float", width),
-        "C": Shape("float", width),
+        "O": Shape("float", columns),
         "S": Shape("float", 1),
-        "M": Shape("float", width, width),
+        "M": Shape("float", width, columns),
+        "Z": Shape("float", columns, further),
         "N": Shape(numbers, width),
         "L": Shape(numbers, 1),
         "I": Shape(integers, width),
@@ -90,6 +92,7 @@ def shapes(draw: st.DrawFn, row: Builtin) -> list[Shape]:
     )
     for scalar, vector, kind in kinds:
         words |= {scalar: Shape(kind, 1)} | {f"{vector}{n}": Shape(kind, n) for n in (2, 3, 4)}
+    words |= {f"mat{n}": Shape("float", n, n) for n in (2, 3, 4)}
     return [words[word] for word in signature.split(" -> ", maxsplit=1)[0].split(", ")]
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from burnish import stdlib
-from burnish.compiler.ir.types import TEXTURES
+from burnish.compiler.ir.types import MATRICES, TEXTURES
 from burnish.compiler.reference import functions
 from burnish.stdlib.builtins import BUILTINS, Builtin
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
@@ -19,9 +19,10 @@ from ..suite.processes import run
 
 MEANING = (Path(stdlib.__file__).parent / "meaning.burnish").read_text(encoding="utf-8")
 WORDS = (
-    {*"TVSMCNLIBPQUJFDGHXKWE", "float", "int", "uint", "bool"}
+    {*"TVSMCOAZYNLIBPQUJFDGHXKWE", "float", "int", "uint", "bool"}
     | set(map(str, TEXTURES))
-    | {f"{kind}{width}" for kind in ("vec", "ivec", "uvec", "bvec", "mat") for width in (2, 3, 4)}
+    | {f"{kind}{width}" for kind in ("vec", "ivec", "uvec", "bvec") for width in (2, 3, 4)}
+    | set(map(str, MATRICES))
 )
 rows = pytest.mark.parametrize("row", BUILTINS.values(), ids=BUILTINS.keys())
 

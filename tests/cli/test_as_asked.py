@@ -66,6 +66,18 @@ def test_the_command_line_wins(
     assert drawn(file, *options) == expected
 
 
+def test_a_command_may_continue_on_the_next_line(file: Path) -> None:
+    asked_before = drawn(file)
+    file.write_text(FILE.replace(" --mesh plane", " \\\n//!         --mesh plane"))
+    assert drawn(file) == asked_before
+
+
+def test_the_camera_may_be_asked_for(file: Path) -> None:
+    """From its edge, a plane is not seen, but the background is."""
+    file.write_text(FILE.replace("--mesh plane", "--mesh plane --eye 9,0,0 --look-at 0,0,0"))
+    assert drawn(file) == ((27, 29, 33), (27, 29, 33), ASKED)
+
+
 def test_another_material_takes_the_values_that_it_has(file: Path) -> None:
     picture = file.with_name("out.png")
     result = invoke("render", file, "-o", picture, "--size", 8, "--material", "Other")

@@ -3,6 +3,7 @@ that work."""
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import sys
@@ -282,6 +283,8 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
         "-o": "x.png", "--output": "x.png", "--mesh": "knot", "--instances": "3",
         "--set": "a=1", "--steps": "2", "--again": "a=b", "--background": "#fff",
         "--frames": "2", "--target": "t", "--material": "M", "--rig": "R", "--pass": "P",
+        "--environment": "sky", "--eye": "1,2,3", "--look-at": "0,1,0", "--turn": "180",
+        "--exposure": "1.5", "--tone": "aces", "--samples": "4",
     }  # fmt: skip
     assert values.keys() == FOLLOWED.keys()
     words = " ".join(f"{name} {value}" for name, value in values.items())
@@ -291,6 +294,8 @@ def test_every_option_that_is_followed_is_one_of_render(tmp_path: Path) -> None:
         "mesh": "knot", "instances": 3, "values": (("a", "1"),), "steps": 2,
         "again": (("a", "b"),), "background": (1.0, 1.0, 1.0, 1.0), "frames": 2, "target": "t",
         "material": "M", "rig": "R", "pass_": "P",
+        "environment": "sky", "eye": (1.0, 2.0, 3.0), "look_at": (0.0, 1.0, 0.0),
+        "turn": (math.pi, 0.0), "exposure": 1.5, "tone": "aces", "samples": 4,
     }  # fmt: skip
 
 

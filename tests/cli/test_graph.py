@@ -29,8 +29,16 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
-def test_text_is_printed(file: Path) -> None:
+def test_equations_are_printed(file: Path) -> None:
     result = invoke("graph", file)
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert result.stdout.startswith("Plain, pass Forward, rig Daylight\n\ninputs\n  gain ")
+    assert "  color     rgb · equation · vec3 · " in result.stdout
+    assert "    x: safe\n    y: risky\n    z: multiply\n" in result.stdout
+
+
+def test_the_program_is_printed(file: Path) -> None:
+    result = invoke("graph", file, "--program")
     assert (result.exit_code, result.stderr) == (0, "")
     assert result.stdout.startswith("Plain, pass Forward, rig Daylight\n\nhost, once for")
     assert "= vertex_uv.x / size" in result.stdout
@@ -84,7 +92,15 @@ def test_a_picture_shows_one_material(file: Path) -> None:
     assert "a picture shows one material, and there are Plain, Other; choose one" in refused.stderr
     chosen = invoke("graph", file, "-o", file.parent / "a.svg", "--material", "Other")
     assert chosen.exit_code == 0
-    assert invoke("graph", file).stdout.count("vertex stage") == 2
+    assert invoke("graph", file).stdout.count("drawn by") == 2
+    assert invoke("graph", file, "--program").stdout.count("vertex stage") == 2
+    assert invoke("graph", file, "--all").stdout.count("vertex stage") == 2
+
+
+def test_kernels_beside_materials_are_shown_as_programs(file: Path) -> None:
+    file.write_text(PLAIN + "kernel Counted { result two : float[4] = 2 }")
+    printed = invoke("graph", file).stdout
+    assert printed.count("drawn by") == printed.count("compute stage") == 1
 
 
 def test_reasons_are_no_picture(file: Path) -> None:
@@ -98,7 +114,7 @@ def test_what_is_too_large_to_draw_is_said(file: Path) -> None:
     file.write_text(f"material Long {{ x0 = uv.x\n{steps}\ncolor = vec3(x3000) }}")
     result = invoke("graph", file, "-o", file.parent / "a.svg")
     assert result.exit_code == 1
-    assert "error[B0451]: Long has 30" in result.stderr
+    assert "error[B0451]: Long has 6004 boxes to draw" in result.stderr
     assert tree(file.parent) == {"plain.burnish"}
     assert "x2999" in invoke("graph", file, "--format", "dot").stdout
 
@@ -209,7 +225,7 @@ def test_one_shader_of_a_frame_is_shown_like_a_material(frames: Path) -> None:
 
 
 def test_options_for_one_shader_are_refused_for_frames(frames: Path, file: Path) -> None:
-    for option in (["--all"], ["--error", "3,4"]):
+    for option in (["--all"], ["--error", "3,4"], ["--program"]):
         result = invoke("graph", frames, *option)
         assert result.exit_code == 2
         assert f"{option[0]} is about one shader of a frame: name it by --shader" in result.stderr

@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from burnish.commands.render import TONES
-from burnish.targets.runner.pictures import CURVES
+from burnish.commands import developing
+from burnish.commands.developing import Development
+from burnish.commands.options import TONES
 
+from ..library.functions import values
 from ..scenes.kit import triangle
 from .kit import invoke, tree
 from .test_render import draw, middle
@@ -136,17 +138,30 @@ def test_light_from_everywhere_is_the_mean_of_the_studio(tmp_path: Path) -> None
         ("vec3(2)", ("--exposure", -2), 188),
         ("vec3(2)", (), 255),
         ("vec3(1)", ("--tone", "reinhard"), 188),
-        ("vec3(1)", ("--tone", "aces"), 232),
+        ("vec3(1)", ("--tone", "aces_narkowicz"), 232),
         ("vec3(0.5)", ("--tone", "reinhard", "--exposure", 1), 188),
     ],
 )
 def test_exposure_and_tone_mapping(
     color: str, options: tuple[object, ...], shown: int, tmp_path: Path
 ) -> None:
-    """188 is half of the light in sRGB; ACES at 1 is 2.54 / 3.16."""
+    """188 is half of the light in sRGB; the short fit to ACES at 1 is 2.54 / 3.16."""
     found = draw(f"material Even {{ color = {color} }}", tmp_path, *options)
     assert middle(found) == (shown, shown, shown)
 
 
-def test_the_tone_mappings_of_the_options_are_those_that_exist() -> None:
-    assert tuple(CURVES) == TONES
+@pytest.mark.parametrize("tone", TONES)
+def test_tone_mappings_are_those_of_the_library(tone: str) -> None:
+    """Also of a picture that is developed in parts, and of more light than float32 holds."""
+    light = np.array([[[0.18, 0.18, 0.18], [2, 1, 0.5]], [[0, 9, 40], [1e300, 3, -1]]])
+    curve = "saturate(c)" if tone == "none" else f"{tone}(c)"
+    for stops in (0, 1):
+        found = Development(stops, tone).applied(light)
+        bounded = np.clip(light * 2**stops, 0, 3e38).reshape(4, 3)
+        assert found.reshape(4, 3) == pytest.approx(values("tone_mapping", curve, c=bounded))
+
+
+def test_large_pictures_are_developed_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(developing, "_MOST_TEXELS", 4)
+    light = np.arange(30.0).reshape(5, 2, 3) / 30
+    assert Development(1, "reinhard").applied(light) == pytest.approx(2 * light / (1 + 2 * light))

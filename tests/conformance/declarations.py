@@ -12,7 +12,16 @@ from dataclasses import dataclass
 from random import Random
 from typing import Any
 
-from burnish.compiler.ir.types import Array, Matrix, Scalar, ScalarKind, Struct, Type, Vector
+from burnish.compiler.ir.types import (
+    MATRICES,
+    Array,
+    Matrix,
+    Scalar,
+    ScalarKind,
+    Struct,
+    Type,
+    Vector,
+)
 
 from ..layout.declarations import ELEMENTS, KINDS
 
@@ -23,7 +32,7 @@ Numbers = tuple[float, ...]
 PLAIN: Sequence[Type] = [
     *map(Scalar, KINDS),
     *(Vector(kind, size) for kind in KINDS for size in (2, 3, 4)),
-    *map(Matrix, (2, 3, 4)),
+    *MATRICES,
 ]
 SHORTEST, LONGEST = 1, 4
 """The number of elements of an array and of members of a structure."""
@@ -73,8 +82,8 @@ def value_of(chance: Random, type_: Type) -> Value:
             return _scalar(chance, kind)
         case Vector(kind, size):
             return [_scalar(chance, kind) for _ in range(size)]
-        case Matrix(size):
-            return [[_scalar(chance, "float") for _ in range(size)] for _ in range(size)]
+        case Matrix(columns):
+            return [value_of(chance, type_.column) for _ in range(columns)]
         case Array(element, count):
             return [value_of(chance, element) for _ in range(count)]
         case Struct(members=members):
@@ -104,8 +113,8 @@ def units_of(name: str, type_: Type, value: Value) -> Iterator[Unit]:
             yield Unit(name, (value,))
         case Vector():
             yield Unit(name, tuple(value))
-        case Matrix(size):
-            yield from (Unit(f"{name}[{i}]", tuple(value[i])) for i in range(size))
+        case Matrix(columns):
+            yield from (Unit(f"{name}[{i}]", tuple(value[i])) for i in range(columns))
         case Array(element, count):
             for i in range(count):
                 yield from units_of(f"{name}[{i}]", element, value[i])
@@ -119,8 +128,8 @@ def units_of(name: str, type_: Type, value: Value) -> Iterator[Unit]:
 def size_of(type_: Type) -> int:
     """The number of pixels that show a value of a type."""
     match type_:
-        case Matrix(size):
-            return size
+        case Matrix(columns):
+            return columns
         case Array(element, count):
             return count * size_of(element)
         case Struct(members=members):
@@ -142,8 +151,8 @@ def reading(type_: Type, place: str, number: str, named: Naming) -> str:
         case Vector(kind, size):
             floats = place if kind == "float" else f"vec{size}({place})"
             return f"vec4({', '.join([floats, *'0' * (4 - size)])})"
-        case Matrix(size):
-            return f"vec4({', '.join([f'{place}[{number}]', *'0' * (4 - size)])})"
+        case Matrix(rows=rows):
+            return f"vec4({', '.join([f'{place}[{number}]', *'0' * (4 - rows)])})"
         case Array(element):
             each = size_of(element)
             if each == 1:

@@ -19,6 +19,7 @@ from burnish.targets.runner.textures.texture import Texture
 from .cells import CELLS, HEIGHT, WIDTH
 from .kit import compiled
 from .matrices import VALUES
+from .rectangles import VALUES as OF_RECTANGLES
 
 BARE: Color = (-8.0, -8.0, -8.0, -8.0)
 """The colour of pixels to which nothing is drawn."""
@@ -126,5 +127,11 @@ DRAWINGS: Mapping[str, Drawing] = {
     "integers": Drawing("clip.burnish", "Integers", CELLS, _CELLS_SIZE),
     "matrices": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES, hoist=False),
     "hoisted": Drawing("matrices.burnish", "Row", _COVER, (50, 1), values=VALUES),
+    "rectangles": Drawing(
+        "rectangles.burnish", "Row", _COVER, (80, 1), values=OF_RECTANGLES, hoist=False
+    ),
+    "hoisted rectangles": Drawing(
+        "rectangles.burnish", "Row", _COVER, (80, 1), values=OF_RECTANGLES
+    ),
     "textures": Drawing("textures.burnish", "Texels", _COVER, TEXELS_SIZE, values=_textures()),
 }

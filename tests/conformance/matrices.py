@@ -24,7 +24,7 @@ VALUES: Mapping[str, object] = {
 
 def of_vector(m: Matrix, v: Vector) -> list[float]:
     """``m * v``: the sum of the columns, each multiplied by its lane of the vector."""
-    return [sum(column[row] * v[i] for i, column in enumerate(m)) for row in range(len(m))]
+    return [sum(column[row] * v[i] for i, column in enumerate(m)) for row in range(len(m[0]))]
 
 
 def of_matrix(m: Matrix, n: Matrix) -> list[list[float]]:
@@ -34,7 +34,7 @@ def of_matrix(m: Matrix, n: Matrix) -> list[list[float]]:
 
 def transposed(m: Matrix) -> list[list[float]]:
     """The transposed matrix."""
-    return [[column[row] for column in m] for row in range(len(m))]
+    return [[column[row] for column in m] for row in range(len(m[0]))]
 
 
 def combined(m: Matrix, factor: float, n: Matrix) -> list[list[float]]:

@@ -14,6 +14,7 @@ import pytest
 
 from burnish.targets.runner.routes import ROUTES
 
+from . import matrices, rectangles
 from .cells import CENTER, HEIGHT, HIGH, LOW, NATURAL, OVER, WHOLE, Cell, middle
 from .drawings import (
     BARE,
@@ -28,7 +29,6 @@ from .drawings import (
     UP,
 )
 from .kit import REFERENCE, Floats, Studio
-from .matrices import PIXELS
 
 Pixel = tuple[float | None, float | None, float | None, float | None]
 """The lanes of a pixel; None where a lane does not matter."""
@@ -167,10 +167,18 @@ def _derivatives() -> Iterator[Expectation]:
         )  # fmt: skip
 
 
+_OF_MATRICES = {
+    "matrices": matrices.PIXELS,
+    "hoisted": matrices.PIXELS,
+    "rectangles": rectangles.PIXELS,
+    "hoisted rectangles": rectangles.PIXELS,
+}
+"""The expected pixels of drawings that are rows of values of matrices."""
+
+
 def _matrices() -> Iterator[Expectation]:
-    for number, (name, lanes) in enumerate(PIXELS.items()):
-        for drawing in ("matrices", "hoisted"):
-            x, y, z, w = lanes
+    for drawing, pixels in _OF_MATRICES.items():
+        for number, (name, (x, y, z, w)) in enumerate(pixels.items()):
             yield Expectation(f"{drawing}: {name}", drawing, (number, 0), (x, y, z, w))
 
 

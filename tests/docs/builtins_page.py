@@ -62,7 +62,9 @@ to get this result, and leaves it out where it can prove that there are no such 
 | `U`, `J` | `uint`, and `int`, with as many lanes as `I` or `T` |
 | `B` | `bool`, `bvec2`, `bvec3`, `bvec4` |
 | `P`, `Q` | `N` and `B`; `bool`, with as many lanes as `P` or `N` |
-| `M`, `C` | `mat2`, `mat3`, `mat4`; the vector that is a column of `M` |
+| `M`, `A` | `mat2`, `mat3`, `mat4`, `mat2x3` … `mat4x3`; the transpose of `M` |
+| `C`, `O` | the vector that is a column of `M`, and one that is a row |
+| `Z`, `Y` | a matrix with a row for each column of `M`; the product of `M` and `Z` |
 | `F`, `D` | `texture2d`, `texture3d`, `texture_cube`; `depth2d`, `depth_cube` |
 | `K` | `vec2`; for `3d` textures and cubes, `vec3` |
 | `G`, `H`, `X` | all `2d` and `3d` textures; all `2d_array` ones; all textures |

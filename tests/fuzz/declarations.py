@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from .expressions import FUEL, Writer
-from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, MATRICES, NUMBERS, TYPES, UINTS
+from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, NUMBERS, SQUARE_MATRICES, TYPES, UINTS
 from .scope import IN_TERM, LIGHT, SURFACE, Scope, Signature, local, variable
 from .textures import KINDS, all_reads
 from .tree import Node, expression, listed
@@ -101,7 +101,7 @@ def _generic(writer: Writer, _outside: Scope, _known: Callables) -> tuple[Signat
         ("numbers", NUMBERS, ("max(a, b)", "a * b + a", "if all(a == a) then b else a")),
         ("integers", (*INTS, *UINTS), ("(a & b) ^ (a | b)", "a + (b << 2)")),
         ("bools", BOOLS, ("a and not b", "a or b")),
-        ("matrices", MATRICES, ("a * b", "transpose(a) - b")),
+        ("matrices", SQUARE_MATRICES, ("a * b", "transpose(a) - b")),
     ))  # fmt: skip
     type_ = writer.chance.choice(types)
     body = writer.chance.choice(bodies)

@@ -129,8 +129,7 @@ class Writer:
             count = int(type_[len(element) + 1 : -1])
             return self._array(type_, [self.leaf(element, scope) for _ in range(count)])
         if type_ in MATRICES:
-            size = type_[-1]
-            columns = [self.leaf(f"vec{size}", scope) for _ in range(int(size))]
+            columns = [self.leaf(f"vec{type_[-1]}", scope) for _ in range(int(type_[3]))]
             return _called(type_, type_, columns, "constructor")
         kind = next(kinds[0] for kinds in (FLOATS, INTS, UINTS, BOOLS) if type_ in kinds)
         lanes = [self.leaf(kind, scope) for _ in range(int(type_[-1]))]

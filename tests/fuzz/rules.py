@@ -11,8 +11,16 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import product
 
-from burnish.compiler.ir.signatures import FAMILIES, FIXED, TEXTURE_FAMILIES, dependent, parsed
-from burnish.compiler.ir.types import Matrix, Type
+from burnish.compiler.ir.signatures import (
+    FAMILIES,
+    FIXED,
+    TEXTURE_FAMILIES,
+    dependent,
+    is_factor,
+    parsed,
+)
+from burnish.compiler.ir.types import MATRICES as ALL_MATRICES
+from burnish.compiler.ir.types import Type
 from burnish.compiler.semantics.checking.expressions import OPERATORS
 from burnish.stdlib.builtins import BUILTINS
 
@@ -23,7 +31,8 @@ FLOATS = ("float", "vec2", "vec3", "vec4")
 INTS, UINTS, BOOLS = (
     (kind, *(f"{kind[0]}vec{n}" for n in SIZES)) for kind in ("int", "uint", "bool")
 )
-MATRICES = ("mat2", "mat3", "mat4")
+SQUARE_MATRICES = ("mat2", "mat3", "mat4")
+MATRICES = tuple(map(str, ALL_MATRICES))
 NUMBERS = (*FLOATS, *INTS, *UINTS)
 TYPES = (*NUMBERS, *BOOLS, *MATRICES)
 """The types of bare numbers."""
@@ -103,11 +112,10 @@ def instances(name: str) -> tuple[tuple[tuple[Type, ...], Type], ...]:
 
 def _bindings(words: Iterable[str]) -> Iterator[dict[str, Type]]:
     """Types for the letters of a signature that are free."""
-    matrices = tuple(Matrix(n) for n in SIZES)
     letters: dict[str, tuple[Type, ...]] = {
-        word: FAMILIES[word].types() if word in FAMILIES else matrices
+        word: FAMILIES[word].types() if word in FAMILIES else ALL_MATRICES
         for word in words
-        if word in FAMILIES or word == "M"
+        if word in FAMILIES or word in "MZ"
     }
     if not any(word in TEXTURE_FAMILIES for word in words):
         for types in product(*letters.values()):
@@ -115,6 +123,8 @@ def _bindings(words: Iterable[str]) -> Iterator[dict[str, Type]]:
 
 
 def _stands_for(word: str, bound: dict[str, Type]) -> Type | None:
+    if word == "Z" and not is_factor(bound["M"], bound["Z"]):
+        return None
     return bound.get(word) or FIXED.get(word) or dependent(word, bound)
 
 
@@ -134,8 +144,8 @@ def _constructors() -> Iterator[Rule]:
                 yield Rule(type_, f"{type_}({_places(operands)})", operands, "constructor")
         for smaller, larger in ((two, three), (two, four), (three, four)):
             yield Rule(smaller, f"{smaller}({{}})", (larger,), "constructor")
-    for size, type_ in zip(SIZES, MATRICES, strict=True):
-        columns = (f"vec{size}",) * size
+    for matrix, type_ in zip(ALL_MATRICES, MATRICES, strict=True):
+        columns = (str(matrix.column),) * matrix.columns
         yield Rule(type_, f"{type_}({_places(columns)})", columns, "constructor")
         yield Rule(type_, f"{type_}({{}})", ("float",), "constructor")
         for other in MATRICES:
@@ -161,9 +171,10 @@ def _swizzles() -> Iterator[Rule]:
                     yield Rule(result, f"{{}}.{lanes_text}", (source,), "swizzle")
             for index in ("{} mod " + source[-1], "clamp({}, 0, 1)", "{}"):
                 yield Rule(types[0], f"{{}}[{index}]", (source, "int"), "index")
-    for size, type_ in zip(SIZES, MATRICES, strict=True):
-        yield Rule(f"vec{size}", "{}[{} mod " + str(size) + "]", (type_, "int"), "index")
-        yield Rule(f"vec{size}", "{}[1]", (type_,), "index")
+    for matrix, type_ in zip(ALL_MATRICES, MATRICES, strict=True):
+        column = str(matrix.column)
+        yield Rule(column, "{}[{} mod " + str(matrix.columns) + "]", (type_, "int"), "index")
+        yield Rule(column, "{}[1]", (type_,), "index")
 
 
 # --- what values mean ----------------------------------------------------------------------------

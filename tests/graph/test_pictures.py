@@ -12,8 +12,8 @@ import pytest
 import burnish
 from burnish.commands.graph import dot, svg, text
 from burnish.commands.graph.kinds import ArrowKind, Kind
-from burnish.commands.graph.material import material_picture
 from burnish.commands.graph.model import Picture
+from burnish.commands.graph.program import program_picture
 from tests.golden import assert_golden
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -26,7 +26,7 @@ def pictures(name: str, *, everything: bool = False) -> Iterator[Picture]:
     """The pictures of all materials of an example, which is named by its file."""
     source = (EXAMPLES / f"{name}.burnish").read_text("utf-8")
     for material in burnish.compile(source, (), search_path=[EXAMPLES]):
-        yield material_picture(material.shader, material.staged, everything=everything)
+        yield program_picture(material.shader, material.staged, everything=everything)
 
 
 @pytest.mark.parametrize("name", ["plastic", "normal_map"])
@@ -59,7 +59,7 @@ def test_a_stage_that_hands_a_value_on_has_no_box_for_it(native_stages: bool) ->
         }
     """
     (material,) = burnish.compile(source, (), native_stages=native_stages)
-    found = material_picture(material.shader, material.staged, everything=False)
+    found = program_picture(material.shader, material.staged, everything=False)
     keys = {box.key for box in found.boxes}
     assert all({arrow.source, arrow.target} <= keys for arrow in found.arrows)
     assert any(arrow.kind is ArrowKind.CROSSING for arrow in found.arrows)
@@ -121,6 +121,6 @@ def test_guards_are_marked_where_they_are() -> None:
         color   = vec3(careful, safe, careful * safe)
     }"""
     (material,) = burnish.compile(source, ())
-    found = material_picture(material.shader, material.staged, everything=False)
+    found = program_picture(material.shader, material.staged, everything=False)
     assert {box.name for box in found.boxes if box.guarded} == {"careful"}
     assert {"careful", "safe"} <= {box.name for box in found.boxes}

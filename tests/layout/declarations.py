@@ -10,6 +10,7 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
+    MATRICES,
     UINT,
     VEC2,
     VEC3,
@@ -27,7 +28,7 @@ KINDS: tuple[ScalarKind, ...] = ("float", "int", "uint", "bool")
 
 scalars = st.sampled_from(KINDS).map(Scalar)
 vectors = st.builds(Vector, st.sampled_from(KINDS), st.integers(2, 4))
-matrices = st.builds(Matrix, st.integers(2, 4))
+matrices = st.builds(Matrix, st.integers(2, 4), st.integers(2, 4))
 plain = st.one_of(scalars, vectors, matrices)
 
 
@@ -61,9 +62,7 @@ ELEMENTS: Sequence[Type] = [
     VEC3,
     Vector("bool", 3),
     VEC4,
-    Matrix(2),
-    Matrix(3),
-    Matrix(4),
+    *MATRICES,
 ]
 """The types that an array can hold, one of each stored form."""
 
@@ -82,8 +81,8 @@ def values(type_: Type) -> st.SearchStrategy[object]:
             return SCALAR_VALUES[kind]
         case Vector(kind, size):
             return st.tuples(*[SCALAR_VALUES[kind]] * size)
-        case Matrix(size):
-            return st.tuples(*[values(Vector("float", size))] * size)
+        case Matrix(columns):
+            return st.tuples(*[values(type_.column)] * columns)
         case Array(element, count):
             return st.tuples(*[values(element)] * count)
         case Struct(members=members):

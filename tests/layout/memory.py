@@ -6,7 +6,14 @@ import struct
 from typing import Any
 
 from burnish.compiler.ir.storage import byte_size
-from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
+from burnish.compiler.ir.types import (
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    Type,
+    Vector,
+)
 from burnish.compiler.packing import Packing
 
 Value = Any
@@ -45,7 +52,7 @@ def read(source: bytes, start: int, stored: Type) -> Value:
             return struct.unpack_from(CODES[kind], source, start)[0]
         case Vector(kind, size):
             return _run(source, start, [Scalar(kind)] * size)
-        case Matrix(4 as columns) | TallMatrix(columns):
+        case Matrix(columns, 4):
             return _run(source, start, [Vector("float", 4)] * columns)
         case Array(element, count):
             return _run(source, start, [element] * count)

@@ -9,7 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from burnish.compiler.ir.types import Array, Matrix, Scalar, Struct, TallMatrix, Type, Vector
+from burnish.compiler.ir.types import (
+    Array,
+    Matrix,
+    Scalar,
+    Struct,
+    Type,
+    Vector,
+)
 
 Offsets = dict[str, int]
 """Bytes by path: ``a.b`` counts from the start, ``a[]`` is a stride."""
@@ -74,7 +81,7 @@ def _std140_align(type_: Type) -> int:
             return 4
         case Vector(size=2):
             return 8
-        case Vector() | Matrix() | TallMatrix() | Array():
+        case Vector() | Matrix() | Array():
             return 16
         case Struct(members=members):
             return up(max(_std140_align(member) for _, member in members), 16)
@@ -88,9 +95,7 @@ def _std140_size(type_: Type) -> int:
             return 4
         case Vector(size=size):
             return 4 * size
-        case Matrix(size=size):
-            return 16 * size
-        case TallMatrix(columns):
+        case Matrix(columns):
             return 16 * columns
         case Array(element, count):
             return count * _std140_stride(element)
@@ -121,10 +126,8 @@ def _d3d_size(type_: Type) -> int:
             return 4
         case Vector(size=size):
             return 4 * size
-        case Matrix(size=size):
-            return 16 * (size - 1) + 4 * size
-        case TallMatrix(columns):
-            return 16 * columns
+        case Matrix(columns, rows):
+            return 16 * (columns - 1) + 4 * rows
         case Array(element, count):
             return _d3d_stride(element) * (count - 1) + _d3d_size(element)
         case Struct(members=members):
@@ -139,7 +142,7 @@ def _d3d_stride(element: Type) -> int:
 
 def _d3d_start(end: int, type_: Type) -> int:
     crosses = end % 16 + _d3d_size(type_) > 16
-    aggregate = isinstance(type_, Array | Struct | Matrix | TallMatrix)
+    aggregate = isinstance(type_, Array | Struct | Matrix)
     return up(end, 16) if crosses or aggregate else end
 
 
@@ -152,10 +155,8 @@ def _wgsl_align(type_: Type) -> int:
     match type_:
         case Scalar():
             return 4
-        case Vector(size=size) | Matrix(size=size):
+        case Vector(size=size) | Matrix(rows=size):
             return 8 if size == 2 else 16
-        case TallMatrix():
-            return 16
         case Array(element=element):
             return _wgsl_align(element)
         case Struct(members=members):
@@ -170,10 +171,8 @@ def _wgsl_size(type_: Type) -> int:
             return 4
         case Vector(size=size):
             return 4 * size
-        case Matrix(size=size):
-            return size * up(4 * size, _wgsl_align(type_))
-        case TallMatrix(columns):
-            return columns * 16
+        case Matrix(columns, rows):
+            return columns * up(4 * rows, _wgsl_align(type_))
         case Array(element, count):
             return count * _wgsl_stride(element)
         case Struct(members=members):

@@ -22,6 +22,7 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     UINT,
     VEC2,
     VEC3,
@@ -30,9 +31,9 @@ from burnish.compiler.ir.types import (
     Matrix,
     Scalar,
     Struct,
-    TallMatrix,
     Type,
     Vector,
+    square,
 )
 from burnish.compiler.passes.lower_reads import lower_reads
 from burnish.targets.emit.emitter import Emission, emit
@@ -61,16 +62,20 @@ LAMP = Struct(
         ("cone", CONE),
         ("tint", VEC2),
         ("weights", Array(FLOAT, 5)),
-        ("turn", Matrix(3)),
+        ("turn", square(3)),
         ("mask", Vector("bool", 3)),
     ),
 )
 """A member of every kind, each after one that leaves a gap."""
 
+_BETWEEN = [part for each in MATRICES if not each.is_square for part in (each, VEC2)]
+"""Each matrix that is not square, and something behind it that would move into its last row."""
+
 KINDS: dict[str, list[Type]] = {
     "scalars and vectors": [FLOAT, VEC2, INT, VEC3, BOOL, UINT, VEC4, VEC2, VEC3],
     "bools": [BOOL, Vector("bool", 2), BOOL, Vector("bool", 3), Vector("bool", 4)],
-    "matrices": [FLOAT, Matrix(2), FLOAT, Matrix(3), VEC2, Matrix(4), FLOAT],
+    "matrices": [FLOAT, square(2), FLOAT, square(3), VEC2, square(4), FLOAT],
+    "rectangular matrices": [FLOAT, *_BETWEEN, FLOAT],
     "arrays": [
         FLOAT,
         Array(FLOAT, 5),
@@ -81,7 +86,10 @@ KINDS: dict[str, list[Type]] = {
         FLOAT,
         Array(BOOL, 9),
         FLOAT,
-        Array(Matrix(2), 2),
+        Array(square(2), 2),
+        FLOAT,
+        Array(Matrix(3, 2), 2),
+        Array(Matrix(4, 3), 2),
     ],
     "structs": [FLOAT, CONE, FLOAT, LAMP, VEC2, Array(CONE, 3), FLOAT, Array(LAMP, 4), FLOAT],
 }
@@ -156,7 +164,7 @@ def inside(path: str, type_: Type, offset: int, names: Names) -> Offsets:
         path += "[]"
         type_ = type_.element
         found[path] = byte_size(type_)
-    if isinstance(type_, Matrix | TallMatrix):
+    if isinstance(type_, Matrix):
         found[f"{path}[]"] = 16
     if isinstance(type_, Struct):
         for name, member in type_.members:
@@ -224,16 +232,20 @@ def test_reads_at_computed_indices_are_accepted(toolchain: Toolchain) -> None:
 def test_uses_of_a_matrix_are_accepted(toolchain: Toolchain) -> None:
     """Products with columns and matrices, columns, and all of it from inside a structure."""
     graph = Graph()
-    turns = declared([Matrix(2), Matrix(3), Matrix(4), LAMP])
+    turns = declared([*MATRICES, LAMP])
     position = Parameter("position", INT, "material")
     total = constant(graph, VEC4, (0.0,) * 4)
     for turn in turns:
         whole = graph.node("parameter", turn.type, (), turn)
         if isinstance(turn.type, Struct):
             whole = member_of(graph, whole, "turn")
+        assert isinstance(whole.type, Matrix)
+        columns, rows = whole.type.columns, whole.type.rows
         at = index(graph, whole, graph.node("parameter", INT, (), position))
-        moved = graph.node("native", at.type, (whole, at), "mul")
-        twice = graph.node("native", whole.type, (whole, whole), "mul")
+        turned = graph.node("native", Matrix(rows, columns), (whole,), "transpose")
+        across = index(graph, turned, constant(graph, INT, 0))
+        moved = graph.node("native", at.type, (whole, across), "mul")
+        twice = graph.node("native", square(rows), (whole, turned), "mul")
         for used in (at, moved, twice):
             total = graph.node("native", VEC4, (total, colour_of(graph, used)), "add")
     program = program_of([*turns, position], graph, lower_reads(graph, [total])[0])

@@ -19,6 +19,7 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     UINT,
     VEC2,
     VEC3,
@@ -26,9 +27,9 @@ from burnish.compiler.ir.types import (
     Array,
     Matrix,
     Struct,
-    TallMatrix,
     Type,
     Vector,
+    square,
 )
 from burnish.compiler.layout import layout_blocks
 from burnish.compiler.packing import packing
@@ -107,7 +108,7 @@ def test_lowering_twice_changes_nothing() -> None:
     graph = Graph()
     lamps = parameter(graph, "lamps", Array(LAMP, 4))
     lamp = index(graph, lamps, parameter(graph, "i", INT))
-    roots = [member(graph, lamp, "on"), parameter(graph, "turn", Matrix(3))]
+    roots = [member(graph, lamp, "on"), parameter(graph, "turn", square(3))]
     lowered = lower_reads(graph, roots)
     assert lower_reads(graph, lowered) is lowered
 
@@ -116,7 +117,7 @@ def test_what_is_stored_as_it_is_needs_no_conversion() -> None:
     graph = Graph()
     position = parameter(graph, "i", INT)
     chosen = index(graph, parameter(graph, "p", Array(VEC4, 3)), position)
-    plain = parameter(graph, "m", Matrix(4))
+    plain = parameter(graph, "m", square(4))
     assert lower_reads(graph, [chosen, plain]) == (chosen, plain)
 
 
@@ -134,21 +135,23 @@ def parameter_stored(graph: Graph, name: str, type_: Type) -> Node:
 
 
 def product(graph: Graph, turn: Node, column: Node) -> Node:
-    return graph.node("native", column.type, (turn, column), "mul")
+    assert isinstance(turn.type, Matrix)
+    return graph.node("native", turn.type.column, (turn, column), "mul")
 
 
-@pytest.mark.parametrize("size", [2, 3])
+@pytest.mark.parametrize("type_", [each for each in MATRICES if each.rows < 4], ids=str)
 @given(data=st.data())
-def test_a_product_is_one_of_the_stored_matrix(size: int, data: st.DataObject) -> None:
+def test_a_product_is_one_of_the_stored_matrix(type_: Matrix, data: st.DataObject) -> None:
     graph = Graph()
-    turn, column = parameter(graph, "m", Matrix(size)), parameter(graph, "v", Vector("float", size))
+    turn = parameter(graph, "m", type_)
+    column = parameter(graph, "v", Vector("float", type_.columns))
     before = product(graph, turn, column)
     (after,) = lower_reads(graph, [before])
 
-    stored = parameter_stored(graph, "m", Matrix(size))
-    assert stored.type == TallMatrix(size)
+    stored = parameter_stored(graph, "m", type_)
+    assert stored.type == Matrix(type_.columns, 4)
     rows = graph.node("native", VEC4, (stored, column), "mul")
-    assert after is swizzle(graph, rows, tuple(range(size)))
+    assert after is swizzle(graph, rows, tuple(range(type_.rows)))
     assert lower_reads(graph, [after]) == (after,)
 
     given_values = {"m": data.draw(values(turn.type)), "v": data.draw(values(column.type))}
@@ -164,14 +167,14 @@ def test_a_product_is_one_of_the_stored_matrix(size: int, data: st.DataObject) -
 def test_a_column_is_one_of_the_stored_matrix() -> None:
     graph = Graph()
     position = parameter(graph, "i", INT)
-    (column,) = lower_reads(graph, [index(graph, parameter(graph, "m", Matrix(3)), position)])
-    stored = parameter_stored(graph, "m", Matrix(3))
+    (column,) = lower_reads(graph, [index(graph, parameter(graph, "m", square(3)), position)])
+    stored = parameter_stored(graph, "m", square(3))
     assert column is swizzle(graph, index(graph, stored, position), (0, 1, 2))
 
 
 def test_a_matrix_in_a_struct_is_multiplied_as_it_is_stored() -> None:
     graph = Graph()
-    probes = Array(Struct("Probe", (("on", BOOL), ("turn", Matrix(3)))), 2)
+    probes = Array(Struct("Probe", (("on", BOOL), ("turn", square(3)))), 2)
     probe = index(graph, parameter(graph, "probes", probes), parameter(graph, "i", INT))
     column = parameter(graph, "v", VEC3)
     (lowered,) = lower_reads(graph, [product(graph, member(graph, probe, "turn"), column)])
@@ -181,11 +184,11 @@ def test_a_matrix_in_a_struct_is_multiplied_as_it_is_stored() -> None:
 def test_matrices_that_are_no_parameters_stay_square() -> None:
     graph = Graph()
     column = parameter(graph, "v", VEC3)
-    turn = parameter(graph, "m", Matrix(3))
+    turn = parameter(graph, "m", square(3))
     first, second = (index(graph, turn, constant(graph, INT, i)) for i in (0, 1))
     other = matrix(graph, (second, first, column))
     small = matrix(graph, tuple(swizzle(graph, each, (0, 1)) for each in (first, second)))
-    of_array = index(graph, parameter(graph, "a", Array(Matrix(3), 2)), constant(graph, INT, 1))
+    of_array = index(graph, parameter(graph, "a", Array(square(3), 2)), constant(graph, INT, 1))
     flat = parameter(graph, "u", VEC2)
     roots = [product(graph, other, column), product(graph, of_array, column),
              product(graph, small, flat)]  # fmt: skip

@@ -197,9 +197,8 @@ class World:
             case Vector(kind, size):
                 lanes = tuple(self._lane(chance, kind, fact) for _ in range(size))
                 return unit(lanes) if fact.unit else lanes
-            case Matrix(size):
-                column = Vector("float", size)
-                return tuple(self._of(chance, column, UNKNOWN, {}) for _ in range(size))
+            case Matrix(columns):
+                return tuple(self._of(chance, type_.column, UNKNOWN, {}) for _ in range(columns))
             case Array(element, count):
                 return tuple(self._of(chance, element, fact, members) for _ in range(count))
             case Struct():

@@ -109,8 +109,7 @@ class RandomValues:
     def _constant(self, type_: Type, lane: Number | None = None) -> Node:
         kind = scalar_kind(type_)
         if isinstance(type_, Matrix) and lane is None:
-            column = Vector("float", type_.size)
-            columns = tuple(self._constant(column).data for _ in range(type_.size))
+            columns = tuple(self._constant(type_.column).data for _ in range(type_.columns))
             return self.graph.node("constant", type_, (), columns)
         if kind is None or isinstance(type_, Matrix):
             raise UnsuitableError
@@ -160,10 +159,10 @@ class RandomValues:
     def _columns(self, type_: Type) -> Node:
         if not isinstance(type_, Matrix):
             raise UnsuitableError
-        column = Vector("float", type_.size)
-        columns = [self._leaf(column) for _ in range(type_.size)]
-        if self._chance.random() < 0.3:
-            columns = [build.constant(self.graph, column, unit) for unit in units(type_.size)]
+        columns = [self._leaf(type_.column) for _ in range(type_.columns)]
+        if self._chance.random() < 0.3 and type_.is_square:
+            lanes = units(type_.columns)
+            columns = [build.constant(self.graph, type_.column, unit) for unit in lanes]
         return build.matrix(self.graph, tuple(columns))
 
     def _elements(self, type_: Type) -> Node:

@@ -19,8 +19,8 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     Array,
-    Matrix,
     Scalar,
     Type,
     Vector,
@@ -170,7 +170,7 @@ class Sites(RandomValues):
     def index(self) -> Node:
         """A lane, a column or an element."""
         whole: Type = self._chance.choice(
-            [self._numeric(2), Matrix(self._chance.randint(2, 4)), Array(self._numeric(), 3)]
+            [self._numeric(2), self._chance.choice(MATRICES), Array(self._numeric(), 3)]
         )
         element, count = part(whole)
         source_term, position_term = self._terms(self._left, 2)

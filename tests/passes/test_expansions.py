@@ -20,6 +20,7 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     UINT,
     Matrix,
     Scalar,
@@ -42,7 +43,7 @@ from .kit import INT_TRAPS
 
 TYPES: frozenset[Type] = frozenset({
     FLOAT, INT, UINT, BOOL, *(Vector("float", n) for n in (2, 3, 4)), Vector("int", 2),
-    Vector("uint", 2), Vector("bool", 2), *(Matrix(n) for n in (2, 3, 4)),
+    Vector("uint", 2), Vector("bool", 2), *MATRICES,
 })  # fmt: skip
 """Enough types to see each form of a builtin, without every number of lanes of every kind."""
 
@@ -74,9 +75,9 @@ def values(type_: Type) -> st.SearchStrategy[Lanes]:
             return st.tuples(LANES[kind])
         case Vector(kind, size):
             return st.tuples(*[LANES[kind]] * size)
-        case Matrix(size):
+        case Matrix(columns, rows):
             # Without rounding it is clear which determinants are zero.
-            return st.tuples(*[st.tuples(*[EIGHTHS] * size)] * size)
+            return st.tuples(*[st.tuples(*[EIGHTHS] * rows)] * columns)
         case _:
             raise TypeError(type_)
 

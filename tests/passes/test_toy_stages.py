@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 import pytest
 
 from burnish.commands.graph.kinds import ArrowKind, Kind
-from burnish.commands.graph.material import material_picture
+from burnish.commands.graph.program import program_picture
 from burnish.commands.graph.text import written
 from burnish.compiler.documents.reading import read
 from burnish.compiler.documents.reflection import Reflection
@@ -216,7 +216,7 @@ def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) ->
 
 
 def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
-    found = material_picture(*between, everything=False)
+    found = program_picture(*between, everything=False)
     assert [cluster.title for cluster in found.clusters if cluster.is_stage] == [
         "host, once for each change of a parameter",
         "vertex stage",
@@ -304,7 +304,7 @@ def test_there_may_be_no_fragments() -> None:
     found = reflect(shader, staged.program, {}, derived)
     assert read(Reflection, json.loads(json.dumps(to_json(found)))) == found
     assert (found.targets, found.varyings) == ((), ())
-    (cluster,) = material_picture(shader, staged, everything=False).clusters
+    (cluster,) = program_picture(shader, staged, everything=False).clusters
     assert {box.name for box in cluster.boxes if box.kind is Kind.RESULT} == {"moved", "distance"}
 
 

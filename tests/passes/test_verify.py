@@ -12,7 +12,16 @@ from burnish.compiler.ir.node import Folding, Formal, Graph, Node, Roots
 from burnish.compiler.ir.operations import Form
 from burnish.compiler.ir.shader import Result
 from burnish.compiler.ir.stages import FLAT, FRAGMENT, RASTERISED, SMOOTH, TARGET
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, VEC4, Matrix, TallMatrix
+from burnish.compiler.ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    VEC2,
+    VEC3,
+    VEC4,
+    Matrix,
+    square,
+)
 from burnish.compiler.ir.verify import InvalidGraphError, verify, verify_results
 from burnish.compiler.passes import checkpoint
 from burnish.compiler.watching import VARIABLE
@@ -52,7 +61,7 @@ def flag(graph: Graph) -> Node:
 
 
 def turned(graph: Graph, size: int) -> Node:
-    turn = graph.node("parameter", TallMatrix(size), (), Parameter("m", Matrix(size), "draw"))
+    turn = graph.node("parameter", Matrix(size, 4), (), Parameter("m", square(size), "draw"))
     return graph.node("native", VEC4, (turn, attribute(graph)), "mul")
 
 
@@ -71,7 +80,7 @@ WRONG: list[tuple[Form, Callable[[Graph], Node], str]] = [
     ("semantics", lambda g: g.node("constant", FLOAT, (), 1), "does not take"),
     ("semantics", lambda g: g.node("constant", VEC2, (), (1.0,)), "does not take"),
     ("semantics", lambda g: g.node("swizzle", FLOAT, (attribute(g),), (3,)), "does not take"),
-    ("semantics", lambda g: g.node("matrix", Matrix(2), (one(g), one(g))), "does not take"),
+    ("semantics", lambda g: g.node("matrix", square(2), (one(g), one(g))), "does not take"),
     ("semantics", lambda g: g.node("select", FLOAT, (one(g),) * 3), "does not take"),
     ("semantics", lambda g: loop(g, variable(g, 1)), "0 is used outside its binder"),
     ("semantics", free, "is used outside its binder"),

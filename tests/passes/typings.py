@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from burnish.compiler.ir import signatures
-from burnish.compiler.ir.types import Array, Matrix, Scalar, Type, Vector
+from burnish.compiler.ir.types import (
+    MATRICES,
+    Array,
+    Matrix,
+    Scalar,
+    Type,
+    Vector,
+)
 from burnish.stdlib.builtins import BUILTINS
 
 
@@ -18,8 +25,8 @@ def part(whole: Type) -> tuple[Type, int]:
     match whole:
         case Array(element=element, count=count):
             return element, count
-        case Matrix(size=size):
-            return Vector("float", size), size
+        case Matrix(columns):
+            return whole.column, columns
         case Vector(kind=kind, size=size):
             return Scalar(kind), size
         case _:
@@ -59,13 +66,9 @@ def _operand_types(name: str) -> Iterator[tuple[Type, ...]]:
 
 def _free_types(words: Sequence[str]) -> Iterator[dict[str, Type]]:
     """The combinations of types for the letters of a signature that others do not determine."""
-    letters = [w for w in dict.fromkeys(words) if w in signatures.FAMILIES or w == "M"]
+    letters = [w for w in dict.fromkeys(words) if w in signatures.FAMILIES or w in "MZ"]
     choices: list[dict[str, Type]] = [{}]
     for letter in letters:
-        types: Sequence[Type] = (
-            [Matrix(size) for size in (2, 3, 4)]
-            if letter == "M"
-            else signatures.FAMILIES[letter].types()
-        )
+        types: Sequence[Type] = MATRICES if letter in "MZ" else signatures.FAMILIES[letter].types()
         choices = [{**chosen, letter: type_} for chosen in choices for type_ in types]
     yield from choices

@@ -22,6 +22,7 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     UINT,
     Array,
     Matrix,
@@ -30,6 +31,7 @@ from burnish.compiler.ir.types import (
     Type,
     Vector,
     scalar_kind,
+    square,
     width,
 )
 from burnish.compiler.reference.namespace import Lanes
@@ -38,7 +40,7 @@ from burnish.stdlib.builtins import BUILTINS
 VECTORS = tuple(Vector("float", size) for size in (2, 3, 4))
 TYPES: tuple[Type, ...] = (
     FLOAT, INT, UINT, BOOL, *VECTORS, Vector("int", 2), Vector("uint", 2), Vector("bool", 2),
-    *(Matrix(size) for size in (2, 3, 4)),
+    *MATRICES,
 )  # fmt: skip
 PAIR = Struct("Pair", (("number", FLOAT), ("vector", VECTORS[1])))
 
@@ -146,9 +148,9 @@ class RandomGraph:
         return build.swizzle(self.graph, source, lanes)
 
     def _index(self) -> Node:
-        wholes: list[Vector | Matrix | Array] = [*VECTORS, Matrix(3), Array(FLOAT, 3)]
-        whole = self._chance.choice(wholes)
-        count = whole.count if isinstance(whole, Array) else whole.size
+        wholes: list[tuple[Type, int]] = [(each, each.size) for each in VECTORS]
+        wholes += [(square(3), 3), (Matrix(3, 2), 3), (Array(FLOAT, 3), 3)]
+        whole, count = self._chance.choice(wholes)
         bound = build.constant(self.graph, INT, count)
         at = self.graph.node("call", INT, (self._value(INT), bound), "mod")
         return build.index(self.graph, self._value(whole), at)
@@ -226,9 +228,9 @@ class Values:
         """The arrays of a parameter, in the form of its type."""
         chance = np.random.default_rng([self._seed, *name.encode()])
         match type_:
-            case Matrix(size):
+            case Matrix(columns, rows):
                 return tuple(
-                    tuple(self._lane(chance, "float") for _ in range(size)) for _ in range(size)
+                    tuple(self._lane(chance, "float") for _ in range(rows)) for _ in range(columns)
                 )
             case Scalar() | Vector():
                 kind = scalar_kind(type_) or "float"

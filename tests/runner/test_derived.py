@@ -20,7 +20,17 @@ from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Folding, Graph, Node
 from burnish.compiler.ir.operations import PARAMETER
 from burnish.compiler.ir.shader import Shader
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC2, VEC3, Array, Matrix, Struct, Type
+from burnish.compiler.ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    VEC2,
+    VEC3,
+    Array,
+    Struct,
+    Type,
+    square,
+)
 from burnish.compiler.passes.pipeline import Options, Staged, stage
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.evaluate import evaluate as meaning
@@ -160,7 +170,7 @@ SHAPES: dict[str, Shape] = {
     ),
 }
 TYPES: dict[str, Type] = {
-    "a": FLOAT, "n": INT, "v": VEC2, "m": Matrix(2), "layers": Array(LAYER, 2),
+    "a": FLOAT, "n": INT, "v": VEC2, "m": square(2), "layers": Array(LAYER, 2),
 }  # fmt: skip
 VALUES: dict[str, Any] = {
     "a": (0.75,),
@@ -227,7 +237,7 @@ def test_values_are_taken_apart_and_joined() -> None:
     assert run(swizzle(kit.graph, kit.v, (1, 0, 1))) == (-5.0, 2.0, -5.0)
     assert run(kit.graph.node("vector", VEC3, (kit.v, kit.a))) == (2.0, -5.0, 0.75)
     assert run(kit.graph.node("splat", VEC3, (kit.a,))) == (0.75,) * 3
-    assert run(kit.graph.node("matrix", Matrix(2), (kit.v, kit.v))) == ((2.0, -5.0),) * 2
+    assert run(kit.graph.node("matrix", square(2), (kit.v, kit.v))) == ((2.0, -5.0),) * 2
     pair = kit.graph.node("array", Array(VEC2, 2), (kit.v, constant(kit.graph, VEC2, (1.0, 2.0))))
     assert run(pair) == ((2.0, -5.0), (1.0, 2.0))
     assert run(index(kit.graph, pair, one)) == (1.0, 2.0)
@@ -249,7 +259,7 @@ def test_integers_stay_integers() -> None:
     assert run(kit.call("div", INT, kit.n, two)) == (1,)
     large = constant(kit.graph, INT, 2**31 - 1)
     assert run(kit.call("add", INT, large, two)) == (-(2**31) + 1,)
-    assert run(kit.call("mul", Matrix(2), kit.m, kit.a)) == ((0.75, 1.5), (2.25, 3.0))
+    assert run(kit.call("mul", square(2), kit.m, kit.a)) == ((0.75, 1.5), (2.25, 3.0))
 
 
 def test_sums_count_up_to_their_bound() -> None:

@@ -51,6 +51,11 @@ def unread_lights(count: int) -> str:
     return f"{declared}\nmaterial M {{ }}"
 
 
+def kinds_of_lights(count: int) -> str:
+    declared = lines(count, lambda i: f"light L{i} : Light {{ param place : float }}")
+    return f"{declared}\nmaterial M {{ }}"
+
+
 def structures(count: int) -> str:
     declared = lines(count, lambda i: f"struct S{i} {{ a : float }}")
     return f"{declared}\nmaterial M {{ }}"
@@ -84,6 +89,7 @@ def work(program: str) -> int:
         (functions_twice, 100),
         (signs, 200),
         (unread_lights, 24),
+        (kinds_of_lights, 24),
         (structures, 400),
     ],
 )

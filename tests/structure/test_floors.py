@@ -67,12 +67,15 @@ FLOORS: dict[str, str] = {
         "frozen locks watching stdlib diagnostics syntax ir library work types names inheritance "
         "state hints declarations checking lowering"
     ),
+    "compiler.semantics.equations": (
+        "frozen stdlib diagnostics syntax ir names inheritance state checking shading"
+    ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
         "lowering shading"
     ),
     "compiler.frontend": (
-        "watching inputs diagnostics syntax ir library names inheritance shading frames"
+        "watching inputs diagnostics syntax ir library names inheritance shading equations frames"
     ),
     "compiler.planning": "frozen diagnostics ir documents",
     "compiler.expansion_templates": (
@@ -119,13 +122,13 @@ FLOORS: dict[str, str] = {
         "description emit legalise availability selection graphs compiled"
     ),
     "api.entry_points": (
-        "frozen arguments garbage diagnostics documents passes names frontend emit selection "
-        "runner compiled remembered compiling"
+        "frozen arguments garbage diagnostics documents passes names equations frontend emit "
+        "selection runner compiled remembered compiling"
     ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
-        "passes frontend formula budget closing description emit registry availability selection "
-        "runner web_host web_view conformance toolchain serving compiled entry_points"
+        "passes equations frontend formula budget closing description emit registry availability "
+        "selection runner web_host web_view conformance toolchain serving compiled entry_points"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

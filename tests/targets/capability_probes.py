@@ -232,6 +232,9 @@ PROBES: Mapping[str, Probe] = {
     "values of a single vertex": Probe(
         "material M { color = if @vertex (position.x > 0) then vec3(uv, 0) else vec3(0, uv) }"
     ),
+    "matrices that are not square": Probe(
+        "material M { m = mat3x2(uv, uv.yx, vec2(1))  color = vec3(m * vec3(uv, 1), m[0].x) }"
+    ),
     "computed places": Probe(
         "material M { param w : float[9]  color = vec3(uv, w[int(8 * uv.x)]) }"
     ),

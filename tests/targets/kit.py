@@ -14,6 +14,7 @@ from burnish.compiler.ir.statements import Let, Region
 from burnish.compiler.ir.types import (
     FLOAT,
     INT,
+    MATRICES,
     TEXTURES,
     UINT,
     VEC4,
@@ -85,7 +86,7 @@ FIXED: Mapping[str, Type] = {
     **{kind: Scalar(kind) for kind in ("float", "int", "uint", "bool")},
     **{str(Vector(kind, n)): Vector(kind, n) for kind in KINDS["P"] for n in (2, 3, 4)},
     **{str(texture): texture for texture in TEXTURES},
-    **{f"mat{n}": Matrix(n) for n in (2, 3, 4)},
+    **{str(matrix): matrix for matrix in MATRICES},
 }
 TEXTURE_LETTERS: Mapping[str, tuple[str, ...]] = {
     "F": ("texture2d", "texture3d", "texture_cube"),
@@ -109,30 +110,47 @@ def instances(row: Builtin) -> Iterator[tuple[tuple[Type, ...], Type]]:
 
 
 def _assignments(words: list[str]) -> Iterator[dict[str, Type]]:
-    free = [word for word in dict.fromkeys(words) if word in {*KINDS, *TEXTURE_LETTERS, "M"}]
+    free = [word for word in dict.fromkeys(words) if word in {*KINDS, *TEXTURE_LETTERS, "M", "Z"}]
     choices: list[dict[str, Type]] = [{}]
     for word in free:
         choices = [{**one, word: type_} for one in choices for type_ in _family(word)]
-    for one in choices:
+    for one in filter(_can_be_multiplied, choices):
         yield {word: _type(word, one) for word in words}
 
 
 def _family(word: str) -> list[Type]:
-    if word == "M":
-        return [Matrix(size) for size in (2, 3, 4)]
+    if word in ("M", "Z"):
+        return list(MATRICES)
     if word in TEXTURE_LETTERS:
         return [FIXED[name] for name in TEXTURE_LETTERS[word]]
     widths = WIDTHS.get(word, (1, 2, 3, 4))
     return [with_width(kind, lanes) for kind in KINDS[word] for lanes in widths]
 
 
+def _can_be_multiplied(chosen: Mapping[str, Type]) -> bool:
+    """True where no matrix Z is asked for, or where it has a row for each column of M."""
+    left, right = chosen.get("M"), chosen.get("Z")
+    if not isinstance(left, Matrix) or not isinstance(right, Matrix):
+        return True
+    return left.columns == right.rows
+
+
+def _of_matrix(word: str, matrix: Type, factor: Type | None) -> Type:
+    """A column, a row, the transpose of a matrix, or the product of two."""
+    assert isinstance(matrix, Matrix)
+    if word in "CO":
+        return Vector("float", matrix.rows if word == "C" else matrix.columns)
+    if word == "A":
+        return Matrix(matrix.rows, matrix.columns)
+    assert isinstance(factor, Matrix)
+    return Matrix(factor.columns, matrix.rows)
+
+
 def _type(word: str, chosen: Mapping[str, Type]) -> Type:
     if word in chosen:
         return chosen[word]
-    if word == "C":
-        matrix = chosen["M"]
-        assert isinstance(matrix, Matrix)
-        return Vector("float", matrix.size)
+    if word in "COAY":
+        return _of_matrix(word, chosen["M"], chosen.get("Z"))
     if word in "LQUJ" and not any(isinstance(t, TextureType) for t in chosen.values()):
         base = next(type_ for letter, type_ in chosen.items() if letter in "NTIP")
         assert isinstance(base, Scalar | Vector)
@@ -174,6 +192,9 @@ def has(profile: Profile, row: Builtin, operands: tuple[Type, ...]) -> bool:
     textures = [type_ for type_ in operands if isinstance(type_, TextureType)]
     if row.name in profile.cannot or not profile.textures.issuperset(textures):
         return False
+    are_square = all(type_.is_square for type_ in operands if isinstance(type_, Matrix))
+    if not are_square and not profile.rectangular_matrices:
+        return False
     node = constant(Graph(), INT, 0)
     return profile.wide_integers or not needs_wide_integers(NativeUse(row.name, operands, node))
 
@@ -205,9 +226,8 @@ def program_of_rows(profile: Profile) -> Program:
 
     def operand(type_: Type) -> Node:
         match type_:
-            case Matrix(size=size):
-                column = operand(Vector("float", size))
-                return build.matrix(make.graph, (column,) * size)
+            case Matrix(columns):
+                return build.matrix(make.graph, (operand(type_.column),) * columns)
             case Vector(kind=kind, size=size):
                 return build.splat(make.graph, operand(Scalar(kind)), size)
             case Scalar(kind="bool"):

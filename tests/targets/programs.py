@@ -46,13 +46,13 @@ from burnish.compiler.ir.types import (
     Array,
     Matrix,
     Struct,
-    TallMatrix,
     TextureType,
     Type,
+    square,
 )
 from burnish.support.frozen import changed
 
-SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, TallMatrix(3): 48, Matrix(4): 64}
+SIZES = {FLOAT: 4, INT: 4, UINT: 4, VEC2: 8, VEC3: 12, VEC4: 16, Matrix(3, 4): 48, square(4): 64}
 
 
 class Maker:
@@ -240,8 +240,8 @@ def plastic() -> Program:
     """A textured surface under a directional light and a loop of point lights."""
     make = Maker()
     base, power = Parameter("base", VEC3, "material"), Parameter("power", FLOAT, "material")
-    world = Parameter("object_to_world", Matrix(4), "draw")
-    to_clip = Parameter("world_to_clip", Matrix(4), "view")
+    world = Parameter("object_to_world", square(4), "draw")
+    to_clip = Parameter("world_to_clip", square(4), "view")
     eye = Parameter("eye", VEC3, "view")
     sun = Parameter("sun.direction", VEC3, "rig")
     lamp = Struct("Lamp", (("place", VEC3), ("pad_0", FLOAT), ("diffuse", VEC3), ("pad_1", FLOAT)))
@@ -367,7 +367,7 @@ def odd() -> Program:
     outer = graph.node("select", VEC3, (front, build.splat(graph, inner, 3), column))
     clamped = make.native("clamp", VEC3, outer, make.number(0.0), make.parameter(threshold))
     powered = make.native("pow", VEC3, clamped, make.number(2.0))
-    negated = make.native("mul", VEC3, make.native("neg", Matrix(3), matrix), powered)
+    negated = make.native("mul", VEC3, make.native("neg", square(3), matrix), powered)
     first = build.vector(graph, (negated, make.native("to_float", FLOAT, seen)))
     second = build.constant(graph, VEC2, (0.25, 0.25))
     below = make.native("lt", BOOL, lane, make.parameter(threshold))

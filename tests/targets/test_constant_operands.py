@@ -110,8 +110,8 @@ class Values:
     def _operand(self, type_: Type, is_constant: bool) -> Node:
         graph = self._graph
         if isinstance(type_, Matrix):
-            column = Vector("float", type_.size)
-            columns = tuple(self._operand(column, is_constant) for _ in range(type_.size))
+            column = type_.column
+            columns = tuple(self._operand(column, is_constant) for _ in range(type_.columns))
             return graph.node("matrix", type_, columns)
         kind = scalar_kind(type_)
         assert kind is not None

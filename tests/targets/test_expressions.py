@@ -13,7 +13,15 @@ from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.statements import Branch, Region, Statement
-from burnish.compiler.ir.types import BOOL, FLOAT, INT, VEC3, VEC4, Matrix, TallMatrix
+from burnish.compiler.ir.types import (
+    BOOL,
+    FLOAT,
+    INT,
+    VEC3,
+    VEC4,
+    Matrix,
+    square,
+)
 from burnish.targets.emit.precedence import Binding, Printed, choice, prefix, writer
 
 from .kit import BY_NAME, PROFILES, Selected, emitted
@@ -172,7 +180,7 @@ def test_matrices_are_made_of_columns(selected: Selected, column: str) -> None:
 )
 def test_stored_matrices(selected: Selected, declared: str, product: str, column: str) -> None:
     make = Maker()
-    turn = Parameter("turn", TallMatrix(3), "material")
+    turn = Parameter("turn", Matrix(3, 4), "material")
     axis = Parameter("axis", VEC3, "material")
     material = block("Material", "material", [(turn, ""), (axis, "")])
     turned = make.native("mul", VEC4, make.parameter(turn), make.parameter(axis))
@@ -203,4 +211,4 @@ def test_columns_times_a_vector(selected: Selected, product: str) -> None:
 
 
 def constant_matrix(graph: Graph) -> Node:
-    return graph.node("constant", Matrix(2), (), (1.0, 2.0, 3.0, 4.0))
+    return graph.node("constant", square(2), (), (1.0, 2.0, 3.0, 4.0))

@@ -31,6 +31,8 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         look_at=None,
         turn=(0.0, 0.0),
         instances=4,
+        exposure=options.get("exposure", 0.0),
+        tone=options.get("tone", "none"),
         values=options.get("values", ()),
         material=options.get("material"),
         rig=options.get("rig"),
@@ -164,3 +166,34 @@ def test_the_comment_of_the_file_is_followed(tmp_path: Path) -> None:
     assert controls(document(file, values=(("size", "0.5"),)))["size"] == 0.5
     found = document(file, plain=True)
     assert (found["chosen"]["mesh"], controls(found)["size"]) == ("cube", 0.25)
+
+
+def test_exposure_and_tone_mapping_are_controls(tmp_path: Path) -> None:
+    """They begin as the command line or the comment says; what is no picture has none."""
+    file = tmp_path / "m.burnish"
+    file.write_text("//!     burnish render m.burnish --tone agx\nmaterial M { color = vec3(4) }\n")
+    found = document(file, exposure=-1.5)
+    assert controls(found)["--exposure"] == -1.5
+    assert controls(found)["--tone"] == "agx"
+    assert [row["section"] for row in found["controls"]][-2:] == ["Screen", "Screen"]
+    assert "agx" in found["development"]["tones"]
+    file.write_text("kernel K { result all : int[4] = int(index) }")
+    assert controls(document(file)) == {}
+
+
+def test_materials_are_drawn_in_floats_with_several_samples(tmp_path: Path) -> None:
+    """But for passes that say so by themselves, draw layers, or write other numbers than light."""
+    file = tmp_path / "m.burnish"
+    passes = {
+        "Light": ("target color : rgba8 = vec4(color, 1)", ("rgba16f", 4)),
+        "Smooth": ("target color : rgba8 = vec4(color, 1)  raster { samples = 4 }", ("rgba8", 4)),
+        "Far": ("target far : r32f = frag_coord.z", ("r32f", 1)),
+    }  # fmt: skip
+    for name, (members, (format_, samples)) in passes.items():
+        file.write_text(
+            f"material M {{ color = vec3(4) }}\npass {name} {{ {members} }}", encoding="utf-8"
+        )
+        textures = document(file)["package"]["plan"]["textures"]
+        wanted = {"rgba16f": "rgba16float", "rgba8": "rgba8unorm", "r32f": "r32float"}[format_]
+        assert {row["format"] for row in textures} - {"depth32float"} == {wanted}
+        assert max(row["samples"] for row in textures) == samples

@@ -158,9 +158,9 @@ NO_LINE_DIRECTIVES = warning(
 )
 TOO_LARGE_TO_DRAW = error(
     "B0451",
-    "{name} has {count} values to draw, and a picture holds {limit}",
-    "Nobody reads a larger picture. `--format dot` and `--format text` have no limit; without "
-    "`--all` only values that have names are shown.",
+    "{name} has {count} boxes to draw, and a picture holds {limit}",
+    "Nobody reads a larger picture. `--format dot` and `--format text` have no limit; "
+    "`--program`, without `--all`, shows only values that have names.",
 )
 
 # Structures

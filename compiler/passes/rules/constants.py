@@ -69,8 +69,7 @@ def constant_of(b: Builder, type_: Type, values: Lanes) -> Node:
     naga refuse constants beyond the largest number, and an expression that comes to one.
     """
     if isinstance(type_, Matrix):
-        column = Vector("float", type_.size)
-        columns = tuple(constant_of(b, column, value) for value in values)
+        columns = tuple(constant_of(b, type_.column, value) for value in values)
         return b.make("matrix", type_, columns)
     lanes = tuple(map(_contained, values))
     return build.constant(b.graph, type_, lanes if isinstance(type_, Vector) else lanes[0])

@@ -142,7 +142,7 @@ def _named(
     if _is_built_in(name):
         return FAILURE if failed else _built_in(ctx, name, arguments, e, scope)
     surface = scope.surface
-    if surface is not None and _is_texture(surface.record.definitions.get(name)):
+    if surface is not None and is_texture(surface.record.definitions.get(name)):
         texture = slot(ctx, surface, name, callee.span)
         return FAILURE if failed else textures.read(ctx, texture, arguments, e)
     return _no_function(ctx, e, callee, scope, failed)
@@ -192,11 +192,11 @@ def _is_own_map(scope: Scope, name: str) -> bool:
     return (
         instance is not None
         and instance.declares(name, scope.level)
-        and _is_texture(instance.record.definitions.get(name))
+        and is_texture(instance.record.definitions.get(name))
     )
 
 
-def _is_texture(definitions: tuple[Definition, ...] | None) -> bool:
+def is_texture(definitions: tuple[Definition, ...] | None) -> bool:
     """True if a name is declared as a texture: by a member, or by its type, to be set later."""
     return any(
         isinstance(d.member, ast.Texture)
@@ -235,12 +235,12 @@ def _callables(scope: Scope) -> Iterator[str]:
     yield from scope.module.visible()
     for instance in (scope.instance, scope.surface):
         if instance is not None:
-            yield from (name for name, d in instance.record.definitions.items() if _is_texture(d))
+            yield from (name for name, d in instance.record.definitions.items() if is_texture(d))
 
 
 def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     """The hint for a function or a constructor of another shading language."""
-    from ....stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TEXTURE, TYPES
+    from ....stdlib.builtins.elsewhere import COLUMNS_FIRST, FUNCTIONS, KEYWORDS, TEXTURE, TYPES
 
     if name in FUNCTIONS:
         instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
@@ -257,7 +257,7 @@ def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     if advice.is_read(name):
         return f"it is a read of a texture, written `map.{name}(…)`"
     if name in TYPES:
-        return called_here(name, e.callee.span, TYPES[name])
+        return called_here(name, e.callee.span, TYPES[name], COLUMNS_FIRST.get(name, ""))
     return _of_nodes(name, scope)
 
 

@@ -98,8 +98,8 @@ def _hint(
             return fix_it(shown, (Span(span.source, span.end, span.end), filled))
         case Vector(kind=kind, size=size):
             return f"`{name}` takes {size} lanes in all, or one {kind} for every lane"
-        case Matrix(size=size):
-            return f"`{name}` takes {size} columns, each a vec{size}, or another matrix"
+        case Matrix(columns, rows):
+            return f"`{name}` takes {columns} columns, each a vec{rows}, or another matrix"
         case _:
             return f"`{name}` takes one number"
 
@@ -184,37 +184,36 @@ def _converted(ctx: Context, type_: Vector, argument: Node) -> Node | None:
 
 
 def _matrix(ctx: Context, type_: Matrix, arguments: tuple[Node, ...]) -> Node | Failure | None:
-    column = Vector("float", type_.size)
-    if len(arguments) == type_.size and all(a.type == column for a in arguments):
+    if len(arguments) == type_.columns and all(a.type == type_.column for a in arguments):
         return build.matrix(ctx.tree, arguments)
     if len(arguments) == 1 and isinstance(source := arguments[0].type, Matrix):
-        return _resized(ctx, arguments[0], source.size, type_.size)
+        return _resized(ctx, arguments[0], source, type_)
     if len(arguments) == 1 and (diagonal := coerce(ctx.tree, arguments[0], Scalar("float"))):
-        return _diagonal(ctx, diagonal, type_.size)
+        return _diagonal(ctx, diagonal, type_)
     return None
 
 
-def _resized(ctx: Context, argument: Node, source: int, wanted: int) -> Node:
+def _resized(ctx: Context, argument: Node, source: Matrix, wanted: Matrix) -> Node:
     """The upper left part of a larger matrix; a smaller one continued by the identity."""
     if source == wanted:
         return argument
     zero, one = (build.floating(ctx.tree, number) for number in (0.0, 1.0))
     columns = []
-    for i in range(wanted):
+    for i in range(wanted.columns):
         lanes: list[Node] = []
-        if i < source:
+        known = min(source.rows, wanted.rows) if i < source.columns else 0
+        if known:
             column = build.part(ctx.tree, argument, i)
-            lanes.append(build.swizzle(ctx.tree, column, tuple(range(min(source, wanted)))))
-        filled = range(source if i < source else 0, wanted)
-        lanes += (one if row == i else zero for row in filled)
+            lanes.append(build.swizzle(ctx.tree, column, tuple(range(known))))
+        lanes += (one if row == i else zero for row in range(known, wanted.rows))
         columns.append(build.vector(ctx.tree, tuple(lanes)))
     return build.matrix(ctx.tree, tuple(columns))
 
 
-def _diagonal(ctx: Context, lane: Node, size: int) -> Node:
+def _diagonal(ctx: Context, lane: Node, type_: Matrix) -> Node:
     zero = build.floating(ctx.tree, 0.0)
     columns = [
-        build.vector(ctx.tree, tuple(lane if i == j else zero for i in range(size)))
-        for j in range(size)
+        build.vector(ctx.tree, tuple(lane if i == j else zero for i in range(type_.rows)))
+        for j in range(type_.columns)
     ]
     return build.matrix(ctx.tree, tuple(columns))

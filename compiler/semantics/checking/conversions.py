@@ -13,7 +13,7 @@ from ...diagnostics.nearest import respelling
 from ...diagnostics.source import Span
 from ...ir.meaning import ARROWS, GEOMETRY, Meaning
 from ...ir.node import Node
-from ...ir.types import VEC3, Matrix
+from ...ir.types import VEC3, square
 from ...library import conversions as library
 from ...syntax import ast
 from ...syntax.rewriting import declared_space, rewritten
@@ -129,7 +129,7 @@ def moves(ctx: Context, left: Node, right: Node) -> bool:
     """True if ``left * right`` is a transform that moves a point or vector of three lanes."""
     by, what = ctx.meanings.of(left), ctx.meanings.of(right)
     return (
-        left.type == Matrix(4) and right.type == VEC3
+        left.type == square(4) and right.type == VEC3
         and by is not None and by.kind == "transform"
         and what is not None and what.kind in GEOMETRY
     )  # fmt: skip

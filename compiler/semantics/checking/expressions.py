@@ -130,7 +130,7 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
             if known is not None and known < 0:
                 _not_there(ctx, e, (operand, position), element, known, _from_end(e, -known))
             return element
-        case Array(count=count) | Vector(size=count) | Matrix(size=count):
+        case Array(count=count) | Vector(size=count) | Matrix(columns=count):
             pass
         case _:
             ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type)

@@ -15,6 +15,7 @@ from ...ir.node import Node
 from ...ir.signatures import FAMILIES
 from ...ir.types import (
     FLOAT,
+    MATRICES,
     VEC3,
     Array,
     Matrix,
@@ -78,7 +79,7 @@ def no_signature(
         )  # fmt: skip
         return FAILURE
     cut = advice.cut_quotient(ctx, operands, places)
-    hint = _parts(operands) or cut or _edited(name, operands, written) or candidates
+    hint = _parts(name, operands) or cut or _edited(name, operands, written) or candidates
     ctx.report.add(
         rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint,
         labels=advice.where_cut(ctx, operands, span) if hint is cut else (),
@@ -128,9 +129,15 @@ def _of_pairs(name: str, span: Span, written: Written) -> Hint:
     return fix_it(f"two at a time: `{shortened(call)}`", (span, call))
 
 
-def _parts(operands: Sequence[Node]) -> str:
+_OF_SQUARES = {"determinant": "a determinant", "inverse": "an inverse"}
+"""Builtins of square matrices, and what they give."""
+
+
+def _parts(name: str, operands: Sequence[Node]) -> str:
     """Builtins are of numbers: of textures, structures and arrays they take the parts."""
     for node in operands:
+        if isinstance(node.type, Matrix) and not node.type.is_square and name in _OF_SQUARES:
+            return f"only square matrices have {_OF_SQUARES[name]}: mat2, mat3 and mat4"
         if isinstance(node.type, Struct):
             return f"name the members that count: `a.{node.type.members[0][0]}`"
         if isinstance(node.type, Array):
@@ -192,7 +199,7 @@ def _operator_hint(ctx: Context, name: str, operands: Sequence[Node], written: W
     """A hint how to mend ``x * i`` between a float and an integer, and the like."""
     of_bits = all(signature.startswith("I") for signature in BUILTINS[name].signatures)
     ways: tuple[Callable[[], Hint], ...] = (
-        lambda: _parts(operands),
+        lambda: _parts(name, operands),
         lambda: _bits(name, operands) if of_bits else "",
         lambda: _edited(name, operands, written),
         lambda: _integers(operands, written),
@@ -227,25 +234,42 @@ def _integers(operands: Sequence[Node], written: Written) -> Hint:
 
 
 def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Written) -> Hint:
-    """A hint how to mend ``matrix * vector`` of different sizes, and ``matrix / number``."""
+    """A hint how to mend an operator between matrices, or between a matrix and something else."""
     if len(operands) != 2 or not isinstance(operands[0].type, Matrix):
         return ""
-    matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")
-    size, type_ = operands[0].type.size, operands[1].type
-    if name == "div" and isinstance(type_, Scalar):
-        said = f"a matrix is multiplied: `{matrix} * (1.0 / {vector})`"
-        whole = [written[0].span.to(each.span) for each in written[1:]]
-        exact = " * (1.0 / ".join(closed(each.span.text) for each in written) + ")"
-        return fix_it(said, (whole[0], exact)) if whole else said
-    by = ctx.meanings.of(operands[0])
-    if type_ == VEC3 and by is not None and by.kind == "transform":
-        space = by.spaces[0]
+    by, what = operands[0].type, operands[1].type
+    if name == "div" and isinstance(what, Scalar):
+        return _by_reciprocal(written)
+    meaning = ctx.meanings.of(operands[0])
+    if what == VEC3 and meaning is not None and meaning.kind == "transform":
+        space = meaning.spaces[0]
         return f"say what it moves: `(… as point<{space}>)` or `(… as vector<{space}>)`"
-    if name != "mul" or not isinstance(type_, Vector) or type_.size >= size:
+    if name in ("add", "sub") and isinstance(what, Matrix):
+        return "matrices of one type are added and subtracted"
+    if name != "mul":
         return ""
-    longer = ", 0" * (size - type_.size - 1) + ", 1"
-    place = f"({matrix} * vec{size}({vector}{longer})).{_LANES[: type_.size]}"
-    along = f"mat{type_.size}({matrix}) * {vector}"
+    if isinstance(what, Vector) and what.size < by.columns and by.rows in (by.columns, what.size):
+        return _moved(by, what, written)
+    return _fitting(by)
+
+
+def _by_reciprocal(written: Written) -> Hint:
+    """About ``matrix / number``."""
+    matrix, number = (operand(each.span) for each in written) if written else ("m", "v")
+    said = f"a matrix is multiplied: `{matrix} * (1.0 / {number})`"
+    whole = [written[0].span.to(each.span) for each in written[1:]]
+    exact = " * (1.0 / ".join(closed(each.span.text) for each in written) + ")"
+    return fix_it(said, (whole[0], exact)) if whole else said
+
+
+def _moved(by: Matrix, what: Vector, written: Written) -> Hint:
+    """About a matrix that moves, times a vector that lacks the last lane."""
+    matrix, vector = (operand(each.span) for each in written) if written else ("m", "v")
+    longer = ", 0" * (by.columns - what.size - 1) + ", 1"
+    place = f"{matrix} * vec{by.columns}({vector}{longer})"
+    if by.rows > what.size:
+        place = f"({place}).{_LANES[: what.size]}"
+    along = f"mat{what.size}({matrix}) * {vector}"
     said = f"a place is moved by `{place}`, a direction turned by `{along}`"
     is_short = "…" not in place
     return (
@@ -253,3 +277,10 @@ def _of_matrices(ctx: Context, name: str, operands: Sequence[Node], written: Wri
         if written and is_short
         else said
     )
+
+
+def _fitting(matrix: Matrix) -> str:
+    """The types by which a matrix can be multiplied: they have a row for each of its columns."""
+    *most, last = [str(other) for other in MATRICES if other.rows == matrix.columns]
+    fitting = f"a vec{matrix.columns}, or a {', '.join(most)} or {last}"
+    return f"to the right of a {matrix} stands {fitting}"

@@ -344,12 +344,12 @@ def _of_attribute(ctx: Context, definition: Definition, name: str, _owner: str) 
         unknown_word(ctx, "step", member.rate, STEPS)
     step = INSTANCES if member.rate and member.rate.text == INSTANCES else VERTICES
     if isinstance(type_, Matrix):
-        column = Vector("float", type_.size)
+        column = type_.column
         return tuple(
             AttributeInfo(
                 Attribute(f"{name}.{i}", column, step=step), str(column), doc, span, name, i
             )
-            for i in range(type_.size)
+            for i in range(type_.columns)
         )
     if not isinstance(type_, Scalar | Vector) or scalar_kind(type_) == "bool":
         ctx.report.add(rules.CANNOT_CROSS, member.type.span, type=declared.text)

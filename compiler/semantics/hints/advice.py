@@ -150,7 +150,9 @@ def joined_types(operator: str, left: Type, right: Type) -> str:
     if len(kinds) == 2 and "bool" in kinds and kinds != ["bool", "bool"]:
         return "`float(…)` makes 0 or 1 of a bool"
     if isinstance(left, Vector) and isinstance(right, Matrix):
-        return "vectors are columns: the matrix stands first, `m * v`"
+        by = "m" if left.size == right.columns else "transpose(m)"
+        fits = left.size in (right.columns, right.rows)
+        return f"vectors are columns: the matrix stands first, `{by if fits else 'm'} * v`"
     return ""
 
 

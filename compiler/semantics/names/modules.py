@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ....support.frozen import fresh, frozen, record
+from ....support.frozen import cached_property, fresh, frozen, record
 from ...diagnostics.fixes import Edit, Fix, FixIt, Hint
 from ...diagnostics.nearest import nearest_in, respelt, similarity
 from ...syntax import ast
@@ -78,6 +78,14 @@ class Module:
     offers: Callable[[], Offers] = dict
     """Finds what the library's files declare, by name: an unknown name may be one of these."""
 
+    @cached_property
+    def read(self) -> frozenset[str]:
+        """The names in all expressions of the file; ``light.name`` counts as one, too.
+
+        Each declaration may ask for them, and they are looked for in all of the others.
+        """
+        return frozenset(_names_in(self.file.declarations))
+
     def find(self, name: str) -> tuple[Symbol, ...]:
         """The declarations that ``name`` stands for here; empty if there are none."""
         if name in self.doubtful:
@@ -139,6 +147,17 @@ class Module:
         yield from self.imported
         if self.prelude is not None:
             yield from self.prelude.declared
+
+
+def _names_in(root: object) -> Iterator[str]:
+    """The names in all expressions of a syntax tree: `name`, and `light.name`."""
+    waiting = [root]
+    while waiting:
+        node = waiting.pop()
+        match node:
+            case ast.Reference(name=name) | ast.Field(name=ast.Name(text=name)):
+                yield name
+        waiting += ast.parts(node)
 
 
 def _is_alike(one: str, other: str) -> bool:

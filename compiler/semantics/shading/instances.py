@@ -8,7 +8,6 @@ from itertools import chain
 from ...ir import build
 from ...ir.node import Node
 from ...ir.shader import AttributeInfo, BufferInfo, ParameterInfo, TextureInfo
-from ...ir.types import Matrix
 from ..declarations.overrides import check_overrides
 from ..declarations.parameters import Leaves, of_kind
 from ..inheritance.records import Record
@@ -45,4 +44,4 @@ def _reads(ctx: Context, leaves: Leaves) -> Iterator[tuple[str, Node]]:
         else:
             yield info.leaf.short_name, node
     for name, nodes in columns.items():
-        yield name, ctx.tree.node("matrix", Matrix(len(nodes)), tuple(nodes))
+        yield name, build.matrix(ctx.tree, tuple(nodes))

@@ -12,7 +12,7 @@ import re
 from collections.abc import Collection, Container, Iterable, Iterator
 from string import digits
 
-from ....support.frozen import cached_property, frozen
+from ....support.frozen import frozen
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint
 from ...diagnostics.nearest import nearest_in, respelt, similarity
@@ -134,28 +134,13 @@ def warn_of_all(ctx: Context, record: Record, read: Collection[str]) -> None:
 
 
 class NamedIn:
-    """The names that some expression of a file reads, found when somebody asks for the first."""
+    """The names that some expression of a file reads; asking for one may look through the file."""
 
     def __init__(self, module: Module) -> None:
         self._module = module
 
     def __contains__(self, name: object) -> bool:
-        return name in self._names
-
-    @cached_property
-    def _names(self) -> frozenset[str]:
-        return frozenset(_names_in(self._module.file.declarations))
-
-
-def _names_in(root: object) -> Iterator[str]:
-    """The names in all expressions of a syntax tree: `name`, and `light.name`."""
-    waiting = [root]
-    while waiting:
-        node = waiting.pop()
-        match node:
-            case ast.Reference(name=name) | ast.Field(name=ast.Name(text=name)):
-                yield name
-        waiting += ast.parts(node)
+        return name in self._module.read
 
 
 def _hint(own: Own, *, elsewhere: bool = True) -> Hint:

@@ -168,7 +168,7 @@ class Crossings:
             return value
         graph, type_ = self._graph, value.type
         if isinstance(type_, Matrix):
-            columns = (build.part(graph, value, column) for column in range(type_.size))
+            columns = (build.part(graph, value, column) for column in range(type_.columns))
             return build.matrix(graph, tuple(crossed(column) for column in columns))
         if build.parts_of(type_) is not None:
             parts = build.flattened(graph, value)

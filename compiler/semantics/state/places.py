@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ...diagnostics.source import Span
 from ...ir.node import Node
 
@@ -25,6 +27,11 @@ class Places:
     def first(self, node: Node) -> Span | None:
         """The first place where a node is written; ``None`` if none is known."""
         return self._first.get(node.id)
+
+    def every(self) -> Iterator[tuple[int, Span]]:
+        """The number of each node with each of its places."""
+        yield from self._first.items()
+        yield from ((node, span) for node, spans in self._further.items() for span in spans)
 
     def within(self, node: Node, around: Span) -> Span:
         """The place inside of ``around`` where a node is written.

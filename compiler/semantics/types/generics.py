@@ -13,8 +13,9 @@ from itertools import product
 from ....support.frozen import frozen
 from ...ir.meaning import Meaning
 from ...ir.signatures import Family
+from ...ir.types import MATRICES as ALL_MATRICES
 from ...ir.types import TEXTURES as ALL_TEXTURES
-from ...ir.types import Array, Matrix, Scalar, TextureType, Type, Vector
+from ...ir.types import Array, Scalar, Type, Vector, square
 from ...syntax import ast
 from . import overloads
 from .meaning_rules import joined, weakened
@@ -29,7 +30,10 @@ FAMILIES = (*overloads.WRITTEN_FAMILIES, MATRICES, TEXTURES, SPACES, WIDTHS, COU
 SOME_SPACE, SOME_COUNT = ("world",), (16,)
 """The examples of any space, and of any number of elements."""
 
-_WHOLE: Mapping[str, type[Matrix | TextureType]] = {MATRICES: Matrix, TEXTURES: TextureType}
+_WHOLE: Mapping[str, tuple[Type, ...]] = {
+    MATRICES: tuple(matrix for matrix in ALL_MATRICES if matrix.is_square),
+    TEXTURES: ALL_TEXTURES,
+}
 """Families of types without lanes that could adapt."""
 
 
@@ -70,7 +74,7 @@ def _members(family: str) -> Sequence[Variable]:
         case "counts":
             return SOME_COUNT
         case "matrices":
-            types: tuple[Type, ...] = (Matrix(3), Matrix(4), Matrix(2))
+            types: tuple[Type, ...] = (square(3), square(4), square(2))
         case "textures":
             types = ALL_TEXTURES
         case _:
@@ -183,7 +187,7 @@ def _common(family: str, uses: Sequence[Use]) -> Declared | None:
     if family in _WHOLE:
         types = {operand.type for operand in operands}
         type_ = operands[0].type if len(types) == 1 else None
-        type_ = type_ if isinstance(type_, _WHOLE[family]) else None
+        type_ = type_ if type_ in _WHOLE[family] else None
     else:
         known: Mapping[str, Family] = overloads.WRITTEN_FAMILIES
         type_ = overloads.common_type(known[family], operands) if family in known else None

@@ -22,6 +22,7 @@ from ...ir.signatures import (
     TEXTURE_FAMILIES,
     Family,
     dependent,
+    is_factor,
     meaning,
     parsed,
     result_type,
@@ -87,8 +88,10 @@ def signatures(row: Builtin) -> str:
     }
     if "M" in used:
         told["M"] = "matrices"
-    families = " and ".join(f"`{letter}` one of the {name}" for letter, name in told.items())
-    return f"{', '.join(shown)}{' with ' if families else ''}{families}"
+    families = [f"`{letter}` one of the {name}" for letter, name in told.items()]
+    if any(parsed(signature)[1] == "A" for signature in row.signatures):
+        families.append("`A` its transpose")
+    return f"{', '.join(shown)}{' with ' if families else ''}{' and '.join(families)}"
 
 
 def adapts(operand: Operand, kind: ScalarKind) -> bool:
@@ -118,6 +121,8 @@ def _bind(letter: str, uses: Sequence[Operand], bound: Mapping[str, Type]) -> Ty
     if letter == "M":
         types = {use.type for use in uses}
         return uses[0].type if len(types) == 1 and isinstance(uses[0].type, Matrix) else None
+    if letter == "Z":
+        return uses[0].type if is_factor(bound.get("M"), uses[0].type) else None
     if letter in TEXTURE_FAMILIES:
         return uses[0].type if uses[0].type in TEXTURE_FAMILIES[letter] else None
     if letter == "R":

@@ -21,18 +21,19 @@ from ...ir.types import (
     BOOL,
     FLOAT,
     INT,
+    MATRICES,
     TEXTURES,
     UINT,
     VEC3,
     VEC4,
     Array,
-    Matrix,
     RuntimeArray,
     Scalar,
     ScalarKind,
     Struct,
     Type,
     Vector,
+    square,
 )
 from ...syntax import ast
 from ...syntax.quoting import counted
@@ -65,7 +66,7 @@ NAMED: Mapping[str, Named] = {
         str(vector): Named(vector)
         for vector in (Vector(kind, size) for kind in SCALAR_KINDS for size in (2, 3, 4))
     },
-    **{f"mat{size}": Named(Matrix(size)) for size in (2, 3, 4)},
+    **{str(matrix): Named(matrix) for matrix in MATRICES},
     "rgb": Named(VEC3, meaning="rgb"),
     "rgba": Named(VEC4, meaning="rgba"),
     "angle": Named(FLOAT, meaning="angle"),
@@ -74,8 +75,8 @@ NAMED: Mapping[str, Named] = {
     "normal": Named(VEC3, spaces=1, fact=UNIT, meaning="normal"),
     "covector": Named(VEC3, spaces=1, meaning="normal"),
     "direction": Named(VEC3, spaces=1, fact=UNIT, meaning="direction"),
-    "transform": Named(Matrix(4), spaces=2, meaning="transform"),
-    "basis": Named(Matrix(3), spaces=2, meaning="basis"),
+    "transform": Named(square(4), spaces=2, meaning="transform"),
+    "basis": Named(square(3), spaces=2, meaning="basis"),
     **{str(texture): Named(texture) for texture in TEXTURES},
 }
 
@@ -230,14 +231,15 @@ def structure(type_: Struct, name: str, members: tuple[tuple[str, Declared], ...
 
 def _elsewhere(name: ast.Name) -> Hint:
     """The hint for a type that has another name here than in another language, or than before."""
-    from ....stdlib.builtins.elsewhere import TYPES
+    from ....stdlib.builtins.elsewhere import COLUMNS_FIRST, TYPES
 
     if name.text in _RENAMED:
         now = _RENAMED[name.text]
         said = f"the type `{name.text}<A, B>` is called `{now}<A, B>` now"
         return fix_it(said, (name.span, now), sure=True)
     if name.text in TYPES:
-        return called_here(name.text, name.span, TYPES[name.text])
+        why = COLUMNS_FIRST.get(name.text, "")
+        return called_here(name.text, name.span, TYPES[name.text], why)
     if name.text == IMAGE_TYPE:
         return (
             "an image is what a kernel writes, `result name : image2d<rgba8>[size] = …`; what is "

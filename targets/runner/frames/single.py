@@ -17,6 +17,7 @@ from ..kernels import has_images
 from ..meshes import MESHES, farthest_first, lies
 from ..scene import Scene, with_inputs
 from ..scene_state import CLEAR, Color, set_up
+from ..smooth import Smooth, can_be_smooth
 from ..subject import Subject
 from .checks.rows import PlanError
 from .host import FrameHost
@@ -29,20 +30,23 @@ _ABOVE = (0.7, 2.6, 2.6)
 
 
 def single_frame(
-    subject: Subject, background: Color = CLEAR, *, exact: bool = False
+    subject: Subject, background: Color = CLEAR, *, exact: bool = False, samples: int = 1
 ) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or the results of a kernel.
 
     The frame has an output for each render target, image or buffer. ``background`` is the clear
-    value of targets for which the pass has none. With ``exact``, targets keep what the material
-    writes, instead of rounding it to their formats, if the pass shows no less than that. Raises
-    ``PlanError`` for a pass that captures vertices by a stream output, as it leaves nothing for a
-    host.
+    value of targets for which the pass has none. With several ``samples``, what shows light has
+    them, and targets of floats, unless the pass says by itself how many. Or else with ``exact``,
+    targets keep what the material writes, instead of rounding it to their formats, if the pass
+    shows no less than that. Raises ``PlanError`` for a pass that captures vertices by a stream
+    output, as it leaves nothing for a host.
     """
     reflection = subject.reflection
     if not (reflection.targets or reflection.results):
         raise PlanError(f"{subject.name} draws no picture")
-    if exact and not (has_images(reflection) or shows_less(reflection)):
+    if samples > 1 and can_be_smooth(reflection):
+        subject = Smooth.of(subject, samples)
+    elif exact and not (has_images(reflection) or shows_less(reflection)):
         subject = Exact.of(subject)
     return SingleFrame(subject.name, single_plan(subject.reflection, background), (subject,))
 

@@ -86,8 +86,8 @@ class Asked:
         shown = _filled(folder)
         request = ViewRequest(
             file=shown, mesh="sphere", scene=None, environment="studio", eye=None, look_at=None,
-            turn=(0.0, 0.0), instances=1, values=(), material=None, rig=None, pass_=None,
-            search_path=(), hoist=True, plain=False,
+            turn=(0.0, 0.0), instances=1, exposure=0.0, tone="none", values=(), material=None,
+            rig=None, pass_=None, search_path=(), hoist=True, plain=False,
         )  # fmt: skip
         self._server = Server(request)
         self._application = self._server.application()

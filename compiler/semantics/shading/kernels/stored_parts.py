@@ -38,10 +38,10 @@ def stores(ctx: Context, info: BufferInfo, value: Node) -> Iterator[Result]:
     """A result for each part of an element, as it is stored."""
     graph, buffer = ctx.tree, info.leaf
     if isinstance(value.type, Matrix):
-        size = value.type.size
-        for column in range(size):
+        columns = value.type.columns
+        for column in range(columns):
             part = _padded(graph, build.part(graph, value, column), 4)
-            yield Result(STORE, COMPUTE, part, store=Store(buffer, (), size, column))
+            yield Result(STORE, COMPUTE, part, store=Store(buffer, (), columns, column))
         return
     for path, part in _parts(graph, value):
         whole = not path and isinstance(part.type, Vector) and part.type.size == 3

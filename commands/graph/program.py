@@ -1,4 +1,7 @@
-"""Builds the ``Picture`` of a compiled material; ``command.py`` calls ``material_picture``."""
+"""Builds the ``Picture`` of the optimised program of a material or a kernel.
+
+``command.py`` calls ``program_picture``.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,7 @@ _COMPUTED = {"fold": Kind.LOOP, "iterate": Kind.LOOP, "apply": Kind.CALL}
 """The kinds of computed values by operation, if they are more than a value."""
 
 
-def material_picture(
+def program_picture(
     shader: Shader, staged: Staged, *, everything: bool, parts: Mapping[Span, float] | None = None
 ) -> Picture:
     """The named values, or with ``everything`` all values, in the place that computes them.

@@ -1,0 +1,1 @@
+"""Equations of a material as their author knows them: nodes of what is written, for pictures."""
