@@ -27,8 +27,8 @@ from ..compiler.semantics.names.modules import Module
 from ..compiler.source_map import SourceMap
 from ..support.frozen import changed, frozen
 from ..support.garbage import seldom_collected
-from ..targets.availability import way_out, with_as_many
-from ..targets.description.profile import Profile
+from ..targets.availability import way_out, within
+from ..targets.description.profile import LIMITED, Profile
 from ..targets.description.shading_language import Language
 from ..targets.emit.directives import Directed, directed
 from ..targets.emit.emitter import EmitOptions, EmittedFile, emit
@@ -37,7 +37,7 @@ from ..targets.legalise.guards import keeps
 from ..targets.legalise.lacks import Lack, lacks
 from ..targets.legalise.legal import Legal
 from ..targets.legalise.legalise import legalise
-from ..targets.legalise.limits import excesses
+from ..targets.legalise.limits import demands, excesses
 from ..targets.selection import full_name, select_targets
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, SpansOfText
@@ -115,6 +115,7 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         if not asked.partial:
             report.extend(chain.from_iterable(lacking[-1].values()))
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
+        _warn_of_demands(shader, staged, printed, report)
         made.append(_printed(shader, staged, printed, asked.emit, to_textures=frames is not None))
     if frames:
         programs = {each.shader.name: each.staged.program for each in made}
@@ -240,7 +241,7 @@ def _lacking(
                 rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
                 count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
-                hint=excess.instead or with_as_many(excess.limit_name, excess.count),
+                hint=excess.instead or within(excess.limit_name, excess.count, profile),
             )  # fmt: skip
         for lack in lacks(program, profile):
             report.add(
@@ -252,6 +253,19 @@ def _lacking(
         if report.diagnostics:
             found[name] = report.diagnostics
     return found
+
+
+def _warn_of_demands(
+    shader: Shader, staged: Staged, printed: Iterable[tuple[Language, Profile]], report: Report
+) -> None:
+    """Report what a host has to ask devices for."""
+    for target, profile in printed:
+        for demand in demands(form_for(staged, profile).program, profile):
+            report.add(
+                rules.ASKED_OF_DEVICES, None, count=demand.count,
+                what=f"{demand.what} of {shader.name}", target=full_name(target, profile),
+                limit=demand.limit, hint=LIMITED[demand.limit_name].instead,
+            )  # fmt: skip
 
 
 def _place_of(shader: Shader, lack: Lack) -> Span | None:
@@ -292,7 +306,7 @@ def _output(
         stage=file.stage,
         entry_points=file.entries,
         text=shown.text,
-        checkers=profile.checkers,
+        checkers=file.checkers,
         spans=shown.spans,
         sources=shown.sources,
     )

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from . import registry
 from .description.capabilities import CAPABILITIES, lacking, without_native_stages
 from .description.capability import Capability, Standing, standing
-from .description.profile import Profile
+from .description.profile import LIMITED, Profile
 
 
 def standings(profile: Profile) -> Mapping[str, Standing]:
@@ -34,13 +34,24 @@ def way_out(feature: str, profile: Profile, needed_for: Capability | None = None
 
 
 def with_as_many(limit_name: str, count: int) -> str:
-    """The advice to compile for profiles whose limit allows ``count``; empty if there are none."""
+    """The advice to make do with less, or to compile for profiles whose limit allows ``count``.
+
+    It is empty if nothing is known.
+    """
 
     def has_enough(profile: Profile) -> bool:
-        limit = getattr(profile.limits, limit_name)
+        limit = profile.limits.most(limit_name)
         return limit is None or limit >= count
 
-    return _compile_for(has_enough)
+    advice = LIMITED[limit_name].instead, _compile_for(has_enough)
+    return ", or ".join(filter(None, advice))
+
+
+def within(limit_name: str, count: int, profile: Profile) -> str:
+    """The advice for a program that exceeds a limit of a profile, with the limit's name there."""
+    advice, name = with_as_many(limit_name, count), profile.limit_names.get(limit_name)
+    source = f"`{name}` is {profile.limits.most(limit_name)} on some devices"
+    return f"{source}: {advice}" if advice and name else advice
 
 
 def _compile_for(fits: Callable[[Profile], bool]) -> str:

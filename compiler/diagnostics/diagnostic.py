@@ -28,9 +28,9 @@ class Rule:
     help: str
     """The meaning of the rule and how to satisfy it; shown by ``burnish explain``."""
     of_absence: bool = False
-    """True if it reports an undefined name.
+    """True if it reports an undefined name, or one that nothing reads.
 
-    It is suppressed for names that text declares which could not be parsed.
+    It is suppressed for names that text declares which could not be parsed, or declares twice.
     """
     of_the_whole: bool = False
     """True if it is told only of programs without errors, since an error could be why."""
@@ -79,7 +79,8 @@ class Report:
     def __init__(self) -> None:
         self._found: dict[_Key, Diagnostic] = {}
         self.unread_names: set[str] = set()
-        """Names in text that could not be parsed, which may be declared there."""
+        """Names in text that could not be parsed, which may be declared there, and names that are
+        declared twice."""
         self._unreadable: set[Span | None] = set()
 
     def unread(self, names: Iterable[str]) -> None:

@@ -127,3 +127,9 @@ class BackendRow:
     """
     host_uniforms: tuple[str, ...]
     """Loose float uniforms that the host sets besides the blocks."""
+    required_limits: Mapping[str, Count]
+    """What a device has to allow, by the API's names of limits, if not every device does.
+
+    A host asks for it (``requiredLimits`` of WebGPU), or looks it up, and does without the material
+    where a device has less.
+    """

@@ -51,7 +51,7 @@ _MARKS: Mapping[str, str] = MappingProxyType(
 
 def _called(word: str) -> str:
     """The hint for a function that other languages call for its effect."""
-    from ...stdlib.builtins.elsewhere import FUNCTIONS
+    from ...stdlib.other_names import FUNCTIONS
 
     instead = FUNCTIONS.get(word)
     return instead.hint if instead is not None else ""

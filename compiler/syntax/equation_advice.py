@@ -22,6 +22,8 @@ _SURFACES = frozenset(("shader", "Shader", "surface", "class", "Material", "shad
 """Words that other languages declare a surface with."""
 _TEXTURES = frozenset(("texture", "image", "tex"))
 """Words that other languages declare a texture with."""
+_BEHIND_VALUES = frozenset(("(", ".", "+", "-", "*", "/"))
+"""Marks that stand behind a value, and never behind a type."""
 _LITERALS: Mapping[str, str] = MappingProxyType(
     {"NUMBER": "float", "COLOR": "rgb", "true": "bool", "false": "bool"}
 )
@@ -99,9 +101,10 @@ class EquationAdvice(TokenView):
         return value
 
     def of_colon(self, index: int, start: int) -> Hint:
-        """About ``color: vec3(1)``, of which ``index`` is the bracket."""
-        is_call = self.kinds(start, 4) == ["NAME", ":", "NAME", "("]
-        if index != start + 3 or not is_call or not self._begins(start):
+        """About ``color: vec3(1)`` or ``color: base * 2``; ``index`` is behind the first name."""
+        is_slot = self.kinds(start, 3) == ["NAME", ":", "NAME"]
+        goes_on = is_slot and self.token(index).kind in _BEHIND_VALUES
+        if index != start + 3 or not goes_on or not self._begins(start):
             return ""
         name, value = self.text(start), self.quoted(start + 2, self.value_end(start + 2))
         said = f"a value follows `=`: `{name} = {value}`"

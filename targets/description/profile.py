@@ -91,9 +91,15 @@ class Limits:
     kernel_buffers: int = 8
     """Storage buffers of a kernel, read or written; 0 if it can have none."""
     textures: int = 16
-    """Textures with their samplers that one stage reads."""
-    vertex_textures: int = 16
-    """Textures with their samplers of a stage that computes vertices."""
+    """Textures that one stage reads."""
+    asked_textures: int | None = None
+    """Textures that one stage reads, if a host asks the device for more than all devices have and
+    refuses one that has fewer; ``None`` where the API has no way to ask, or nothing more."""
+    vertex_textures: int | None = None
+    """Textures of a stage that computes vertices, if these are fewer than in other stages."""
+    samplers: int = 16
+    """Samplers of a stage, where they are apart from textures. Those of equal state are one sampler
+    in a program that has to share them."""
     block_bytes: int = 16384
     """Bytes of one uniform block."""
     vertex_uniforms: int | None = None
@@ -125,6 +131,13 @@ class Limits:
     bindings: int | None = None
     """Binding numbers in a group, if they are limited; for the host's own blocks, too."""
 
+    def most(self, name: str) -> int | None:
+        """The value of a field that a program must not exceed, be it that devices are asked."""
+        if name == "textures" and self.asked_textures is not None:
+            return self.asked_textures
+        found: int | None = getattr(self, name)
+        return found
+
     def buffers_of(self, row: StageRow) -> int:
         """The number of storage buffers that a stage may have; 0 if it can have none."""
         return int(getattr(self, buffer_limit(row)))
@@ -144,7 +157,15 @@ class Limited:
     """The noun that follows the number: the limited thing, in the plural."""
     stage: StageRow | None = None
     """The stage that the limit is about, if the limit has no meaning without the stage."""
+    instead: str = ""
+    """Advice to a user who exceeds the limit, besides compiling for another profile."""
 
+
+IN_ONE_TEXTURE = (
+    "have pictures of the same size in the layers of one `texture2d_array`, or put several beside "
+    "each other in one `texture2d`"
+)
+IN_ONE_STATE = "give textures the same `filter`, `mip` and `wrap`, so that they share a sampler"
 
 LIMITED: Mapping[str, Limited] = {
     "varyings": Limited("varyings"),
@@ -152,7 +173,9 @@ LIMITED: Mapping[str, Limited] = {
     "vertex_buffers": Limited("storage buffers of a stage that computes vertices"),
     "fragment_buffers": Limited("storage buffers of the fragment stage"),
     "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE),
-    "textures": Limited("textures"),
+    "textures": Limited("textures", instead=IN_ONE_TEXTURE),
+    "asked_textures": Limited("textures, if the host asks for a device that has them"),
+    "samplers": Limited("samplers, each of another state", instead=IN_ONE_STATE),
     "vertex_textures": Limited("textures of a stage that computes vertices"),
     "block_bytes": Limited("bytes in a uniform block"),
     "vertex_uniforms": Limited("vectors of uniforms of a stage that computes vertices"),
@@ -228,6 +251,8 @@ class Profile:
     samplers: Samplers = Samplers()
     framebuffer: Framebuffer = Framebuffer()
     limits: Limits = Limits()
+    limit_names: Mapping[str, str] = EMPTY
+    """The API's names of limits, by field of ``Limits``, for messages and for hosts that ask."""
     patch_winding: Literal["ccw", "cw"] = "ccw"
     """The API's winding of a patch's triangles that turn counter-clockwise where u points to the
     right and v upwards. It is the opposite one where the API has v point downwards."""

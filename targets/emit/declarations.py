@@ -52,14 +52,13 @@ class Declarations:
         return [self._image(image) for stage in stages for image in stage.images]
 
     def textures(self, stages: Iterable[Stage]) -> list[TextureView]:
-        """The textures that any of the stages reads, each followed by its sampler."""
+        """The textures that any of the stages reads, each followed by its sampler.
+
+        A sampler that several of them share follows the first.
+        """
         read = {texture for stage in stages for texture in stage.textures}
-        return [
-            view
-            for texture in self._context.program.textures
-            if texture in read
-            for view in self._textures[texture.name]
-        ]
+        textures = (texture for texture in self._context.program.textures if texture in read)
+        return self._views(texture.name for texture in textures)
 
     def parameters(self, passed: Passed) -> list[str]:
         """The parameters by which a function receives blocks, buffers, textures and samplers."""
@@ -68,8 +67,7 @@ class Declarations:
         declared += [self._buffers[name].argument for name in passed.buffers]
         declared += [
             declaration.format(type=view.type, name=view.name)
-            for name in passed.textures
-            for view in self._textures[name]
+            for view in self._views(passed.textures)
         ]
         return [forms.parameter.format(typed=typed) for typed in declared]
 
@@ -78,8 +76,13 @@ class Declarations:
         return [
             *(self._blocks[name].variable for name in passed.blocks),
             *(self._buffers[name].name for name in passed.buffers),
-            *(view.name for name in passed.textures for view in self._textures[name]),
+            *(view.name for view in self._views(passed.textures)),
         ]
+
+    def _views(self, textures: Iterable[str]) -> list[TextureView]:
+        """Some textures by name with their samplers, each of which comes once."""
+        views = (view for name in textures for view in self._textures[name])
+        return list({view.name: view for view in views}.values())
 
     def _blocks_of(self, stages: Iterable[Stage]) -> list[Block]:
         read = {block.name for stage in stages for block in stage.blocks}

@@ -37,7 +37,10 @@ class Names:
     images: Mapping[str, str]
     textures: Mapping[str, str]
     samplers: Mapping[str, str]
-    """The names of samplers, by texture; only textures that are read by a sampler have one."""
+    """The names of samplers, by texture; only textures that are read by a sampler have one.
+
+    Textures that share a sampler have the same name here.
+    """
     attributes: Mapping[str, str]
     semantics: Mapping[str, str]
     """The semantic of each attribute in the text, in languages that have semantics."""
@@ -63,9 +66,12 @@ class Names:
         return self.common.inner(own)
 
 
-def name_program(program: Program, language: Language) -> Names:
-    """Decide the names of ``program`` in a language."""
-    return _Naming(program, language).names()
+def name_program(program: Program, language: Language, sampler_owners: Mapping[str, str]) -> Names:
+    """Decide the names of ``program`` in a language.
+
+    ``sampler_owners`` says by the sampler of which texture each texture is read.
+    """
+    return _Naming(program, language).names(sampler_owners)
 
 
 _INDEX = re.compile(r"[0-9]*$")
@@ -97,7 +103,7 @@ class _Naming:
         self._reserved = taken_words(language)
         self._module = Namer(self._reserved, (*language.fixed_names, *self._supplied_parameters()))
 
-    def names(self) -> Names:
+    def names(self, sampler_owners: Mapping[str, str]) -> Names:
         """Decide all names. Those that hosts see are declared first."""
         program = self._program
         blocks = {block.name: self._declare(block.name) for block in program.blocks}
@@ -111,11 +117,10 @@ class _Naming:
         }
         images = {image.name: self._declare(image.name) for image in program.images}
         textures = {item.name: self._declare(item.name) for item in program.textures}
-        sampled = program.sampled
-        samplers = {
-            item.name: self._declare(f"{textures[item.name]}_sampler")
-            for item in program.textures
-            if item in sampled
+        own_samplers = {
+            name: self._declare(f"{textures[name]}_sampler")
+            for name, owner in sampler_owners.items()
+            if name == owner
         }
         fields = self._fields()
         return Names(
@@ -127,7 +132,7 @@ class _Naming:
             buffer_blocks=buffer_blocks,
             images=images,
             textures=textures,
-            samplers=samplers,
+            samplers={name: own_samplers[owner] for name, owner in sampler_owners.items()},
             attributes=fields.attributes,
             semantics=_semantics(self._language, program.vertex_inputs),
             varyings=fields.varyings,

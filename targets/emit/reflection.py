@@ -23,6 +23,7 @@ from ...compiler.ir.stages import CAPTURE
 from ..description.profile import Profile
 from ..description.shading_language import BindingKind, Language
 from ..legalise.bindings import BindingSlot
+from ..legalise.limits import demands
 from .emitter import Emission
 from .names import Names
 
@@ -68,6 +69,10 @@ def backend_row(
         captures=_captures(program, language, names) if profile.stream_output else {},
         stream_output=profile.stream_output.told if profile.stream_output else None,
         host_uniforms=emission.host_uniforms,
+        required_limits={
+            profile.limit_names[demand.limit_name]: demand.count
+            for demand in demands(program, profile)
+        },
         clip_depth=profile.framebuffer.clip_depth,
         clip_control=profile.framebuffer.clip_control,
         flip_y=flip_y,

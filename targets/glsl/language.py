@@ -138,6 +138,9 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
+    "view_index": PipelineInput(
+        INT, "gl_ViewIndex", requires="#extension GL_EXT_multiview : require"
+    ),
     "index": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "texel": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
@@ -221,7 +224,15 @@ VULKAN = Profile(
     framebuffer=Framebuffer(clip_y_down=True),
     patch_winding="cw",
     preamble=("#version 450",),
-    limits=Limits(groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4),
+    # Every device has 16 textures and samplers in a stage (Vulkan, "Required Limits"). Those of the
+    # milestone Roadmap 2022 have 200 textures, and 200 resources of all kinds.
+    limits=Limits(
+        groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4, asked_textures=128
+    ),
+    limit_names={
+        "textures": "maxPerStageDescriptorSampledImages",
+        "samplers": "maxPerStageDescriptorSamplers",
+    },
     agrees=AGREES,
     samplers=Samplers(joined="{type}({texture}, {sampler})"),
     requires=dict.fromkeys(
@@ -236,11 +247,17 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
+ONE_VIEW = frozenset({"view_index"})
+"""The input of several views at once, of which only Vulkan's GLSL is certain to know."""
+
 NO_LEVELS = frozenset({"texture_levels"})
 """The builtin that came with GLSL 4.30; no version of ES has it."""
 
 CANNOT = NO_LEVELS | {"gather", "gather_compare"}
 """``textureGather`` came with GLSL 4.00 and ES 3.10."""
+
+TEXTURE_UNITS = {"textures": "GL_MAX_TEXTURE_IMAGE_UNITS"}
+"""OpenGL's name of the limit. It is at least 16, in ES since 3.0; a host cannot ask for more."""
 
 BOTTOM_FIRST = Framebuffer(
     clip_depth="-1..1",
@@ -271,6 +288,8 @@ OPENGL = Profile(
     agrees=AGREES,
     cannot=CANNOT,
     textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl330",),
 )
 
@@ -289,6 +308,8 @@ OPENGL_4 = Profile(
     # Only fragments and kernels are guaranteed to have storage buffers.
     limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
+    limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl450",),
 )
 
@@ -318,6 +339,8 @@ ES = Profile(
     agrees=AGREES,
     cannot=CANNOT,
     textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es300",),
 )
 
@@ -343,6 +366,8 @@ ES_31 = Profile(
     agrees=AGREES,
     cannot=NO_LEVELS,
     textures=NO_CUBE_ARRAYS,
+    limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es310",),
 )
 

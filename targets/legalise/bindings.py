@@ -19,6 +19,7 @@ from ...compiler.ir.program import Block, Program
 from ...support.frozen import frozen
 from ..description.profile import Profile
 from ..description.shading_language import BindingKind
+from .samplers import sampler_owners
 
 
 @frozen
@@ -37,9 +38,11 @@ class Bindings:
     textures: Mapping[str, BindingSlot]
     samplers: Mapping[str, BindingSlot]
     """The slots of samplers, for textures that are read by one. Where the profile combines them, it
-    is the texture's own slot."""
+    is the texture's own slot; textures that share a sampler have one slot."""
     buffers: Mapping[str, BindingSlot]
     images: Mapping[str, BindingSlot]
+    sampler_owners: Mapping[str, str]
+    """The texture whose sampler reads a texture."""
 
 
 def assign_bindings(program: Program, profile: Profile) -> Bindings:
@@ -49,7 +52,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
     images: dict[str, BindingSlot] = {}
     textures: dict[str, BindingSlot] = {}
     samplers: dict[str, BindingSlot] = {}
-    sampled = program.sampled
+    owners = sampler_owners(program, profile)
     hosts = {block.name: block.host for block in program.blocks if block.host is not None}
     if profile.numbering == "kind":
         slots: _Slots = _SlotsByKind()
@@ -70,10 +73,11 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
             buffers[buffer.name] = slots.free(kind, set_)
         for resource in owned.resources:
             texture = textures[resource.name] = slots.free("texture", set_)
-            if resource in sampled:
+            if owners.get(resource.name) == resource.name:
                 combined = profile.samplers.combined
                 samplers[resource.name] = texture if combined else slots.free("sampler", set_)
-    return Bindings(blocks, textures, samplers, buffers, images)
+    shared = {name: samplers[owner] for name, owner in owners.items()}
+    return Bindings(blocks, textures, shared, buffers, images, owners)
 
 
 class _Slots(Protocol):

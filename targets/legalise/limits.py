@@ -28,6 +28,7 @@ from ..description.capabilities import (
 from ..description.capability import feature_of_stage
 from ..description.profile import LIMITED, Limits, Profile, buffer_limit
 from .lacks import capturing, emitting, is_lowered
+from .samplers import sampler_count, sampler_owners
 
 
 @frozen
@@ -59,7 +60,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     for name, count in _counts(program, profile).items():
         if name in told:  # By ``lacks``: nothing is drawn as instances.
             continue
-        limit = getattr(profile.limits, name)
+        limit = profile.limits.most(name)
         if limit is not None and count > limit:
             of_corners = by_corner and name == "attributes"
             instead = BY_CORNER if of_corners else INSTEAD.get(name, "")
@@ -69,15 +70,30 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
     yield from _excessive_places(program, profile.limits)
 
 
+def demands(program: Program, profile: Profile) -> Iterator[Excess]:
+    """The limits by which a program needs more than every device of the profile has.
+
+    A host has to ask the device for it.
+    """
+    name, limits = "textures", profile.limits
+    count = max(len(stage.textures) for stage in program.stages)
+    if limits.asked_textures is not None and limits.textures < count <= limits.asked_textures:
+        yield Excess(name, count, limits.textures)
+
+
 def _counts(program: Program, profile: Profile) -> dict[str, int]:
     """The program's number of everything that is limited, by the field of the limit."""
     depths = (_nested_blocks(region) for stage in program.stages for region in stage.regions)
     crossing = (len(face.varyings) for face in program.interfaces)
+    owners = sampler_owners(program, profile)
     return {
         # Captured values leave a stage as varyings do.
         "varyings": max(*crossing, len(program.results_of(CAPTURE)), 0),
         "attributes": program.input_locations + _missing_inputs(program, profile),
         "textures": max(len(stage.textures) for stage in program.stages),
+        "samplers": 0
+        if profile.samplers.combined
+        else max(sampler_count(stage, owners) for stage in program.stages),
         "vertex_textures": max((len(stage.textures) for stage in _of_vertices(program)), default=0),
         **_uniform_counts(program, profile),
         "nested_blocks": max(depths),

@@ -242,11 +242,15 @@ METAL2 = Profile(
         "#include <metal_stdlib>",
         "using namespace metal;",
     ),
+    # Metal amplifies vertices instead: a stage says how often, and sends each to a layer.
+    without_inputs=frozenset({"view_index"}),
     single_file=True,
     numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),
     agrees={"dot": is_float},
-    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512),
+    # The argument tables of every device have 31 textures and 16 samplers (Apple, "Metal Feature
+    # Set Tables").
+    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512, textures=31),
     checkers=("clang-msl",),
 )
 

@@ -168,9 +168,24 @@ WEBGPU = Profile(
     draws_edges=False,
     blends_floats=False,
     borders=False,
+    # naga knows `@builtin(view_index)`, but the standard does not, and neither do browsers.
+    without_inputs=frozenset({"view_index"}),
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
-    limits=Limits(nested_blocks=62, groups=4, bindings=1000, block_bytes=65536, work_group=256),
+    # Every device has 16 textures and samplers in a stage (WebGPU, 3.6.2 "Limits"). Chromium offers
+    # 48 textures at most, and no more samplers (Dawn's tiers of limits).
+    limits=Limits(
+        nested_blocks=62,
+        groups=4,
+        bindings=1000,
+        block_bytes=65536,
+        work_group=256,
+        asked_textures=48,
+    ),
+    limit_names={
+        "textures": "maxSampledTexturesPerShaderStage",
+        "samplers": "maxSamplersPerShaderStage",
+    },
     checkers=("naga", "tint"),
 )
 

@@ -11,9 +11,8 @@ from burnish import stdlib
 from burnish.compiler.semantics.checking.calls import NOT_CALLED
 from burnish.compiler.semantics.types.typenames import NAMED
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES, VALUES
-from burnish.stdlib.builtins.nodes import NODES
-from burnish.stdlib.synonyms import SYNONYMS
+from burnish.stdlib.builtins.elsewhere import KEYWORDS, TYPES, VALUES
+from burnish.stdlib.other_names import FUNCTIONS, NODES, SYNONYMS
 
 LANGUAGES = ("glsl", "hlsl", "wgsl")
 OF_THE_LANGUAGE = {"mod", "not"}

@@ -8,10 +8,15 @@ import burnish
 from burnish.compiler import library
 from burnish.compiler.semantics.names.modules import Offers
 from burnish.stdlib.builtins import BUILTINS
-from burnish.stdlib.builtins.elsewhere import FUNCTIONS, KEYWORDS, TYPES
-from burnish.stdlib.builtins.nodes import BY_FOLDED as NODES_BY_FOLDED
-from burnish.stdlib.builtins.nodes import NODES
-from burnish.stdlib.synonyms import BY_FOLDED, SYNONYMS, folded
+from burnish.stdlib.builtins.elsewhere import KEYWORDS, TYPES
+from burnish.stdlib.other_names import (
+    BY_FOLDED,
+    FUNCTIONS,
+    NODES,
+    NODES_BY_FOLDED,
+    SYNONYMS,
+    folded,
+)
 
 OFFERS: Offers = library.standard_library(library.FOLDER).offers()
 

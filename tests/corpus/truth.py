@@ -299,8 +299,8 @@ def inverse(m: Columns) -> Columns:
 
 
 def product(x: Columns, y: Columns) -> Columns:
-    size = len(x)
-    return [[sum(x[k][r] * column[k] for k in range(size)) for r in range(size)] for column in y]
+    rows = range(len(x[0]))
+    return [[sum(a[r] * b for a, b in zip(x, column, strict=True)) for r in rows] for column in y]
 
 
 def multiplied(x: Columns, y: Columns) -> Columns:

@@ -24,16 +24,8 @@ from burnish.stdlib.builtins import (
     work_group,
 )
 from burnish.stdlib.builtins.accuracy import PLATFORMS, Accuracy, Platform, Promise
-from burnish.stdlib.builtins.elsewhere import (
-    FUNCTIONS,
-    KEYWORDS,
-    METHODS,
-    TYPES,
-    VALUES,
-    Instead,
-)
-from burnish.stdlib.builtins.nodes import NODES
-from burnish.stdlib.synonyms import SYNONYMS, Meant
+from burnish.stdlib.builtins.elsewhere import KEYWORDS, METHODS, TYPES, VALUES
+from burnish.stdlib.other_names import FUNCTIONS, NODES, SYNONYMS, Instead, Meant
 from burnish.targets.conformance.measured import ENVELOPES
 
 from .tables import NOTE, cell, codes, table

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from _pytest.mark import ParameterSet
 
 import burnish
 from burnish import CompileResult
@@ -24,18 +25,77 @@ OF_ROUTES = {route.compiler for route in ROUTES.values()}
 """The checkers that compile for routes, by which every example is drawn as well."""
 
 
+AT_ONCE = 16
+"""Subjects whose texts the front ends get together. A process of glslang reads the declarations of
+all functions that a language has, which takes longer than the texts of one example."""
+
+
 @dataclass(frozen=True, slots=True)
 class Compiled:
-    """A variant of an example, and all that it comes to."""
+    """An example, or a variant of one, and all that it comes to."""
 
-    variant: Variant
     result: CompileResult
+    asked: frozenset[Job]
+    """All texts that the front ends had to take."""
+    refused: tuple[Verdict, ...]
+    """Their verdicts on those that they do not take."""
 
 
-@pytest.fixture(scope="module", params=VARIANTS, ids=str)
-def compiled(request: pytest.FixtureRequest) -> Compiled:
-    """Each variant; tests of one variant follow each other, so that it is compiled once."""
-    return Compiled(request.param, request.param.compile())
+Subject = Variant | Path
+"""A variant of an example, or an example of a frame."""
+Find = Callable[[Subject], Compiled]
+
+
+def in_groups(subjects: Sequence[Subject]) -> list[ParameterSet]:
+    """The subjects as parameters of tests, those together for which the front ends start once."""
+    return [
+        pytest.param(
+            subject,
+            id=subject.stem if isinstance(subject, Path) else f"{subject}",
+            marks=pytest.mark.xdist_group(f"accepted {type(subject).__name__} {at // AT_ONCE}"),
+        )
+        for at, subject in enumerate(subjects)
+    ]
+
+
+def neighbours(subject: Subject) -> Sequence[Subject]:
+    """A subject, and the others of its group."""
+    everyone: Sequence[Subject] = FRAMES if isinstance(subject, Path) else VARIANTS
+    first = everyone.index(subject) // AT_ONCE * AT_ONCE
+    return everyone[first : first + AT_ONCE]
+
+
+def compiled_together(subjects: Sequence[Subject], toolchain: Toolchain) -> dict[Subject, Compiled]:
+    """Compile some subjects, and have the front ends read the texts of all."""
+    results = {
+        each: burnish.compile(each, PROFILES, partial=True)
+        if isinstance(each, Path)
+        else each.compile()
+        for each in subjects
+    }
+    asked = {each: frozenset(jobs(result)) for each, result in results.items()}
+    together = list(dict.fromkeys(job for result in results.values() for job in jobs(result)))
+    made = modules([job for job in together if job.checker in OF_ROUTES], toolchain)
+    found = refused([job for job in together if job.checker not in OF_ROUTES], toolchain)
+    found += [each for each in made.values() if isinstance(each, Verdict)]
+    return {
+        each: Compiled(result, asked[each], tuple(v for v in found if v.job in asked[each]))
+        for each, result in results.items()
+    }
+
+
+@pytest.fixture(scope="module")
+def find(toolchain: Toolchain) -> Find:
+    """Finds what a subject comes to; tests of a group follow each other, so that it is kept."""
+    kept: dict[Subject, Compiled] = {}
+
+    def found(subject: Subject) -> Compiled:
+        if subject not in kept:
+            kept.clear()
+            kept.update(compiled_together(neighbours(subject), toolchain))
+        return kept[subject]
+
+    return found
 
 
 def jobs(result: CompileResult) -> Iterator[Job]:
@@ -43,38 +103,36 @@ def jobs(result: CompileResult) -> Iterator[Job]:
         yield from jobs_of(material)
 
 
-def check_accepted(result: CompileResult, toolchain: Toolchain) -> None:
+def check_accepted(compiled: Compiled) -> None:
+    result = compiled.result
     assert not result.diagnostics
     assert result.materials
-    asked = list(jobs(result))
-    made = modules([job for job in asked if job.checker in OF_ROUTES], toolchain)
-    found = refused([job for job in asked if job.checker not in OF_ROUTES], toolchain)
-    found += [each for each in made.values() if isinstance(each, Verdict)]
-    assert not found, "\n".join(verdict.report() for verdict in found)
+    assert not compiled.refused, "\n".join(verdict.report() for verdict in compiled.refused)
     wanted = sum(
         len(material.staged.program.stages) * (len(PROFILES) - len(material.lacking))
         for material in result.materials
     )
-    assert len(asked) >= wanted
+    assert sum(1 for _ in jobs(result)) >= wanted
 
 
-def test_accepted(compiled: Compiled, toolchain: Toolchain) -> None:
-    check_accepted(compiled.result, toolchain)
+@pytest.mark.parametrize("variant", in_groups(VARIANTS))
+def test_accepted(variant: Variant, find: Find) -> None:
+    check_accepted(find(variant))
 
 
-def test_only_profiles_that_lack_something_are_left_out(compiled: Compiled) -> None:
-    for material in compiled.result:
-        lacking = compiled.variant.lacking(material.name)
-        assert material.lacking.keys() == lacking, material.name
+@pytest.mark.parametrize("variant", in_groups(VARIANTS))
+def test_only_profiles_that_lack_something_are_left_out(variant: Variant, find: Find) -> None:
+    for material in find(variant).result:
+        assert material.lacking.keys() == variant.lacking(material.name), material.name
 
 
-@pytest.mark.parametrize("path", FRAMES, ids=lambda path: path.stem)
-def test_frames_are_accepted(path: Path, toolchain: Toolchain) -> None:
+@pytest.mark.parametrize("path", in_groups(FRAMES))
+def test_frames_are_accepted(path: Path, find: Find) -> None:
     """Each frame, for all profiles that can do what it shows."""
-    result = burnish.compile(path, PROFILES, partial=True)
-    lacking = {name for material in result.materials for name in material.lacking}
+    compiled = find(path)
+    lacking = {name for material in compiled.result.materials for name in material.lacking}
     assert lacking == LACKING_OF_FRAMES.get(path.stem, frozenset())
-    check_accepted(result, toolchain)
+    check_accepted(compiled)
 
 
 def test_every_example_is_tried() -> None:

@@ -93,13 +93,45 @@ def test_mistake_is_told_once(text: str, code: str) -> None:
     assert [found.rule.code for found in burnish.check(text)] == [code]
 
 
-def test_limits_of_devices_are_kept() -> None:
-    maps = "\n".join(f"map t{i} : texture2d" for i in range(17))
-    reads = " + ".join(f"t{i}(uv).rgb" for i in range(17))
+def many_textures(count: int) -> str:
+    """A material that reads so many textures."""
+    maps = "\n".join(f"map t{i} : texture2d" for i in range(count))
+    reads = " + ".join(f"t{i}(uv).rgb" for i in range(count))
+    return f"material M {{ {maps}\ncolor = {reads} }}"
+
+
+@pytest.mark.parametrize(
+    ("count", "target", "message", "hint"),
+    [
+        (17, "glsl:es300", "17 textures of M, but glsl:es300 has only 16",
+         "`GL_MAX_TEXTURE_IMAGE_UNITS` is 16 on some devices: have pictures of the same size in "
+         "the layers of one `texture2d_array`, or put several beside each other in one "
+         "`texture2d`, or compile for glsl:vulkan, hlsl:sm6 or wgsl:webgpu"),
+        (49, "wgsl", "49 textures of M, but wgsl:webgpu has only 48",
+         "`maxSampledTexturesPerShaderStage` is 48 on some devices: have pictures of the same "
+         "size in the layers of one `texture2d_array`, or put several beside each other in one "
+         "`texture2d`, or compile for glsl:vulkan or hlsl:sm6"),
+    ],
+)  # fmt: skip
+def test_limits_of_devices_are_kept(count: int, target: str, message: str, hint: str) -> None:
     with pytest.raises(burnish.CompileError) as caught:
-        burnish.compile(f"material M {{ {maps}\ncolor = {reads} }}", ("wgsl",))
+        burnish.compile(many_textures(count), (target,))
     (found,) = caught.value.diagnostics
-    assert found.message == "17 textures of M, but wgsl:webgpu has only 16"
+    assert (found.message, found.hint) == (message, hint)
+
+
+def test_what_devices_have_to_be_asked_for_is_told() -> None:
+    made = burnish.compile(many_textures(17), ("glsl:vulkan", "hlsl", "wgsl"))
+    assert [found.message for found in made.diagnostics] == [
+        f"17 textures of M, and not every device of {target} has more than 16"
+        for target in ("glsl:vulkan", "wgsl:webgpu")
+    ]
+    backends = made["M"].reflection.backends
+    assert {name: row.required_limits for name, row in backends.items()} == {
+        "glsl:vulkan": {"maxPerStageDescriptorSampledImages": 17},
+        "hlsl:sm6": {},
+        "wgsl:webgpu": {"maxSampledTexturesPerShaderStage": 17},
+    }
 
 
 def test_two_files_with_the_same_name(tmp_path: Path) -> None:

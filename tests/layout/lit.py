@@ -205,6 +205,7 @@ _PLAIN = BackendRow(
     stream_output=None,
     captures={},
     host_uniforms=("burnish_height",),
+    required_limits={},
 )
 
 BACKENDS = {
@@ -229,6 +230,7 @@ BACKENDS = {
         samplers={"albedo": _bound("albedo_sampler", 1, 4, "s4")},
         vertex_inputs={"uv": VertexInputNameRow(identifier="uv", semantic="TEXCOORD0")},
         host_uniforms=(),
+        required_limits={},
     ),
 }
 

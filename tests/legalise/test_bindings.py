@@ -39,6 +39,54 @@ def test_separate_samplers(selected: Selected) -> None:
     assert bindings.samplers == {"albedo": BindingSlot(2, 2)}
 
 
+MANY = """
+    material M {{
+        map first : texture2d per draw
+        {maps}
+        clip_position = vec4(position + first.level(uv, 0).xyz, 1)
+        color = {reads}
+    }}
+"""
+
+
+def many(count: int) -> str:
+    """A material whose fragments read so many textures, every third by another sampler."""
+    states = ("", " with { filter = nearest }", " with { wrap = clamp }")
+    maps = " ".join(f"map t{i} : texture2d{states[i % 3]}" for i in range(count))
+    return MANY.format(maps=maps, reads=" + ".join(f"t{i}(uv).rgb" for i in range(count)))
+
+
+@pytest.mark.parametrize("selected", SEPARATE, ids=str)
+def test_as_many_samplers_as_a_stage_has_are_not_shared(selected: Selected) -> None:
+    bindings = assign_bindings(staged(many(16)).program, selected.profile)
+    assert bindings.sampler_owners == {name: name for name in bindings.textures}
+    assert len(set(bindings.samplers.values())) == 17
+
+
+@pytest.mark.parametrize("selected", SEPARATE, ids=str)
+def test_samplers_of_equal_state_are_shared_where_there_are_more(selected: Selected) -> None:
+    """By the stages together: the sampler of the first texture stands in its own set."""
+    program = staged(many(17)).program
+    bindings = assign_bindings(program, selected.profile)
+    owners = {f"t{i}": ("first", "t1", "t2")[i % 3] for i in range(17)}
+    assert bindings.sampler_owners == {"first": "first", **owners}
+    assert {bindings.samplers[f"t{i}"] for i in range(0, 17, 3)} == {bindings.samplers["first"]}
+    places = {*bindings.textures.values(), *bindings.samplers.values()}
+    assert len(places) == 18 + 3
+
+
+def test_a_stage_declares_the_shared_sampler_of_a_texture_that_only_another_reads() -> None:
+    (material,) = burnish.compile(many(17), ("hlsl",)).materials
+    texts = {file.stage: file.text for file in material.files}
+    assert "Texture2D<float4> first :" in texts["vertex"]
+    assert "Texture2D<float4> first :" not in texts["fragment"]
+    for text in texts.values():
+        assert text.count("SamplerState first_sampler : register(s") == 1
+    assert texts["fragment"].count("SamplerState ") == 3
+    rows = material.reflection.backends["hlsl:sm6"].samplers
+    assert rows["t0"] == rows["t3"] == rows["first"] != rows["t1"]
+
+
 @pytest.mark.parametrize("selected", COMBINED, ids=str)
 def test_combined_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)

@@ -10,7 +10,7 @@ from burnish.compiler.ir.stages import VERTEX
 from burnish.support.frozen import changed
 from burnish.targets import registry
 from burnish.targets.legalise.lacks import Lack, lacks
-from burnish.targets.legalise.limits import Excess, excesses
+from burnish.targets.legalise.limits import Excess, demands, excesses
 
 from .kit import staged
 
@@ -91,8 +91,37 @@ Its vertex inputs have three places, although nothing reads the one at the secon
 def test_a_program_may_have_as_much_as_the_limit_and_no_more(limit: str, count: int) -> None:
     program, profile = staged(LARGE, "P").program, registry.load("wgsl").profiles[0]
     for most, expected in ((count, []), (count - 1, [Excess(limit, count, count - 1)])):
-        limits = changed(profile.limits, **{limit: most})
+        limits = changed(profile.limits, asked_textures=None, **{limit: most})
         assert list(excesses(program, changed(profile, limits=limits))) == expected
+
+
+SAMPLED = """material M {
+    map a : texture2d
+    map b : texture2d with { wrap = clamp }
+    map c : texture2d
+    color = a(uv).rgb + b(uv).rgb + c(uv).rgb
+}"""
+
+
+def test_samplers_that_may_be_shared_count_once() -> None:
+    program, profile = staged(SAMPLED).program, registry.load("wgsl").profiles[0]
+    for most, expected in ((3, []), (2, []), (1, [Excess("samplers", 2, 1)])):
+        limits = changed(profile.limits, samplers=most)
+        assert list(excesses(program, changed(profile, limits=limits))) == expected
+
+
+def test_a_host_may_ask_for_more_textures_up_to_a_number() -> None:
+    program, profile = staged(SAMPLED).program, registry.load("wgsl").profiles[0]
+    for every, asked, demanded, exceeded in (
+        (3, 4, [], []),
+        (2, 3, [Excess("textures", 3, 2)], []),
+        (1, 2, [], [Excess("textures", 3, 2)]),
+        (2, None, [], [Excess("textures", 3, 2)]),
+    ):
+        limits = changed(profile.limits, textures=every, asked_textures=asked)
+        limited = changed(profile, limits=limits)
+        assert list(demands(program, limited)) == demanded
+        assert list(excesses(program, limited)) == exceeded
 
 
 def doubling(levels: int) -> str:

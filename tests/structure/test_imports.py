@@ -79,9 +79,9 @@ NOT_FOR_ALL = (
     "compiler.passes.lower_capture", "compiler.passes.lower_expansion",
     "compiler.passes.lower_tessellation", "compiler.planning", "compiler.reference.picture",
     "compiler.reflection.plan", "compiler.semantics.frames.", "stdlib.builtins.elsewhere",
-    "stdlib.builtins.foreign_words", "stdlib.builtins.nodes",
+    "stdlib.builtins.foreign_words", "stdlib.comparisons",
     "compiler.semantics.shading.kernels.kernel", "targets.conformance", "targets.emit.strips",
-    "stdlib.synonyms", "targets.runner", "targets.toolchain", "targets.web_host",
+    "stdlib.other_names", "targets.runner", "targets.toolchain", "targets.web_host",
 )  # fmt: skip
 """The beginnings of the names of modules that are for frames, kernels, expansion, mistakes and so
 on, and of those that are for other commands."""

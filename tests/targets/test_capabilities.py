@@ -167,4 +167,5 @@ def test_every_limit_has_its_words() -> None:
 def test_profiles_with_higher_limits_are_a_way_out() -> None:
     assert with_as_many("varyings", 31) == "compile for hlsl:sm6"
     assert with_as_many("bindings", 1001).startswith("compile for glsl:vulkan, ")
-    assert with_as_many("textures", 1000) == ""
+    assert with_as_many("work_group", 10_000) == ""
+    assert with_as_many("textures", 1000).endswith("beside each other in one `texture2d`")

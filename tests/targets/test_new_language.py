@@ -47,7 +47,7 @@ LANGUAGE = Language(
         scalars={"float": "num", "int": "whole", "uint": "count", "bool": "truth"},
         vectors={"float": "num{n}", "int": "whole{n}", "uint": "count{n}", "bool": "truth{n}"},
         matrix="grid{n}",
-        tall_matrix="grid{n}x4",
+        rectangular_matrix="grid{columns}x{rows}",
         array="row({count} of {element})",
         declaration="{name} is {type}",
         stored={"vec3": "tight3"},
@@ -105,6 +105,7 @@ LANGUAGE = Language(
         Profile(
             name="only", doc="The only one.", numbering="kind", single_file=True,
             samplers=Samplers(combined=True), lacks=frozenset({"count_bits"}),
+            without_inputs=frozenset({"view_index"}),
         ),
     ),
     registers={"block": "paper {binding}", "texture": "picture {binding}"},

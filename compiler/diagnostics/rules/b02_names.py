@@ -61,6 +61,7 @@ UNREAD_SLOT = warning(
     "nothing reads `{name}`",
     "A name that no base declares is a new one. Nothing outside of what declares it reads it, so "
     "it has an effect only if another equation there uses it.",
+    of_absence=True,
 )
 WITHOUT_COLOR = warning(
     "B0211",

@@ -36,3 +36,9 @@ TOOL_MISSING = error(
     "{checker} cannot check anything: {problem}",
     "`burnish doctor` lists the tools, with a command that installs each missing one.",
 )
+ASKED_OF_DEVICES = warning(
+    "B0707",
+    "{count} {what}, and not every device of {target} has more than {limit}",
+    "The text is written. A host has to ask the device for as many, and to do without the material "
+    "where a device has fewer: the reflection says it, `required_limits` of the backend.",
+)

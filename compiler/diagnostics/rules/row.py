@@ -10,6 +10,8 @@ def error(code: str, message: str, help: str, *, of_absence: bool = False) -> Ru
     return Rule(code, "error", message, help, of_absence)
 
 
-def warning(code: str, message: str, help: str, *, of_the_whole: bool = False) -> Rule:
+def warning(
+    code: str, message: str, help: str, *, of_absence: bool = False, of_the_whole: bool = False
+) -> Rule:
     """The row of a warning."""
-    return Rule(code, "warning", message, help, of_the_whole=of_the_whole)
+    return Rule(code, "warning", message, help, of_absence, of_the_whole)

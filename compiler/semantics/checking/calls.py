@@ -38,7 +38,7 @@ from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
 
 if TYPE_CHECKING:
-    from ....stdlib.builtins.elsewhere import Instead
+    from ....stdlib.other_names import Instead
 
 
 def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:
@@ -113,7 +113,8 @@ def _is_sampler(e: ast.Call, argument: ast.Expression, scope: Scope) -> bool:
     """
     if not isinstance(argument, ast.Reference) or is_known(scope, argument.name):
         return False
-    from ....stdlib.builtins.elsewhere import FUNCTIONS, METHODS
+    from ....stdlib.builtins.elsewhere import METHODS
+    from ....stdlib.other_names import FUNCTIONS
 
     if isinstance(e.callee, ast.Field):
         return e.callee.name.text in METHODS
@@ -240,7 +241,8 @@ def _callables(scope: Scope) -> Iterator[str]:
 
 def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
     """The hint for a function or a constructor of another shading language."""
-    from ....stdlib.builtins.elsewhere import COLUMNS_FIRST, FUNCTIONS, KEYWORDS, TEXTURE, TYPES
+    from ....stdlib.builtins.elsewhere import COLUMNS_FIRST, KEYWORDS, TYPES
+    from ....stdlib.other_names import FUNCTIONS, TEXTURE
 
     if name in FUNCTIONS:
         instead, texture = FUNCTIONS[name], e.arguments[0] if e.arguments else None
@@ -263,13 +265,12 @@ def _elsewhere(name: str, e: ast.Call, scope: Scope) -> Hint:
 
 def _of_nodes(name: str, scope: Scope) -> str:
     """The hint for a node of an editor, if nothing that can be called here is named alike."""
-    from ....stdlib.builtins.nodes import BY_FOLDED
-    from ....stdlib.synonyms import folded
+    from ....stdlib.other_names import NODES_BY_FOLDED, folded
 
     plain = folded(name)
-    if plain not in BY_FOLDED or any(folded(known) == plain for known in _callables(scope)):
+    if plain not in NODES_BY_FOLDED or any(folded(known) == plain for known in _callables(scope)):
         return ""
-    return BY_FOLDED[plain].hint
+    return NODES_BY_FOLDED[plain].hint
 
 
 _SAME = r"(\w+)\((\w+(?:, \w+)*)\)"

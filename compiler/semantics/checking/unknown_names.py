@@ -60,11 +60,19 @@ def _of_other_languages(name: str, span: Span) -> Hint:
         parameter, _, declared = HOSTED[name].partition(" ")
         return f"the host sets it: `{parameter}`, declared by `param {parameter} {declared}`"
     if name not in VALUES:
-        return KEYWORDS.get(name, "")
+        return KEYWORDS.get(name, "") or _of_nodes(name)
     here = called_here(name, span, VALUES[name])
     if VALUES[name].startswith("light.") and isinstance(here, FixIt):
         return FixIt(f"{here.text}, in a `term … per light`", here.fixes)
     return here
+
+
+def _of_nodes(name: str) -> str:
+    """The hint for a name that is no value here, such as the time since the last frame."""
+    from ....stdlib.other_names import NODES_BY_FOLDED, folded
+
+    node = NODES_BY_FOLDED.get(folded(name))
+    return "" if node is None or node.written else node.hint
 
 
 def _other_kernels(ctx: Context, name: str) -> str:

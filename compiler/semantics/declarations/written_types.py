@@ -8,6 +8,7 @@ from itertools import chain
 
 from ....support.frozen import EMPTY
 from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, fix_it
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.types import INT, Array, Opaque, RuntimeArray, Struct, TextureType, Type, numbers
@@ -17,7 +18,7 @@ from ..names.not_types import not_a_type
 from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import Failure, Scope, Value
-from ..types.typenames import Declared, Variables, array_of, structure, unsized_array_of
+from ..types.typenames import NAMED, Declared, Variables, array_of, structure, unsized_array_of
 from .fitting import fit
 
 MOST_ELEMENTS = 4096
@@ -73,7 +74,8 @@ def _resolved(
         for argument in written.arguments
         if (found := module.find(argument.text)) and isinstance(found[0].declaration, ast.Space)
     )
-    other = not_a_type(symbols)
+    is_known = written.name.text in NAMED or written.name.text in variables or structs
+    other = "" if is_known else not_a_type(symbols) or _read_there(ctx, written, module)
     declared = ctx.types.resolver.resolve(written, structs, spaces, variables, other)
     if declared is not None and written.unsized:
         return _unsized(ctx, written, declared)
@@ -81,6 +83,24 @@ def _resolved(
         return declared
     count = count_of(ctx, written.count, module, variables)
     return None if count is None else _fitting(ctx, array_of(declared, count), written.span)
+
+
+def _read_there(ctx: Context, written: ast.TypeName, module: Module) -> Hint:
+    """The hint for a slot whose type is the name of a value: ``color : base`` for ``=``."""
+    for symbol in chain.from_iterable(module.declared.values()):
+        if not isinstance(symbol.declaration, ast.Record):
+            continue
+        for member in symbol.declaration.members:
+            if not isinstance(member, ast.Slot) or member.type is not written:
+                continue
+            if written.name.text in ctx.records.of(symbol).definitions:
+                name, value = member.name, written.name
+                between = Span(name.span.source, name.span.end, value.span.start)
+                if "\n" in between.text:
+                    return ""  # The type is missing, and the next equation follows.
+                said = f"`{value.text}` is a value, and no type: `{name.text} = {value.text}`"
+                return fix_it(said, (between, " = "))
+    return ""
 
 
 def _fitting(ctx: Context, declared: Declared, span: Span) -> Declared | None:

@@ -17,7 +17,7 @@ from ...syntax import ast
 from ...syntax.rewriting import inserted_on_top
 
 if TYPE_CHECKING:
-    from ....stdlib.synonyms import Meant
+    from ....stdlib.other_names import Meant
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
@@ -119,6 +119,8 @@ class Module:
             meant = _said_elsewhere(written, fitting)
             if meant is not None and _offered(meant, offers, kinds):
                 return self._meant(name, meant)
+            if told := _compared(written):
+                return told
         if near:
             return respelt(written, name.span, near)
         found = nearest_in(name.span.source, written, fitting)
@@ -162,7 +164,7 @@ def _names_in(root: object) -> Iterator[str]:
 
 def _is_alike(one: str, other: str) -> bool:
     """True if two names differ only in their style, as ``softLight`` and ``soft_light`` do."""
-    from ....stdlib.synonyms import folded
+    from ....stdlib.other_names import folded
 
     return folded(one) == folded(other)
 
@@ -173,12 +175,20 @@ def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
     It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
     ``DirectionalLight``; or is another one, as ``luma``.
     """
-    from ....stdlib.synonyms import BY_FOLDED, Meant, folded
+    from ....stdlib.other_names import BY_FOLDED, Meant, folded
 
     plain = folded(written)
     alike = (plain, plain.removesuffix("light"))
     found = min((each for each in fitting if folded(each) in alike), default=None)
     return BY_FOLDED.get(plain) if found is None else Meant(fitting[found], (found,))
+
+
+def _compared(written: str) -> str:
+    """What the pages for those who come from other systems say of a name of theirs."""
+    from ....stdlib.comparisons import compared
+
+    row = compared().get(written)
+    return "" if row is None else row.hint
 
 
 def _offered(meant: Meant, offers: Offers, kinds: Sequence[str]) -> bool:

@@ -4,12 +4,11 @@
  * Features that 32-bit textures and targets need, and stencil values beside 32-bit depths.
  * @type {GPUFeatureName[]}
  */
-const FEATURES = [
-  "float32-filterable", "float32-blendable", "depth32float-stencil8",
-];
+const FEATURES = ["float32-filterable", "float32-blendable", "depth32float-stencil8"];
 /** Limits that some frames need above the default: the device gets all that the adapter has. */
 const LIMITS = /** @type {const} */ ([
   "maxColorAttachmentBytesPerSample", "maxBufferSize", "maxStorageBufferBindingSize",
+  "maxSampledTexturesPerShaderStage",
 ]);
 
 export class Device {

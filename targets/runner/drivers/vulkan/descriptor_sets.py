@@ -123,8 +123,13 @@ def _used_descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
         yield image.place, IMAGE
     for slot in pipeline.textures:
         yield slot.texture, _texture_type(slot)
-        if slot.sampler is not None:
-            yield slot.sampler, SAMPLER
+    yield from ((place, SAMPLER) for place in sampler_places(pipeline))
+
+
+def sampler_places(pipeline: Pipeline) -> list[Place]:
+    """The places of all samplers; several textures may share one."""
+    places = (slot.sampler for slot in pipeline.textures if slot.sampler is not None)
+    return list(dict.fromkeys(places))
 
 
 def _texture_type(slot: TextureSlot) -> int:

@@ -15,6 +15,7 @@ from ..pipeline import Pipeline
 from ..slots import TextureSlot
 from ..texels import Image
 from .blocks import block_sizes
+from .descriptor_sets import sampler_places
 from .device import Gpu
 from .formats import DEPTHS, TARGETS, TEXTURES
 
@@ -83,6 +84,13 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"{place.identifier!r} is in descriptor set {place.group}, and the device has "
                 f"{limits.maxBoundDescriptorSets}"
             )
+    counts = {
+        "textures": (len(pipeline.textures), limits.maxPerStageDescriptorSampledImages),
+        "samplers": (len(sampler_places(pipeline)), limits.maxPerStageDescriptorSamplers),
+    }
+    for what, (count, most) in counts.items():
+        if count > most:
+            yield f"there are {count} {what}, and the device reads at most {most} in a stage"
     yield from _target_problems(gpu, pipeline)
     yield from _state_problems(gpu, pipeline)
 
@@ -101,6 +109,8 @@ def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
         yield "the device cannot draw the edges of triangles"
     if pipeline.has_bias and pipeline.depth.bias_clamp and not gpu.clamps_bias:
         yield "the device cannot limit a depth bias"
+    if pipeline.view_mask and not gpu.multiview:
+        yield "the device cannot draw several views at once"
 
 
 def _buffer_problems(

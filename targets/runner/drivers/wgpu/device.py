@@ -18,6 +18,14 @@ BACKENDS = ("D3D12", "Metal", "Vulkan")
 FEATURES = ("float32-blendable", "float32-filterable", "depth32float-stencil8")
 """The features for float32 targets and textures, and for stencil values beside float32 depths."""
 
+LIMITS = (
+    "max-color-attachment-bytes-per-sample",
+    "max-sampled-textures-per-shader-stage",
+    "max-samplers-per-shader-stage",
+)
+"""The limits of which the device gets all that the adapter has: several float32 targets exceed the
+default of the first one, and materials may have more textures than all devices."""
+
 SUBPIXEL_BITS = 8
 """The binary places to which vertices are snapped, which WebGPU does not report. Direct3D 12
 demands 8 bits, and so do Metal's GPUs and Mesa."""
@@ -49,7 +57,7 @@ def open_gpu(wanted: str) -> Gpu:
     hardware = [each.info["adapter_type"] != "CPU" for each in adapters]
     adapter = adapters[chosen(names, hardware, wanted)]
     features = [feature for feature in FEATURES if feature in adapter.features]
-    limits = {"max-color-attachment-bytes-per-sample": _most_bytes(adapter)}
+    limits = {name: int(adapter.limits[name]) for name in LIMITS}
     with explained():
         device = adapter.request_device_sync(required_features=features, required_limits=limits)
     # WebGPU reports neither the precision of texture filters nor the driver's own version.
@@ -60,11 +68,6 @@ def open_gpu(wanted: str) -> Gpu:
 
 def _title(adapter: Any) -> str:
     return f"{adapter.info['device']} by {adapter.info['backend_type']}"
-
-
-def _most_bytes(adapter: Any) -> int:
-    """The most bytes of all targets per sample: several float32 targets exceed the default."""
-    return int(adapter.limits["max-color-attachment-bytes-per-sample"])
 
 
 @contextmanager
