@@ -225,29 +225,45 @@ template <> struct matrix<4, 4> : columns<4, 4> {
     matrix(column, column, column, column);
     matrix(F, F, F, F, F, F, F, F, F, F, F, F, F, F, F, F);
 };
+template <> struct matrix<2, 3> : columns<2, 3> {
+    matrix();
+    matrix(column, column);
+};
 template <> struct matrix<2, 4> : columns<2, 4> {
     matrix();
     matrix(column, column);
+};
+template <> struct matrix<3, 2> : columns<3, 2> {
+    matrix();
+    matrix(column, column, column);
 };
 template <> struct matrix<3, 4> : columns<3, 4> {
     matrix();
     matrix(column, column, column);
 };
+template <> struct matrix<4, 2> : columns<4, 2> {
+    matrix();
+    matrix(column, column, column, column);
+};
+template <> struct matrix<4, 3> : columns<4, 3> {
+    matrix();
+    matrix(column, column, column, column);
+};
 #undef F
 
-matrix<2, 2> operator*(matrix<2, 2>, matrix<2, 2>);
-matrix<3, 3> operator*(matrix<3, 3>, matrix<3, 3>);
-matrix<4, 4> operator*(matrix<4, 4>, matrix<4, 4>);
-matrix<2, 4> operator*(matrix<4, 4>, matrix<2, 4>);
-matrix<3, 4> operator*(matrix<4, 4>, matrix<3, 4>);
+template <int C, int R, int K> matrix<K, R> operator*(matrix<C, R>, matrix<K, C>);
 
 } // namespace metal
 
 typedef metal::matrix<2, 2> float2x2;
 typedef metal::matrix<3, 3> float3x3;
 typedef metal::matrix<4, 4> float4x4;
+typedef metal::matrix<2, 3> float2x3;
 typedef metal::matrix<2, 4> float2x4;
+typedef metal::matrix<3, 2> float3x2;
 typedef metal::matrix<3, 4> float3x4;
+typedef metal::matrix<4, 2> float4x2;
+typedef metal::matrix<4, 3> float4x3;
 
 template <typename T, typename U> T as_type(U) { static_assert(sizeof(T) == sizeof(U), "size"); }
 template <typename T, typename V> T as_type(metal::lanes<V>) {
@@ -256,9 +272,7 @@ template <typename T, typename V> T as_type(metal::lanes<V>) {
 
 namespace metal {
 
-float2x2 transpose(float2x2);
-float3x3 transpose(float3x3);
-float4x4 transpose(float4x4);
+template <int C, int R> matrix<R, C> transpose(matrix<C, R>);
 float determinant(float2x2);
 float determinant(float3x3);
 float determinant(float4x4);

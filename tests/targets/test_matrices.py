@@ -9,8 +9,11 @@ import pytest
 
 import burnish
 from burnish.compiler.ir.types import MATRICES, Matrix
+from burnish.targets.toolchain import Toolchain
 
+from ..examples.kit import jobs_of
 from ..golden import assert_golden
+from ..suite.verdicts import refused
 
 HERE = Path(__file__).parent
 
@@ -33,6 +36,14 @@ def test_the_text_is_as_it_was(profile: str) -> None:
     (material,) = burnish.compile(GRADED, profile)
     (file,) = (file for file in material.files if "fragment" in file.entry_points)
     assert_golden(file.text, HERE / "golden" / file.name.replace("Graded", "graded"))
+
+
+def test_compilers_take_the_texts_of_all_operations() -> None:
+    """Those that draw are tried by ``tests/conformance``; nothing here draws Metal's."""
+    everything = HERE.parent / "conformance" / "rectangles.burnish"
+    (material,) = burnish.compile(everything, ("all", "msl"), pass_="Row", hoist=False).materials
+    with Toolchain() as toolchain:
+        assert not refused([*jobs_of(material)], toolchain)
 
 
 def test_an_old_language_multiplies_those_of_uniforms() -> None:
