@@ -25,6 +25,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
     request = ViewRequest(
         file=file,
         mesh="cube",
+        floor=options.get("floor", False),
         scene=options.get("scene"),
         environment=options.get("environment", "studio"),
         eye=options.get("eye"),
@@ -197,3 +198,16 @@ def test_materials_are_drawn_in_floats_with_several_samples(tmp_path: Path) -> N
         wanted = {"rgba16f": "rgba16float", "rgba8": "rgba8unorm", "r32f": "r32float"}[format_]
         assert {row["format"] for row in textures} - {"depth32float"} == {wanted}
         assert max(row["samples"] for row in textures) == samples
+
+
+def test_a_material_on_a_floor(tmp_path: Path) -> None:
+    """A frame draws it; what is none is drawn as ever."""
+    file = tmp_path / "m.burnish"
+    file.write_text(FILE)
+    found = document(file, floor=True)
+    assert (found["chosen"]["subject"], found["chosen"]["mesh"]) == ("First", "cube")
+    assert [step["name"] for step in found["package"]["plan"]["steps"]] == ["seen", "lit", "drawn"]
+    assert [row["material"] for row in found["package"]["models"]] == ["First", "Floor_"]
+    assert controls(found)["size"] == 0.25
+    kernel = document(EXAMPLES / "edges.burnish", floor=True)
+    assert [step["kind"] for step in kernel["package"]["plan"]["steps"]] == ["run"]
