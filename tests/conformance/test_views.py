@@ -16,8 +16,10 @@ from burnish.api.compiled import CompiledMaterial
 from burnish.compiler.documents.drawing import LayersRow
 from burnish.compiler.passes import lower_views
 from burnish.compiler.reference.picture import RasterRules
+from burnish.targets.conformance.judged_frames import host_of
 from burnish.targets.runner import binding
 from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.frames.by_route import draw_frames
 from burnish.targets.runner.meshes import plane
 from burnish.targets.runner.reference import expected
 from burnish.targets.runner.routes import ROUTES
@@ -29,7 +31,8 @@ from .planted.planting import Plant, replaced, supplied
 
 NATIVE = ("lavapipe:glsl", "lavapipe:hlsl-dxc")
 """The routes on which one draw reaches several views."""
-LOWERED = (*NATIVE, "lavapipe:hlsl-glslang", "lavapipe:wgsl-naga", "llvmpipe:gl330")
+LOWERED = ("lavapipe:glsl", "lavapipe:hlsl-glslang", "lavapipe:wgsl-naga", "llvmpipe:gl330")
+STEREO = Path(burnish.__file__).parent / "examples" / "frames" / "stereo.burnish"
 WIDTH, HEIGHT, COUNT = 16, 8, 3
 CLEAR = (9.0, 9.0, 9.0, 9.0)
 
@@ -103,6 +106,18 @@ def test_each_view_is_in_its_layer(studio: Studio, native: bool) -> None:
         # From the left end of the plane, or where depths begin to be above 1, to the near plane.
         columns = np.nonzero(seen.any(axis=0))[0]
         assert (columns[0], columns[-1]) == (6 + 2 * number, 9 + 2 * number)
+
+
+def test_frames_draw_both_forms_alike(studio: Studio) -> None:
+    """A later pass reads the layers that one draw, or a draw for each view, has left."""
+    route, pictures = ROUTES["lavapipe:glsl"], []
+    for native in (True, False):
+        (frame,) = burnish.compile(STEREO, route.profile, native_stages=native).frames
+        host = host_of(frame, (32, 32))
+        pictures += draw_frames(host, route, studio.runner, studio.toolchain, 1)
+    one, other = (found["picture"] for found in pictures)
+    assert (one == other).all()
+    assert len(np.unique(one)) > 5
 
 
 def test_a_host_is_told_of_the_views() -> None:
