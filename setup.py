@@ -70,6 +70,8 @@ setup(
     package_data={
         "burnish": [
             "py.typed",
+            # Pages link to these.
+            *("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE"),
             *(f"docs/**/*.{ending}" for ending in ("md", "png")),
             *(f"examples/**/*.{ending}" for ending in ("burnish", "md", "said", "png", "hdr")),
         ],

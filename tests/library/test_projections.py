@@ -180,7 +180,7 @@ def pcg2d(x: Any, y: Any) -> Floats:
     return np.array([x >> 8, y >> 8]) / 2**24
 
 
-@truth("std.mapping.tile_shift", "std.mapping.stirred")
+@truth("std.mapping.tile_shift")
 def test_corners_are_shifted_by_a_hash() -> None:
     numbers = np.array([0, 1, -1, 7, 1234, -99])
     found = called(ALL, "tile_shift(ivec2(i, j))", 2, i=numbers, j=numbers[::-1])

@@ -29,6 +29,8 @@ DATA = {
 GENERATED = (
     "__init__", "builtin_table", "grammar", "initialisers", "library", "scene", "skeletons",
 )  # fmt: skip
+LINKED = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE")
+"""The files of the root to which pages link."""
 
 
 pytestmark = pytest.mark.xdist_group("wheel")  # One process builds the wheels, for all tests.
@@ -83,6 +85,7 @@ def test_content(wheel: Path) -> None:
         for folder in ("docs", "examples")
         for path in files(ROOT / folder)
     }
+    wanted |= {f"burnish/{name}" for name in LINKED}
     generated = {f"burnish/generated/{name}.py" for name in GENERATED}
     assert packed == wanted | top | generated | {"burnish/py.typed"}
 

@@ -139,9 +139,13 @@ def test_kernels_read_what_others_of_the_file_write() -> None:
     assert "glsl:es300 has no compute stage" in lacking["error"]
 
 
-def test_cube_maps_show_the_environment(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("type_", "read"),
+    [("texture_cube", "around(normal)"), ("texture_cube_array", "around(normal, 0)")],
+)
+def test_cube_maps_show_the_environment(type_: str, read: str, tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
-    file.write_text("material M { map around : texture_cube = black  color = around(normal).rgb }")
+    file.write_text(f"material M {{ map around : {type_} = black  color = {read}.rgb }}")
     sides = {
         asked: [row["width"] for row in document(file, environment=asked)["package"]["pictures"]]
         for asked in ("studio", "none")

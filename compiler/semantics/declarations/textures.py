@@ -45,7 +45,7 @@ class Kind:
     """The axes that may wrap each in its own way."""
     borders: Mapping[str, Border] = EMPTY
     """The words for the texel of a border, if there may be one; the first is the default."""
-    anisotropies: tuple[str, ...] = ()
+    anisotropies: tuple[int, ...] = ()
     """How many times as long as wide a filtered footprint may be; the first is the default."""
 
     @property
@@ -53,7 +53,7 @@ class Kind:
         """All settings of the sampler that a declaration may have, with their words."""
         by_axis = {wrap_of(axis): self.settings["wrap"] for axis in self.axes}
         borders = {"border": tuple(self.borders)} if self.borders else {}
-        longest = {"anisotropy": self.anisotropies} if self.anisotropies else {}
+        longest = {"anisotropy": tuple(map(str, self.anisotropies))} if self.anisotropies else {}
         return {**self.settings, **by_axis, **borders, **longest}
 
     @property
@@ -68,7 +68,7 @@ def wrap_of(axis: str) -> str:
 
 
 INTENTS: tuple[Intent, ...] = get_args(Intent)
-ANISOTROPIES = ("1", "2", "4", "8", "16")
+ANISOTROPIES = (1, 2, 4, 8, 16)
 COLORS = Kind(
     COLOR_DEFAULTS, {**FILTERED, "wrap": WRAP}, intents=INTENTS, axes=AXES[:2], borders=BORDERS,
     anisotropies=ANISOTROPIES,
