@@ -190,6 +190,7 @@ def test_a_material_stands_on_a_floor(tmp_path: Path) -> None:
          "M cannot stand on a floor, as its file has names that the floor needs: "
          "`share_lit` takes 1 argument, found 5"),
     ],
+    ids=["a kernel", "a name of the frame"],
 )  # fmt: skip
 def test_what_cannot_stand_on_a_floor(text: str, said: str, tmp_path: Path) -> None:
     (tmp_path / "m.burnish").write_text(text)
