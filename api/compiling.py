@@ -306,7 +306,7 @@ def _output(
         stage=file.stage,
         entry_points=file.entries,
         text=shown.text,
-        checkers=profile.checkers,
+        checkers=file.checkers,
         spans=shown.spans,
         sources=shown.sources,
     )

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 from .console import remark
 from .failures import drawing_errors
 from .options import point_of
+from .standing import ROOM, STANDING
 
 if TYPE_CHECKING:
     from ..compiler.documents.plan import FramePlan
@@ -108,7 +109,7 @@ def _scenery_of_frame(frame: PlannedFrame, mesh: str, scene: Path | None) -> Sce
     tags = {row.name: row.materials for row in frame.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
     if scene is None:
-        return in_a_row(materials, tags, mesh)
+        return in_a_row(materials, tags, mesh, ROOM if STANDING in tags else 1)
     from ..targets.runner.frames.staging import staged
     from ..targets.runner.scenes.gltf.reading import read_gltf
 

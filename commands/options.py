@@ -131,6 +131,10 @@ tone_option = click.option(
     help="The tone mapping that brings bright light onto a screen, by a function of "
     "std.tone_mapping; without one, light above 1 is cut off.",
 )  # fmt: skip
+floor_option = click.option(
+    "--floor", is_flag=True,
+    help="Let the mesh of a material stand on a floor, on which its shadow falls.",
+)  # fmt: skip
 format_option = click.option(
     "--format",
     "form",

@@ -22,6 +22,7 @@ from .options import (
     exposure_option,
     eye_option,
     file_argument,
+    floor_option,
     hoist_option,
     instances_option,
     look_at_option,
@@ -92,6 +93,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @device_option
 @budget_option
 @mesh_option
+@floor_option
 @scene_option
 @environment_option
 @eye_option

@@ -54,6 +54,8 @@ class RenderRequest(NamedTuple):
     on: tuple[str, ...]
     device: str
     mesh: str
+    floor: bool
+    """True if the mesh of a material stands on a floor."""
     scene: Path | None
     """A file whose objects are drawn."""
     environment: str
@@ -133,9 +135,13 @@ def subjects(
     """
     from ..targets.runner.frames.plan_files import told_contradictions
 
-    frames, materials = _compiled(request, sorted({route.profile for route in routes}))
+    profiles = sorted({route.profile for route in routes})
+    frames, materials = _compiled(request, profiles)
     kernels = kernels_of(_all_of_file(request, [material for _titles, material in materials]))
-    frames = [*frames, *_single_frames(materials, request)]
+    if request.floor:
+        frames = [*frames, *_standing_frames(materials, request, profiles)]
+    else:
+        frames = [*frames, *_single_frames(materials, request)]
     outputs = [_outputs(titles, frame, request.target) for titles, frame in frames]
     with ExitStack() as stack:
         for _titles, frame in frames:
@@ -241,6 +247,31 @@ def _single_frames(materials: Materials, request: RenderRequest) -> Frames:
         (titles, single_frame(material, request.background, exact=True, samples=request.samples))
         for titles, material in drawn
     ]
+
+
+def _standing_frames(
+    materials: Materials, request: RenderRequest, profiles: Sequence[str]
+) -> Frames:
+    """The materials on a floor, each with each rig. Ends the command where there is no mesh."""
+    from .standing import standing
+
+    drawn = {
+        (material.name, material.reflection.rig): titles
+        for titles, material in reversed(materials)
+        if material.reflection.extent is None
+    }
+    if request.scene is not None or not drawn:
+        fail("--floor is for the mesh of a material: a frame, a kernel or a scene has none")
+    return [
+        (
+            titles,
+            standing(
+                request.file, name, rig or None, profiles, background=request.background,
+                samples=request.samples, search_path=request.search_path, hoist=request.hoist,
+            ),
+        )
+        for (name, rig), titles in reversed(drawn.items())
+    ]  # fmt: skip
 
 
 def _outputs(titles: Titles, frame: PlannedFrame, wanted: str | None) -> Mapping[str, Titles]:

@@ -17,6 +17,7 @@ from ..options import (
     environment_option,
     exposure_option,
     eye_option,
+    floor_option,
     hoist_option,
     instances_option,
     look_at_option,
@@ -36,6 +37,7 @@ from .request import ViewRequest
 @click.command()
 @click.argument("file", metavar="FILE|FOLDER", type=click.Path(path_type=Path))
 @mesh_option
+@floor_option
 @scene_option
 @environment_option
 @eye_option

@@ -36,6 +36,7 @@ from ..hosts import (
 from ..kernels import feed, kernels_of
 from ..options import BACKGROUND, MESHES, TONES
 from ..render import render
+from ..standing import standing
 from ..surroundings import surround
 from .keeping import Keeping, Shelf
 from .pictures import Pictures, Wanted
@@ -272,7 +273,13 @@ class Documents:
         if chosen.subject in declared.frames:
             return result.frames[0]
         red, green, blue = color_lanes(BACKGROUND) or (0.0, 0.0, 0.0)
-        return single_frame(result.materials[0], (red, green, blue, 1.0), samples=_SAMPLES)
+        background = red, green, blue, 1.0
+        if request.floor and request.scene is None and chosen.subject in declared.materials:
+            return standing(
+                request.file, chosen.subject, chosen.rig, (chosen.profile,), background=background,
+                samples=_SAMPLES, search_path=request.search_path, hoist=request.hoist,
+            )  # fmt: skip
+        return single_frame(result.materials[0], background, samples=_SAMPLES)
 
     def _host(
         self, frame: FrameSubject, chosen: Choice

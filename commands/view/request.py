@@ -12,6 +12,8 @@ class ViewRequest(NamedTuple):
     file: Path
     """A file or a folder."""
     mesh: str
+    floor: bool
+    """True if the mesh of a material stands on a floor."""
     scene: Path | None
     environment: str
     """The light from all around: a word or a file."""

@@ -295,6 +295,12 @@ class LayersRow:
 
     Null where a single draw reaches all layers.
     """
+    view_mask: Positive | None
+    """View mask of the render pass, where a draw reaches all layers as views: bit 0 for layer 0.
+
+    For Vulkan's ``VkRenderPassMultiviewCreateInfo``, or one of Direct3D's view instances for each
+    bit. Null where the geometry stage chooses among layers, or each layer has a draw of its own.
+    """
 
 
 @frozen(kw_only=True)

@@ -1,4 +1,4 @@
-"""Derives over which domain each value varies: a draw, an instance, a vertex, a fragment.
+"""Derives over which domain each value varies: a draw, a view, an instance, a vertex, a fragment.
 
 Semantics asks for it in order to know what has to cross between stages, and the verifier in order
 to make sure that no operation mixes values of two stages. A node's domain follows from those of its
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from .leaves import Attribute
 from .node import AGE, Node
-from .stages import INSTANCES, VERTICES, Crossing, Domain, SystemInput
+from .stages import INSTANCES, VERTICES, VIEWS, Crossing, Domain, SystemInput
 
 
 class MixedDomainsError(Exception):
@@ -61,6 +61,8 @@ class Domains:
             other = self._found[operand.id]
             if exists(found, other):
                 found = other
+            elif {found, other} == {VIEWS, INSTANCES}:
+                found = VERTICES
             elif not exists(other, found):
                 raise MixedDomainsError(node, f"made of values per {found} and per {other}")
         return found
@@ -70,4 +72,6 @@ def exists(domain: Domain | None, other: Domain | None) -> bool:
     """True if a value that varies over ``domain`` also exists at each place of ``other``."""
     if domain is None or domain == other:
         return True
+    if domain == VIEWS:
+        return other not in (None, INSTANCES)
     return (domain, other) == (INSTANCES, VERTICES)

@@ -341,6 +341,12 @@ class Shader:
 
     It exists where render targets have layers and each of these has a draw of its own.
     """
+    views: int = 0
+    """The number of views that the pass draws, each to a layer of its own.
+
+    It is 0 where nothing tells views apart, and 1 without layers where ``view_index`` is read
+    although the pass says nothing of views.
+    """
     capture: Capture | None = None
     """The values that are written of each vertex instead of drawing.
 
@@ -391,6 +397,11 @@ class Shader:
         """The states of the render targets, in order."""
         states = (result.state for result in self.results_of(TARGET))
         return tuple(state for state in states if state is not None)
+
+    @property
+    def is_lowered(self) -> bool:
+        """True if it has vertices and fragments alone, of one view: what every target draws."""
+        return self.chain == RASTERISED and not self.views
 
     @property
     def corner_buffer(self) -> Buffer | None:

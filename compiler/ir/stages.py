@@ -31,6 +31,8 @@ FRAGMENTS: Domain = "fragment"
 INVOCATIONS: Domain = "invocation"
 INSTANCES: Domain = "instance"
 """A domain without a stage: each vertex of an instance has the values of the instance."""
+VIEWS: Domain = "view"
+"""A domain without a stage: all that is drawn of a view has the values of the view."""
 
 CLIP_POSITION = "clip_position"
 """The kind of the result that places a vertex: a vec4 in clip space."""
@@ -149,7 +151,7 @@ class SystemInput:
     type: Type
     """The type in Burnish; that of a language may differ."""
     domain: Domain
-    """The domain of the stage that reads it, or ``INSTANCES``."""
+    """The domain of the stage that reads it, or ``INSTANCES`` or ``VIEWS``."""
     most: int | None = None
     """The largest value that it can have, of one that counts from 0."""
 
@@ -181,11 +183,15 @@ class StageRow:
     """
 
 
+VIEW_INDEX = SystemInput("view_index", INT, VIEWS)
+"""The number of the view that is drawn, in a pass that draws several views."""
+
 VERTEX = StageRow(
     "vertex", VERTICES, "vert", "vs_main",
     inputs=(
         SystemInput("vertex_index", UINT, VERTICES),
         SystemInput("instance_index", UINT, INSTANCES),
+        VIEW_INDEX,
     ),
     delivers=(CLIP_POSITION, CAPTURE),
 )  # fmt: skip
@@ -241,6 +247,7 @@ FRAGMENT = StageRow(
         SystemInput("frag_coord", VEC4, FRAGMENTS),
         # True if the counter-clockwise side is seen.
         SystemInput("front_facing", BOOL, FRAGMENTS),
+        VIEW_INDEX,
     ),
     delivers=(TARGET, DISCARD, FRAGMENT_DEPTH),
     has_derivatives=True,

@@ -21,7 +21,7 @@ from ..ir.shader import AttributeInfo, MeshInput, Shader
 from ..ir.stages import INSTANCES, VERTEX, SystemInput
 from ..ir.types import INT, UINT, VEC4, Array
 
-VERTEX_INDEX, INSTANCE_INDEX = VERTEX.inputs
+VERTEX_INDEX, INSTANCE_INDEX, _ = VERTEX.inputs
 
 NOWHERE = (0.0, 0.0, -1.0, 1.0)
 """A place in clip space that no picture shows."""

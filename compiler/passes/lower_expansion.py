@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
-from itertools import count
 
 from ...support.frozen import changed
 from ..ir import build
@@ -45,13 +44,11 @@ from ..ir.stages import (
 )
 from ..ir.types import BOOL, INT
 from .corner_inputs import placed
+from .draw_parameters import unused_name
 from .expanded_corners import CellCorners, Corners, MeshCorners
 
 LAYER_OF_DRAW = "draw.layer"
-"""The name of the parameter that says for which layer a draw is.
-
-It ends in ``_`` if a light has a parameter of this name.
-"""
+"""The name of the parameter that says for which layer a draw is."""
 
 
 def lower_expansion(shader: Shader) -> Shader:
@@ -87,7 +84,7 @@ def lower_expansion(shader: Shader) -> Shader:
         levels=corners.levels,
         listed=corners.listed,
         parameters=lowering.parameters,
-        layer=lowering.layer,
+        layer=lowering.layer or shader.layer,
         chain=RASTERISED if shader.capture is None else CAPTURED,
     )
 
@@ -135,9 +132,7 @@ class _Lowering:
 
         The host sets a parameter to the layer that it draws.
         """
-        taken = {info.leaf.name for info in self._parameters}
-        names = (LAYER_OF_DRAW + "_" * number for number in count())
-        self.layer = Parameter(next(n for n in names if n not in taken), INT, "draw")
+        self.layer = Parameter(unused_name(LAYER_OF_DRAW, self._parameters), INT, "draw")
         drawn = self._graph.node("parameter", INT, (), self.layer)
         return self._graph.node("call", BOOL, (layer, drawn), "eq")
 

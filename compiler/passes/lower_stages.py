@@ -1,6 +1,7 @@
 """Rewrites geometry, tessellation and stream-output stages as stages that every target has.
 
-These are vertex, fragment and compute stages. ``compiling.py`` calls ``lower_stages`` before all
+These are vertex, fragment and compute stages. Several views become draws of their own, too.
+``compiling.py`` calls ``lower_stages`` before all
 passes or, if the stages themselves are wanted, ``keep_stages``.
 """
 
@@ -14,6 +15,10 @@ def lower_stages(shader: Shader) -> Shader:
 
     Most shaders have none of these, and then nothing is loaded that rewrites them.
     """
+    if shader.views:
+        from .lower_views import lower_views
+
+        shader = lower_views(shader)
     if shader.expansion is None and shader.tessellation is None and shader.capture is None:
         return shader
     from .lower_capture import lower_capture
@@ -24,7 +29,11 @@ def lower_stages(shader: Shader) -> Shader:
 
 
 def keep_stages(shader: Shader) -> Shader:
-    """The shader with its stages, and with the ranges of the numbers of their vertices."""
+    """The shader with its stages and views, and with the ranges of the numbers of them."""
+    if shader.views:
+        from .lower_views import count_views
+
+        shader = count_views(shader)
     from .emit_strips import count_strips
     from .patch_vertices import count_captured
 

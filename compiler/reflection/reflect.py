@@ -296,7 +296,9 @@ def _layers_row(shader: Shader) -> LayersRow | None:
     if not shader.layers:
         return None
     return LayersRow(
-        count=shader.layers, parameter=None if shader.layer is None else shader.layer.name
+        count=shader.layers,
+        parameter=None if shader.layer is None else shader.layer.name,
+        view_mask=2**shader.views - 1 or None,
     )
 
 

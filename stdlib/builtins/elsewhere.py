@@ -84,6 +84,8 @@ VALUES: Mapping[str, str] = MappingProxyType(
         "gl_VertexID": "vertex_index", "SV_VertexID": "vertex_index", "vertex_id": "vertex_index",
         "gl_InstanceID": "instance_index", "SV_InstanceID": "instance_index",
         "instance_id": "instance_index", "M_PI": "pi", "PI": "pi", "True": "true", "TRUE": "true",
+        **dict.fromkeys(("gl_ViewIndex", "gl_ViewID_OVR", "SV_ViewID", "ViewID",
+                         "VIEW_INDEX", "unity_StereoEyeIndex"), "view_index"),
         "False": "false", "FALSE": "false", "vUv": "uv", "vUV": "uv", "UV": "uv",
         "NORMAL": "normal",
         "VIEW": "to_eye", "FRAGCOORD": "frag_coord", "FRONT_FACING": "front_facing",
@@ -146,10 +148,6 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(
             ("lightPos", "light_pos", "lightPosition", "light_position", "LIGHT"),
             "lights are read in a `term … per light`: `light.to_light` is the direction to one",
-        ),
-        **dict.fromkeys(
-            ("gl_ViewIndex", "view_index", "SV_ViewID", "gl_ViewID_OVR", "unity_StereoEyeIndex"),
-            "each view is drawn by itself: what differs between views is a `param … per view`",
         ),
         **dict.fromkeys(
             ("fragment", "vertex", "compute"),

@@ -15,7 +15,16 @@ needs it, with which all of its cells are tried.
 from __future__ import annotations
 
 from ...compiler.ir.operations import OF_GROUPS
-from ...compiler.ir.stages import COMPUTE, CONTROL, EVALUATION, FRAGMENT, GEOMETRY, VERTEX, StageRow
+from ...compiler.ir.stages import (
+    COMPUTE,
+    CONTROL,
+    EVALUATION,
+    FRAGMENT,
+    GEOMETRY,
+    VERTEX,
+    VIEW_INDEX,
+    StageRow,
+)
 from ...compiler.ir.types import TextureType
 from .capability import Capability, Need, Way, a_stage, lowering, some_builtins, words_for
 from .profile import STORABLE, Profile
@@ -52,7 +61,12 @@ VERTEX_NUMBERS = Need(
 INSTANCES = Need(
     "draws of instances", lambda profile: "instance_index" not in profile.without_inputs
 )
-OF_INPUTS = {"vertex_index": VERTEX_NUMBERS, "instance_index": INSTANCES}
+MULTIVIEW = Need(
+    "draws of several views", lambda profile: VIEW_INDEX.name not in profile.without_inputs
+)
+OF_INPUTS = {
+    "vertex_index": VERTEX_NUMBERS, "instance_index": INSTANCES, VIEW_INDEX.name: MULTIVIEW,
+}  # fmt: skip
 """The values of the pipeline that profiles may refuse, and the need of each."""
 SEVERAL_TARGETS = Need("second render target", lambda profile: profile.limits.render_targets > 1)
 OWN_DEPTHS = Need("depths of fragments", lambda profile: profile.fragment_depths)
@@ -111,9 +125,18 @@ ELEMENTS_ELSEWHERE = (
 DRAWN_APART = "draw the targets by several passes, each with one blending"
 AS_PATTERNS = "each patch is drawn as an instance of a pattern"
 AS_INSTANCES = "each primitive is drawn as an instance"
+AS_DRAWS = "each view is a draw of its own"
 
 BY_KERNEL = Way((a_stage(COMPUTE),), "a kernel captures the vertices")
 
+VIEWS_AT_ONCE = Capability(
+    "views",
+    "A pass draws several views of a scene, each to a layer of its render targets: "
+    "`views of 2`, with `view_index` in all stages. Where this is lowered, each view is a draw "
+    "of its own.",
+    (Way((MULTIVIEW,)), Way((a_stage(VERTEX), a_stage(FRAGMENT)), AS_DRAWS)),
+    on_request=True,
+)
 CAPTURES = Capability(
     "captures",
     "Vertices are written to a buffer instead of being drawn: a pass with `capture name : T = …`.",
@@ -229,6 +252,7 @@ CAPABILITIES: tuple[Capability, ...] = (
         (Way((a_stage(GEOMETRY),)), Way((INSTANCES,), AS_INSTANCES)),
         on_request=True,
     ),
+    VIEWS_AT_ONCE,
     CAPTURES,
     EMITTED_CAPTURES,
     DIVIDED_CAPTURES,

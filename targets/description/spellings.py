@@ -109,3 +109,7 @@ class PipelineInput:
     """The semantic or attribute of its declaration; empty if it needs none."""
     host_uniform: str = ""
     """A loose uniform of type float that ``read`` needs and the host has to set."""
+    requires: str = ""
+    """The line that opens a file in which the value is read."""
+    unknown_to: frozenset[str] = frozenset()
+    """The checkers of the profile that do not know the value, although the language has it."""

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
 from ...support.frozen import EMPTY, frozen
+from ..description.spellings import PipelineInput
 from ..legalise.bindings import Bindings
 from ..legalise.legal import Legal
 from .comments import comment_line, comment_lines
@@ -51,6 +52,8 @@ class EmittedFile:
     entries: Mapping[StageName, str]
     """Entry points by stage."""
     text: str
+    checkers: tuple[str, ...]
+    """The checkers of the profile that know all that the text uses."""
     marks: Marks
     breaks: Breaks
     """The lines that were broken. The marks count lines as they were before."""
@@ -122,9 +125,15 @@ class _Emitter:
             stage=ALL_STAGES if single else first.name,
             entries=names,
             text=text,
+            checkers=self._checkers(stages),
             marks=marks,
             breaks=breaks,
         )
+
+    def _checkers(self, stages: tuple[Stage, ...]) -> tuple[str, ...]:
+        inputs = (row for stage in stages for row in self._inputs(stage))
+        unknowing = frozenset[str]().union(*(row.unknown_to for row in inputs))
+        return tuple(each for each in self._profile.checkers if each not in unknowing)
 
     def _entry_point(self, stage: Stage, single: bool) -> str:
         entry = stage.row.entry
@@ -137,12 +146,13 @@ class _Emitter:
 
     def _view(self, stages: tuple[Stage, ...], entries: list[EntryView]) -> FileView:
         uniforms = (name for stage in stages for name in self._host_uniforms(stage))
+        inputs = [row for stage in stages for row in self._inputs(stage)]
         reads = [read for stage in stages for read in stage.reads]
         natives = [native for stage in stages for native in stage.natives]
         images = self._declarations.images(stages)
         return FileView(
             opening=[
-                *opening_lines(self._profile, self._context.textures, natives, reads),
+                *opening_lines(self._profile, self._context.textures, natives, reads, inputs),
                 *image_lines(self._profile, images),
             ],
             header=self._header(stages),
@@ -164,5 +174,8 @@ class _Emitter:
         return [title, *comment_lines(shader.doc, "//")]
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
-        rows = (self._context.dialect.inputs[name] for name in stage.builtin_inputs)
-        return [row.host_uniform for row in rows if row.host_uniform]
+        return [row.host_uniform for row in self._inputs(stage) if row.host_uniform]
+
+    def _inputs(self, stage: Stage) -> list[PipelineInput]:
+        """The spellings of the values that the pipeline supplies to a stage."""
+        return [self._context.dialect.inputs[name] for name in stage.builtin_inputs]

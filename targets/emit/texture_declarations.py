@@ -9,7 +9,7 @@ from ...compiler.ir.program import NativeUse, Program, TextureRead
 from ...compiler.ir.types import TextureType
 from ..description.profile import Profile
 from ..description.shading_language import Language
-from ..description.spellings import TextureNames
+from ..description.spellings import PipelineInput, TextureNames
 from ..legalise.samplers import sampler_use, texture_type
 from .views import ImageView
 
@@ -48,14 +48,16 @@ def opening_lines(
     textures: TextureSpeller,
     natives: Iterable[NativeUse],
     reads: Iterable[TextureRead],
+    inputs: Iterable[PipelineInput],
 ) -> list[str]:
     """The first lines of a file behind the preamble.
 
-    They are the extensions that its operations need, default precisions, and the precisions of the
-    textures that it reads.
+    They are the extensions that its operations and the pipeline's values need, default precisions,
+    and the precisions of the textures that it reads.
     """
     used = (*(use.builtin for use in natives), *(read.builtin for read in reads))
-    extensions = (profile.requires[name] for name in used if name in profile.requires)
+    of_natives = (profile.requires[name] for name in used if name in profile.requires)
+    extensions = (*of_natives, *(row.requires for row in inputs if row.requires))
     precision = profile.samplers.precision
     types = [textures.combined(read.texture) for read in reads] if precision else []
     precisions = (precision.format(type=type_) for type_ in types)

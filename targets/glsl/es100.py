@@ -105,7 +105,7 @@ def es100(framebuffer: Framebuffer) -> Profile:
         varyings_by_name=True,
         invariant_inputs=True,
         natives=NATIVES,
-        without_inputs=frozenset({"vertex_index", "instance_index"}),
+        without_inputs=frozenset({"vertex_index", "instance_index", "view_index"}),
         textures=frozenset({TextureType("2d"), TextureType("cube")}),
         wide_integers=False,
         integer_attributes=False,

@@ -138,6 +138,9 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "gl_FrontFacing"),
     "vertex_index": PipelineInput(INT, "gl_VertexID"),
     "instance_index": PipelineInput(INT, "gl_InstanceID"),
+    "view_index": PipelineInput(
+        INT, "gl_ViewIndex", requires="#extension GL_EXT_multiview : require"
+    ),
     "index": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "texel": PipelineInput(Vector("uint", 3), "gl_GlobalInvocationID"),
     "primitive_index": PipelineInput(INT, "gl_PrimitiveIDIn"),
@@ -244,6 +247,9 @@ VULKAN = Profile(
     checkers=("glslang-vulkan",),
 )
 
+ONE_VIEW = frozenset({"view_index"})
+"""The input of several views at once, of which only Vulkan's GLSL is certain to know."""
+
 NO_LEVELS = frozenset({"texture_levels"})
 """The builtin that came with GLSL 4.30; no version of ES has it."""
 
@@ -283,6 +289,7 @@ OPENGL = Profile(
     cannot=CANNOT,
     textures=NO_CUBE_ARRAYS,
     limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl330",),
 )
 
@@ -302,6 +309,7 @@ OPENGL_4 = Profile(
     limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
     agrees=AGREES,
     limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-gl450",),
 )
 
@@ -332,6 +340,7 @@ ES = Profile(
     cannot=CANNOT,
     textures=NO_CUBE_ARRAYS,
     limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es300",),
 )
 
@@ -358,6 +367,7 @@ ES_31 = Profile(
     cannot=NO_LEVELS,
     textures=NO_CUBE_ARRAYS,
     limit_names=TEXTURE_UNITS,
+    without_inputs=ONE_VIEW,
     checkers=("glslang-es310",),
 )
 

@@ -195,6 +195,10 @@ INPUTS = {
     "front_facing": PipelineInput(BOOL, "input.{name}", "SV_IsFrontFace"),
     "vertex_index": PipelineInput(UINT, "input.{name}", "SV_VertexID"),
     "instance_index": PipelineInput(UINT, "input.{name}", "SV_InstanceID"),
+    # Shader Model 6.1 has it, and glslang from version 14 on.
+    "view_index": PipelineInput(
+        UINT, "input.{name}", "SV_ViewID", unknown_to=frozenset({"glslang-hlsl"})
+    ),
     "index": PipelineInput(UINT, "input.{name}", "SV_DispatchThreadID"),
     "texel": PipelineInput(Vector("uint", 2), "input.{name}", "SV_DispatchThreadID"),
     "primitive_index": PipelineInput(UINT, "{name}", "SV_PrimitiveID"),
@@ -290,7 +294,8 @@ SM6 = Profile(
     patch_winding="cw",
     image_formats=STORABLE,
     stream_output=StreamOutput("semantics"),
-    doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC.",
+    doc="Shader Model 6.0 for Direct3D 12, or for Vulkan through DXC; 6.1 for several views in one "
+    "draw.",
     single_file=True,
     agrees=AGREES,
     mistakes={"mul": gives_rectangle},

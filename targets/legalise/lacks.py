@@ -12,9 +12,18 @@ from collections.abc import Iterator, Sequence, Set
 from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.leaves import Texture
 from ...compiler.ir.node import Node
+from ...compiler.ir.operations import INPUT
 from ...compiler.ir.program import NativeUse, Program, Stage, TextureRead
 from ...compiler.ir.shader import RenderTarget
-from ...compiler.ir.stages import CAPTURE, CONTROL, FRAGMENT_DEPTH, GEOMETRY, TARGET
+from ...compiler.ir.stages import (
+    CAPTURE,
+    CONTROL,
+    FRAGMENT_DEPTH,
+    GEOMETRY,
+    RASTERISED,
+    TARGET,
+    VIEW_INDEX,
+)
 from ...compiler.ir.types import TextureType
 from ...compiler.ir.walks import visible
 from ...support.frozen import frozen
@@ -30,12 +39,14 @@ from ..description.capabilities import (
     EMITTED_CAPTURES,
     GATHERED_COMPARISONS,
     INSTANCES,
+    MULTIVIEW,
     NUMBERED_CAPTURES,
     OWN_DEPTHS,
     SEPARATE_SAMPLERS,
     SEVERAL_TARGETS,
     SOME_BLENDED,
     STREAM_OUTPUT,
+    VIEWS_AT_ONCE,
     buffers_of,
     feature_of_builtin,
     feature_of_texture,
@@ -91,6 +102,7 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         yield Lack(EDGES.feature, program.stages[-1].roots[0].id)
     if (own := program.results_of(FRAGMENT_DEPTH)) and not OWN_DEPTHS.is_met(profile):
         yield Lack(OWN_DEPTHS.feature, own[0].value.id)
+    yield from _views(program, profile)
     yield from _of_targets(program, profile)
     if captured is None or STREAM_OUTPUT.is_met(profile):
         values = features_of_values(program, profile)
@@ -100,6 +112,24 @@ def lacks(program: Program, profile: Profile) -> Iterator[Lack]:
         if native.builtin in profile.cannot and not _is_read(native):
             yield Lack(feature_of_builtin(native.builtin), native.node.id)
     yield from _textures(program, profile)
+
+
+def _views(program: Program, profile: Profile) -> Iterator[Lack]:
+    """The lack of draws of several views, where the pass asks for one.
+
+    No profile has them in other stages than those of vertices and fragments, as few devices do.
+    """
+    if not program.shader.views:
+        return
+    nodes = (node for stage in program.stages for node in stage.nodes)
+    reading = (n for n in nodes if n.op == "input" and INPUT.data(n).name == VIEW_INDEX.name)
+    place = next(reading, program.stages[-1].roots[0]).id
+    others = [stage for stage in program.stages if stage.row not in RASTERISED]
+    if not MULTIVIEW.is_met(profile):
+        yield Lack(MULTIVIEW.feature, place)
+    elif others:
+        feature = f"{MULTIVIEW.feature} with a {feature_of_stage(others[0].row)}"
+        yield Lack(feature, place, needed_for=VIEWS_AT_ONCE)
 
 
 def _of_targets(program: Program, profile: Profile) -> Iterator[Lack]:

@@ -17,6 +17,7 @@ from ..description.capabilities import (
     FLAT_VALUES,
     INSTANCES,
     INTEGER_ATTRIBUTES,
+    MULTIVIEW,
     OF_INPUTS,
     RECTANGULAR_MATRICES,
     WIDE_INTEGERS,
@@ -92,7 +93,11 @@ def _of_rectangular_matrices(_program: Program, stage: Stage) -> Iterator[int]:
 
 
 _NEEDING: tuple[tuple[Need, Finder], ...] = (
-    *((need, _reading("input", _named(name))) for name, need in OF_INPUTS.items()),
+    *(
+        (need, _reading("input", _named(name)))
+        for name, need in OF_INPUTS.items()
+        if need != MULTIVIEW  # The pass as a whole needs it.
+    ),
     (INSTANCES, _reading("attribute", _inputs(lambda field: field.step == PER_INSTANCE))),
     (INTEGER_ATTRIBUTES, _reading("attribute", _inputs(lambda f: scalar_kind(f.type) != "float"))),
     (WIDE_INTEGERS, _of_wide_integers),

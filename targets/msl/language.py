@@ -242,6 +242,8 @@ METAL2 = Profile(
         "#include <metal_stdlib>",
         "using namespace metal;",
     ),
+    # Metal amplifies vertices instead: a stage says how often, and sends each to a layer.
+    without_inputs=frozenset({"view_index"}),
     single_file=True,
     numbering="kind",
     lacks=frozenset({"first_leading_bit", "first_trailing_bit"}),

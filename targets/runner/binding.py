@@ -73,6 +73,7 @@ def pipeline(reflection: Reflection, route: Route, codes: Codes) -> Pipeline:
             if not images
         ),
         layers=_layers(reflection.draw.layers),
+        view_mask=_view_mask(reflection.draw.layers),
         primitive=reflection.draw.topology,
         patch_points=reflection.draw.corners if _divided_natively(reflection.draw) else 0,
         cull=state.cull,
@@ -128,6 +129,11 @@ def _divided_natively(draw: DrawRow) -> bool:
 def _layers(row: LayersRow | None) -> int:
     """The number of layers of a single draw; 0 if there are none, or a draw for each."""
     return 0 if row is None or row.parameter is not None else row.count
+
+
+def _view_mask(row: LayersRow | None) -> int:
+    """The views that a single draw reaches, a bit for each; 0 if there are none."""
+    return 0 if row is None or row.view_mask is None else row.view_mask
 
 
 def shows_less(reflection: Reflection) -> bool:

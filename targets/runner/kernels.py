@@ -17,7 +17,6 @@ from ...compiler.documents.reflection import Reflection
 from ...compiler.documents.values import ResultRow
 from ...compiler.ir.full_screen import CORNERS, full_screen, writes_images
 from ...compiler.ir.shader import Shader
-from ...compiler.ir.stages import RASTERISED
 from ...support.frozen import changed
 from .drivers.draws import Dispatch, Draw
 from .instances.instance import Instance
@@ -119,7 +118,7 @@ def drawable(shader: Shader) -> Shader:
     Raises ``UndrawableError``.
     """
     if not writes_images(shader):
-        if shader.chain != RASTERISED:
+        if not shader.is_lowered:
             raise UndrawableError(shader.name)
         return shader
     # A copy, as nodes are added, and others may walk over the given graph.

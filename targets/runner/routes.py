@@ -12,6 +12,7 @@ from fnmatch import fnmatchcase
 from itertools import chain
 
 from ...compiler.diagnostics.nearest import suggestion
+from ...compiler.ir.stages import VIEW_INDEX
 from ...stdlib.builtins.accuracy import Platform
 from ...support.installing import install_command
 from ..toolchain.checkers import CHECKERS
@@ -67,6 +68,9 @@ class Route:
     text."""
     flags: tuple[str, ...] = ()
     """Further command-line arguments of the compiler."""
+    unknown_inputs: frozenset[str] = frozenset()
+    """The values of the pipeline that the compiler does not know, although the language has them,
+    as ``PipelineInput.unknown_to`` says."""
 
     @property
     def platforms(self) -> tuple[Platform, ...]:
@@ -99,6 +103,7 @@ class _Way:
     profile: str
     compiler: str
     flags: tuple[str, ...] = ()
+    unknown_inputs: frozenset[str] = frozenset()
 
 
 _PLATFORMS: Mapping[str, Platform] = {
@@ -172,7 +177,10 @@ EVERY_DRIVER: Mapping[str, DriverRow] = {**DRIVERS, **DEVICE_DRIVERS}
 # turns the picture upside down unless a flag forbids it.
 _TO_VULKAN = (
     _Way("glsl", "GLSL by glslang", "glsl:vulkan", "glslang-vulkan"),
-    _Way("hlsl-glslang", "HLSL by glslang", "hlsl:sm6", "glslang-hlsl", ("--hlsl-dx-position-w",)),
+    _Way(
+        "hlsl-glslang", "HLSL by glslang", "hlsl:sm6", "glslang-hlsl", ("--hlsl-dx-position-w",),
+        frozenset({VIEW_INDEX.name}),
+    ),
     _Way(
         "hlsl-dxc", "HLSL by DXC", "hlsl:sm6", "dxc-spirv",
         ("-fvk-use-dx-position-w", "-fvk-use-dx-layout"),
@@ -186,7 +194,7 @@ def _vulkan_routes(driver: str) -> Iterator[Route]:
     for way in _TO_VULKAN:
         title = f"{way.title}, {EVERY_DRIVER[driver].title}"
         name = f"{driver}:{way.name}"
-        yield Route(name, title, way.profile, driver, way.compiler, way.flags)
+        yield Route(name, title, way.profile, driver, way.compiler, way.flags, way.unknown_inputs)
 
 
 def _opengl_routes(driver: str) -> Iterator[Route]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import chain
 from typing import Protocol
 
 from ...compiler.documents.reflection import Reflection
@@ -39,5 +40,13 @@ class Subject(Protocol):
 
 
 def lacking(shaders: Iterable[Subject], route: Route) -> str | None:
-    """The feature that a route lacks to draw something with these shaders, or ``None``."""
-    return next(filter(None, (shader.lacking.get(route.profile) for shader in shaders)), None)
+    """The reason why a route cannot draw something with these shaders, or ``None``."""
+    reasons = (shader.lacking.get(route.profile) or _unknown(shader, route) for shader in shaders)
+    return next(filter(None, reasons), None)
+
+
+def _unknown(shader: Subject, route: Route) -> str | None:
+    """A value of the pipeline that the route's compiler does not know, as a reason."""
+    read = chain.from_iterable(shader.reflection.pipeline_inputs.values())
+    unknown = next((name for name in read if name in route.unknown_inputs), None)
+    return None if unknown is None else f"{route.compiler} does not know `{unknown}`"

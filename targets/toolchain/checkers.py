@@ -26,9 +26,11 @@ Check = Callable[[Sequence[Job], Toolbox], list[Verdict]]
 VULKAN_ATTRIBUTES_ARE_FINE = "-Wno-ignored-attributes"
 """A flag for DXIL, which has no use for the ``[[vk::location]]`` that the text has for SPIR-V."""
 DXC_PROFILES = {
-    "vert": "vs_6_0", "tesc": "hs_6_0", "tese": "ds_6_0", "geom": "gs_6_0", "frag": "ps_6_0",
-    "comp": "cs_6_0",
+    "vert": "vs", "tesc": "hs", "tese": "ds", "geom": "gs", "frag": "ps", "comp": "cs",
 }  # fmt: skip
+"""The names of the stages in front of the version of the shader model."""
+VIEWS_IN_HLSL = "SV_ViewID"
+"""The semantic that needs Shader Model 6.1; all other texts are for 6.0."""
 MSL_DECLARATIONS = Path(__file__).parents[1] / "msl"
 """The folder with declarations of Metal. Apple's own compiler is not available here; clang is the
 only one that has ever checked these texts."""
@@ -87,7 +89,9 @@ def _dxc_dxil(job: Job, toolbox: Toolbox) -> Verdict:
 def _dxc(
     job: Job, toolbox: Toolbox, target: tuple[str, ...], *, disassemble: bool
 ) -> tuple[Verdict, bytes]:
-    arguments = [*target, "-T", DXC_PROFILES[job.stage], "-E", job.entry, *job.flags]
+    model = "6_1" if VIEWS_IN_HLSL in job.text else "6_0"
+    wanted = f"{DXC_PROFILES[job.stage]}_{model}"
+    arguments = [*target, "-T", wanted, "-E", job.entry, *job.flags]
     request = {"text": job.text, "arguments": arguments, "disassemble": disassemble}
     with toolbox.dxc.borrow() as worker:
         answer = worker.ask(request, toolbox.time_limit)

@@ -168,6 +168,8 @@ WEBGPU = Profile(
     draws_edges=False,
     blends_floats=False,
     borders=False,
+    # naga knows `@builtin(view_index)`, but the standard does not, and neither do browsers.
+    without_inputs=frozenset({"view_index"}),
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
     # Every device has 16 textures and samplers in a stage (WebGPU, 3.6.2 "Limits"). Chromium offers

@@ -165,3 +165,34 @@ def test_large_pictures_are_developed_in_parts(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(developing, "_MOST_TEXELS", 4)
     light = np.arange(30.0).reshape(5, 2, 3) / 30
     assert Development(1, "reinhard").applied(light) == pytest.approx(2 * light / (1 + 2 * light))
+
+
+def test_a_material_stands_on_a_floor(tmp_path: Path) -> None:
+    """Lit at the left of the ball, and in its shadow at the right, by every route alike."""
+    text = "material Even { param base : rgb = #ffffff  color = base }"
+    reference, drawn = (
+        draw(text, tmp_path, "--floor", "--on", route, "--set", "base=#00ff00", size=64)
+        for route in ("reference", "lavapipe:glsl")
+    )
+    assert tuple(reference[32, 32]) == (0, 255, 0)
+    lit, shadowed = reference[58, 10], reference[44, 55]
+    assert tuple(lit) == (124, 124, 124)
+    assert tuple(shadowed) == (63, 63, 63)
+    assert (np.abs(reference - drawn).max(axis=2) > 1).mean() < 0.02  # Edges of faces.
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("kernel K { map a : texture2d  result b : image2d<rgba8>[a.size()] = a.load(texel) }",
+         "--floor is for the mesh of a material: a frame, a kernel or a scene has none"),
+        ("fn share_lit(x: float) -> float = x\nmaterial M { color = vec3(share_lit(uv.x)) }",
+         "M cannot stand on a floor, as its file has names that the floor needs: "
+         "`share_lit` takes 1 argument, found 5"),
+    ],
+)  # fmt: skip
+def test_what_cannot_stand_on_a_floor(text: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text(text)
+    result = invoke("render", tmp_path / "m.burnish", "-o", tmp_path / "m.png", "--floor")
+    assert (result.exit_code, result.stderr) == (1, f"error: {said}\n")
+    assert not (tmp_path / "m.png").exists()

@@ -71,8 +71,10 @@ class Reads:
         if kind.sample == "depth":
             return self._compared(name, kind, depth)
         ways: list[Callable[[str, TextureType, int], str]] = [
-            self._implicit, self._implicit, self._level, self._grad
+            self._implicit, self._implicit, self._level
         ]  # fmt: skip
+        # Of gradients of cubes, little can be proven (``subjects.py``).
+        ways += [] if kind.is_cube else [self._grad]
         ways += [self._gather] if kind.dimension != "3d" else []
         ways += [] if kind.is_cube else [self._load]
         return self._chance.choice(ways)(name, kind, depth)

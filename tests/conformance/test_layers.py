@@ -137,10 +137,12 @@ def test_each_strip_is_in_its_layer_alone(studio: Studio, native: bool) -> None:
 def test_a_host_draws_the_layers_one_by_one() -> None:
     """The reflection is enough: each draw differs from the others in one parameter."""
     material = compiled(native=False)
-    assert material.reflection.draw.layers == LayersRow(count=COUNT, parameter="draw.layer")
+    assert material.reflection.draw.layers == LayersRow(
+        count=COUNT, parameter="draw.layer", view_mask=None
+    )
     assert len({layer.draw().blocks for layer in state_of(material).layers}) == COUNT
     native = compiled(native=True)
-    assert native.reflection.draw.layers == LayersRow(count=COUNT, parameter=None)
+    assert native.reflection.draw.layers == LayersRow(count=COUNT, parameter=None, view_mask=None)
     assert state_of(native).layers == ()
 
 

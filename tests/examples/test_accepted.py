@@ -84,17 +84,33 @@ def compiled_together(subjects: Sequence[Subject], toolchain: Toolchain) -> dict
     }
 
 
+def subjects_of(session: pytest.Session) -> frozenset[object]:
+    """The parameters of all tests here that a run has: a few of them ask about few texts."""
+    ours = [item for item in session.items if item.path == Path(__file__)]
+    found = (getattr(item, "callspec", None) for item in ours)
+    return frozenset(value for each in found if each for value in each.params.values())
+
+
 @pytest.fixture(scope="module")
-def find(toolchain: Toolchain) -> Find:
+def find(request: pytest.FixtureRequest, toolchain: Toolchain) -> Find:
     """Finds what a subject comes to; tests of a group follow each other, so that it is kept."""
     kept: dict[Subject, Compiled] = {}
+    wanted = subjects_of(request.session)
 
     def found(subject: Subject) -> Compiled:
         if subject not in kept:
             kept.clear()
-            kept.update(compiled_together(neighbours(subject), toolchain))
+            together = [each for each in neighbours(subject) if each in wanted]
+            kept.update(compiled_together(together, toolchain))
         return kept[subject]
 
+    return found
+
+
+@pytest.fixture(scope="module", params=in_groups(VARIANTS))
+def variant(request: pytest.FixtureRequest) -> Variant:
+    """Each variant; tests of one follow each other, also where one process runs all."""
+    found: Variant = request.param
     return found
 
 
@@ -115,12 +131,10 @@ def check_accepted(compiled: Compiled) -> None:
     assert sum(1 for _ in jobs(result)) >= wanted
 
 
-@pytest.mark.parametrize("variant", in_groups(VARIANTS))
 def test_accepted(variant: Variant, find: Find) -> None:
     check_accepted(find(variant))
 
 
-@pytest.mark.parametrize("variant", in_groups(VARIANTS))
 def test_only_profiles_that_lack_something_are_left_out(variant: Variant, find: Find) -> None:
     for material in find(variant).result:
         assert material.lacking.keys() == variant.lacking(material.name), material.name

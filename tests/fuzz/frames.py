@@ -125,8 +125,6 @@ def _settings(writer: Writer, drawn: Node) -> Iterator[Node]:
     for target in _targets(drawn):
         if writer.maybe(0.2):
             yield Node(f"clear.{target} = 0.5", optional=True)
-    if writer.maybe(0.1):
-        yield Node("blend_constant = vec4(amount)", optional=True)
 
 
 def _targets(drawn: Node) -> Iterator[str]:

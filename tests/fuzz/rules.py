@@ -34,7 +34,8 @@ INTS, UINTS, BOOLS = (
 SQUARE_MATRICES = ("mat2", "mat3", "mat4")
 MATRICES = tuple(map(str, ALL_MATRICES))
 NUMBERS = (*FLOATS, *INTS, *UINTS)
-TYPES = (*NUMBERS, *BOOLS, *MATRICES)
+TYPES = (*NUMBERS, *BOOLS, *SQUARE_MATRICES, "mat3x2", "mat4x3")
+"""Types that programs ask for. Matrices of other shapes are made on the way to these."""
 """The types of bare numbers."""
 GEOMETRIC = (
     "rgb", "angle", "point<world>", "vector<world>", "direction<world>", "normal<world>",

@@ -22,7 +22,6 @@ from burnish.compiler.ir.types import (
     BOOL,
     FLOAT,
     INT,
-    MATRICES,
     UINT,
     Array,
     Matrix,
@@ -40,7 +39,7 @@ from burnish.stdlib.builtins import BUILTINS
 VECTORS = tuple(Vector("float", size) for size in (2, 3, 4))
 TYPES: tuple[Type, ...] = (
     FLOAT, INT, UINT, BOOL, *VECTORS, Vector("int", 2), Vector("uint", 2), Vector("bool", 2),
-    *MATRICES,
+    *(square(size) for size in (2, 3, 4)),
 )  # fmt: skip
 PAIR = Struct("Pair", (("number", FLOAT), ("vector", VECTORS[1])))
 
@@ -149,7 +148,7 @@ class RandomGraph:
 
     def _index(self) -> Node:
         wholes: list[tuple[Type, int]] = [(each, each.size) for each in VECTORS]
-        wholes += [(square(3), 3), (Matrix(3, 2), 3), (Array(FLOAT, 3), 3)]
+        wholes += [(square(3), 3), (Array(FLOAT, 3), 3)]
         whole, count = self._chance.choice(wholes)
         bound = build.constant(self.graph, INT, count)
         at = self.graph.node("call", INT, (self._value(INT), bound), "mod")

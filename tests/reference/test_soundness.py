@@ -15,7 +15,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from burnish.compiler.ir.node import Node, reachable
+from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.node import Graph, Node, reachable
+from burnish.compiler.ir.signatures import FIXED
+from burnish.compiler.ir.types import Matrix
 from burnish.compiler.reference.bounds import (
     Bounded,
     Bounds,
@@ -27,8 +30,10 @@ from burnish.compiler.reference.bounds import (
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.compiler.reference.evaluate import Evaluator
 from burnish.compiler.reference.namespace import Lanes
+from burnish.stdlib.builtins import BUILTINS
 from burnish.stdlib.builtins.accuracy import Platform
 from burnish.stdlib.builtins.facts import SMALLEST_NORMAL
+from burnish.stdlib.builtins.overloads import overloads
 
 from .device import HABITS, Device
 from .random_graphs import RandomGraph, Values, flat, leaves, usable
@@ -96,6 +101,29 @@ def _operations(graph: RandomGraph) -> list[Node]:
     """All operations outside of loops, in order, so that the first one is named that is wrong."""
     found = reachable(graph.roots)
     return [node for node in found if node.operands and not node.variables]
+
+
+def _of_matrices() -> list[Node]:
+    """Every builtin of matrices, of all shapes that fit."""
+    graph = Graph()
+    found = []
+    for name in ("add", "sub", "mul", "neg", "transpose", "outer", "hadamard"):
+        for each in overloads(BUILTINS[name]):
+            types = [FIXED[str(shape)] for shape in (*each.operands, each.result)]
+            if any(isinstance(type_, Matrix) for type_ in types):
+                operands = tuple(
+                    graph.node("parameter", type_, (), Parameter(f"p{i}{type_}", type_, "draw"))
+                    for i, type_ in enumerate(types[:-1])
+                )
+                found.append(graph.node("call", types[-1], operands, name))
+    return found
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_no_device_leaves_the_bounds_of_matrices(platform: Platform) -> None:
+    for seen in evaluated(_of_matrices(), Values(0), Errors((platform,)), 0):
+        assert not seen.outside().any(), seen.told()
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")

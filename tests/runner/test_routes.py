@@ -28,11 +28,14 @@ def names(found: tuple[Route, ...]) -> list[str]:
 
 @pytest.mark.parametrize("route", ROUTES.values(), ids=lambda route: route.name)
 def test_a_route_is_made_of_what_there_is(route: Route) -> None:
-    _, profile = registry.select(route.profile)
+    language, profile = registry.select(route.profile)
     assert route.compiler is None or route.compiler in CHECKERS
     assert route.compiler is None or route.compiler in profile.checkers
     assert (route.compiler is not None) == (DRIVERS[route.driver].module == "vulkan")
     assert all(tool_named(tool).name == tool for tool in route.needs)
+    inputs = {**language.inputs, **profile.inputs}
+    unknown = {name for name, row in inputs.items() if route.compiler in row.unknown_to}
+    assert unknown == route.unknown_inputs
 
 
 def test_every_profile_that_is_proven_is_drawn_and_every_driver_used() -> None:

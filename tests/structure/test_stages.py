@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.compiler.ir.stages import INSTANCES, STAGES, StageRow
+from burnish.compiler.ir.stages import INSTANCES, STAGES, VIEWS, StageRow
 from burnish.targets import registry
 
 from .kit import ROOT, files
@@ -67,7 +67,7 @@ def test_only_the_table_and_the_listed_files_name_stages() -> None:
 
 @pytest.mark.parametrize("row", STAGES.values(), ids=list(STAGES))
 def test_a_stages_inputs_are_of_its_domain_or_a_wider_one(row: StageRow) -> None:
-    assert {supplied.domain for supplied in row.inputs} <= {row.domain, INSTANCES}
+    assert {supplied.domain for supplied in row.inputs} <= {row.domain, INSTANCES, VIEWS}
 
 
 def test_no_two_stages_share_a_name() -> None:

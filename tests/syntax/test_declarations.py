@@ -257,7 +257,9 @@ def test_docs_stand_above_or_behind() -> None:
     assert file.doc == "The file,\nin two lines."
     assert record.doc == "Above,\ntwice."
     states = ast.Raster | ast.Depth | ast.Stencil
-    undocumented = ast.Discard | ast.Clear | ast.Layers | states | ast.Extent | ast.WorkGroup
+    undocumented = (
+        ast.Discard | ast.Clear | ast.Layers | ast.Views | states | ast.Extent | ast.WorkGroup
+    )
     docs = [m.doc for m in record.members if not isinstance(m, undocumented)]
     assert docs == ["Above a.\nBehind a.", "Behind b.", "", ""]
     assert (rig.doc, rig.entries[0].doc) == ("Behind R.", "Behind e.")

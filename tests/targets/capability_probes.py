@@ -39,6 +39,11 @@ def has_geometry_stage(material: CompiledMaterial) -> bool:
     return GEOMETRY in {stage.row for stage in material.staged.program.stages}
 
 
+def draws_views_at_once(material: CompiledMaterial) -> bool:
+    """True if one draw reaches all views."""
+    return material.staged.program.shader.views > 0
+
+
 def has_tessellation_stages(material: CompiledMaterial) -> bool:
     """True if stages of their own divide patches."""
     return CONTROL in {stage.row for stage in material.staged.program.stages}
@@ -125,6 +130,13 @@ PROBES: Mapping[str, Probe] = {
         options={"pass_": "P"},
         native={"native_stages": True},
         is_native=has_geometry_stage,
+    ),
+    "views": Probe(
+        "material M { color = vec3(uv, 0) } pass P : Forward { views of 2 "
+        "clip_position = view_projection * position + vec4(0.1 * float(view_index), 0, 0, 0) }",
+        options={"pass_": "P"},
+        native={"native_stages": True},
+        is_native=draws_views_at_once,
     ),
     "captures": Probe(
         CAPTURES.format("0.5"),

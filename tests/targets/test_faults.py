@@ -74,7 +74,7 @@ PLANTED: Mapping[str, tuple[Language, str]] = {
     ),
     "an input that is neither spelled nor refused": (
         with_rows(
-            changed(ES100, without_inputs=frozenset()),
+            changed(ES100, without_inputs=frozenset({"view_index"})),
             inputs=without(without(GLSL.inputs, "instance_index"), "vertex_index"),
         ),
         "glsl:es100 does not say how `vertex_index` is read, which varies over vertex: write a "
@@ -91,7 +91,7 @@ PLANTED: Mapping[str, tuple[Language, str]] = {
         "`PipelineInput` for it in `Language.inputs` or `Profile.inputs`.",
     ),
     "an input that no message refuses": (
-        with_profile(ES100, without_inputs=frozenset({"front_facing"})),
+        with_profile(ES100, without_inputs=frozenset({"front_facing", "view_index"})),
         "glsl:es100 refuses `front_facing` in `Profile.without_inputs`, and no message says so: "
         "add its need to `OF_INPUTS` in `targets/description/capabilities.py`.",
     ),

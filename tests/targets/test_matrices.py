@@ -60,7 +60,9 @@ def test_hosts_find_every_column(type_: Matrix) -> None:
     rows = {row.name: row for row in reflection.parameters}
     turn, start = rows["turn"].layout, rows["turn"].offset
     assert (turn.columns, turn.lanes, turn.column_stride) == (type_.columns, type_.rows, 16)
-    assert start % 16 == 0 and rows["after"].offset == start + 16 * type_.columns
+    assert start is not None
+    assert start % 16 == 0
+    assert rows["after"].offset == start + 16 * type_.columns
 
 
 @pytest.mark.parametrize("left", MATRICES, ids=str)

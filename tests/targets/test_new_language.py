@@ -105,6 +105,7 @@ LANGUAGE = Language(
         Profile(
             name="only", doc="The only one.", numbering="kind", single_file=True,
             samplers=Samplers(combined=True), lacks=frozenset({"count_bits"}),
+            without_inputs=frozenset({"view_index"}),
         ),
     ),
     registers={"block": "paper {binding}", "texture": "picture {binding}"},

@@ -25,6 +25,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
     request = ViewRequest(
         file=file,
         mesh="cube",
+        floor=options.get("floor", False),
         scene=options.get("scene"),
         environment=options.get("environment", "studio"),
         eye=options.get("eye"),
@@ -138,9 +139,13 @@ def test_kernels_read_what_others_of_the_file_write() -> None:
     assert "glsl:es300 has no compute stage" in lacking["error"]
 
 
-def test_cube_maps_show_the_environment(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("type_", "read"),
+    [("texture_cube", "around(normal)"), ("texture_cube_array", "around(normal, 0)")],
+)
+def test_cube_maps_show_the_environment(type_: str, read: str, tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
-    file.write_text("material M { map around : texture_cube = black  color = around(normal).rgb }")
+    file.write_text(f"material M {{ map around : {type_} = black  color = {read}.rgb }}")
     sides = {
         asked: [row["width"] for row in document(file, environment=asked)["package"]["pictures"]]
         for asked in ("studio", "none")
@@ -197,3 +202,16 @@ def test_materials_are_drawn_in_floats_with_several_samples(tmp_path: Path) -> N
         wanted = {"rgba16f": "rgba16float", "rgba8": "rgba8unorm", "r32f": "r32float"}[format_]
         assert {row["format"] for row in textures} - {"depth32float"} == {wanted}
         assert max(row["samples"] for row in textures) == samples
+
+
+def test_a_material_on_a_floor(tmp_path: Path) -> None:
+    """A frame draws it; what is none is drawn as ever."""
+    file = tmp_path / "m.burnish"
+    file.write_text(FILE)
+    found = document(file, floor=True)
+    assert (found["chosen"]["subject"], found["chosen"]["mesh"]) == ("First", "cube")
+    assert [step["name"] for step in found["package"]["plan"]["steps"]] == ["seen", "lit", "drawn"]
+    assert [row["material"] for row in found["package"]["models"]] == ["First", "Floor_"]
+    assert controls(found)["size"] == 0.25
+    kernel = document(EXAMPLES / "edges.burnish", floor=True)
+    assert [step["kind"] for step in kernel["package"]["plan"]["steps"]] == ["run"]

@@ -257,7 +257,7 @@ _BACKEND: Document = {
     "language": "wgsl", "source_maps": {}, "clip_depth": "0..1", "clip_control": [],
     "flip_y": False, "front_face": "ccw", "first_row": "top", "files": [], "blocks": {},
     "buffers": {}, "images": {}, "textures": {}, "samplers": {}, "vertex_inputs": {},
-    "stream_output": None, "captures": {}, "host_uniforms": [],
+    "stream_output": None, "captures": {}, "host_uniforms": [], "required_limits": {},
 }  # fmt: skip
 
 

@@ -205,6 +205,22 @@ IMAGE_PER_GROUP = error(
     "A result for each work group is an element of a buffer: `result name : vec4[] per group = …`.",
 )
 
+# Views
+
+NOT_SO_MANY_VIEWS = error(
+    "B0534",
+    "a pass draws 1 to {most} views, and not {count}",
+    "`views of 2` says how many views of a scene a pass draws at once. Direct3D has no more than 4 "
+    "of them.",
+)
+ONE_VIEW = error(
+    "B0535",
+    "`{name}` draws one view, so there is no `view_index`",
+    "A pass that draws several views says how many: `views of 2`. Then each of its targets has a "
+    "layer for each view, and `view_index` is the number of the view that is drawn. What belongs "
+    "to materials may read it under any pass: it is 0 where there is one view.",
+)
+
 # Scattering
 
 IMPOSSIBLE_SETTING = error(
@@ -226,6 +242,12 @@ NO_COVERAGE = error(
     "`{name}` has no coverage that alpha could say: {reason}",
     "With `alpha_to_coverage`, the alpha of the first target says how many of a pixel's samples a "
     "fragment covers. So there are several samples, and that target has an alpha.",
+)
+VIEWS_AND_LAYERS = error(
+    "B0539",
+    "`{name}` has layers, and views have layers of their own",
+    "The layers of a target are those that strips choose, `layers of 6`, or one for each view, "
+    "`views of 2`. Draw the views by several passes if each of them has layers.",
 )
 NO_KERNEL_EXTENT = error(
     "B0540",

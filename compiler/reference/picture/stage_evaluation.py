@@ -17,7 +17,7 @@ from ...ir.leaves import Attribute, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import BUILTIN_OPS, CALL, CROSS, INPUT, builtin_of
 from ...ir.shader import Shader
-from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT_DEPTH, RASTERISED, TARGET
+from ...ir.stages import CLIP_POSITION, DISCARD, FRAGMENT_DEPTH, TARGET
 from ...ir.types import scalar_kind, width
 from ..bounds import Bounded, Bounds, Errors, all_remembered, exact, given, hull, joined
 from ..bounds.deciding import Case, Deciding
@@ -92,7 +92,7 @@ class StageEvaluator:
         kept: KeptNumbers | None = None,
     ) -> None:
         """``kept`` has numbers of other draws with the same errors."""
-        if shader.chain != RASTERISED:
+        if not shader.is_lowered:
             raise ValueError(f"{shader.name} has other stages than the reference can draw.")
         self.has_bounds = errors is not None
         """True if lanes are ``Bounded``."""

@@ -12,6 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Node
+from ...ir.stages import VIEW_INDEX
 from ...ir.types import Array
 from ...syntax import ast
 from ..declarations.contracts import as_declared
@@ -22,7 +23,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.evaluation import Demand, plain, settle
-from ..state.scope import FAILURE, Application, Inherited, Scope, Value
+from ..state.scope import FAILURE, Application, Inherited, Instance, Scope, Value
 from .bodies import part_value
 from .cycles import is_cycle
 from .slots import slot
@@ -55,9 +56,27 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
     surface = scope.surface
     inputs = INPUTS if surface is None or surface.made is None else surface.made.inputs
     if name in inputs and surface is not None:
+        if name == VIEW_INDEX.name:
+            _check_view(ctx, instance, span)
         return ctx.crossings.supplied(inputs[name], surface.origin)
     unknown_name(ctx, name, span, scope)
     return FAILURE
+
+
+def _check_view(ctx: Context, instance: Instance | None, span: Span) -> None:
+    """Notes that the number of the view is read; reports a pass that reads it and has no views.
+
+    Materials may read it under any pass: one that says nothing of views draws one, with number 0.
+    """
+    ctx.progress.reads_view = True
+    if instance is None or instance.record.baseless:
+        return
+    record = instance.record
+    declaration = record.symbol.declaration
+    if not isinstance(declaration, ast.Record) or declaration.abstract:
+        return
+    if declaration.kind == "pass" and not any(record.every(ast.Views)):
+        ctx.report.add(rules.ONE_VIEW, span, name=record.name)
 
 
 def _symbol_value(ctx: Context, symbol: Symbol, span: Span) -> Value:

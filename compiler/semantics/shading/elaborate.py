@@ -49,7 +49,7 @@ from .passes.blending import blending_of
 from .passes.captures import capture_of, captures, captures_of
 from .passes.clears import clears_of
 from .passes.formats import FORMATS, texel_value
-from .passes.layers import layer_count, layer_of
+from .passes.layers import layer_count, layer_of, view_count
 from .passes.render_states import DEPTH_VALUE, render_state_of
 from .slot_checks import check_rig, check_slots
 
@@ -67,6 +67,8 @@ def check_samples(ctx: Context, drawn: Record, state: RenderState) -> None:
             _report(ctx, drawn, reason, target.format.span)
     for layers, *_ in drawn.every(ast.Layers):
         _report(ctx, drawn, "its targets have layers", layers.span)
+    for views, *_ in drawn.every(ast.Views):
+        _report(ctx, drawn, "its targets have a layer for each view", views.span)
     if state.fill == "lines":
         filled = [written.span for name, written in _settings(drawn) if name.text == "fill"]
         _report(ctx, drawn, "it draws lines", filled[0])
@@ -139,10 +141,10 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """The results of the members of a pass; or of a mixin for passes, which is checked so."""
     check_samples(ctx, passing.record, render_state_of(ctx, passing.record))
-    layers = layer_count(ctx, passing.record)
+    layers, views = layer_count(ctx, passing.record), view_count(ctx, passing.record)
     return (
         *layer_of(ctx, passing, layers),
-        *_targets(ctx, passing.record, passing, layers),
+        *_targets(ctx, passing.record, passing, layers or views),
         *_discard(ctx, passing.record, passing),
         *_own_depth(ctx, passing.record, passing),
         *captures_of(ctx, passing),
@@ -189,6 +191,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         capture=capture_of(setting.passing.record, results),
         buffers=of_kind(BufferInfo, leaves),
         render_state=render_state_of(ctx, setting.passing.record),
+        views=view_count(ctx, setting.passing.record) or int(ctx.progress.reads_view),
     )
 
 

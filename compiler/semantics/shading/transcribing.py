@@ -71,7 +71,7 @@ def transcribed(part: LibraryPart) -> Kept:
     for name, definitions in instance.record.definitions.items():
         slot(ctx, instance, name, definitions[0].member.name.span)
     is_right = all(found.rule is rules.EMPTY_RIG for found in ctx.report.since(0))
-    is_plain = not (len(ctx.deferred) or ctx.progress.joins_groups)
+    is_plain = not (len(ctx.deferred) or ctx.progress.joins_groups or ctx.progress.reads_view)
     if not (is_right and is_plain and log.is_clear):
         return {}
     transcribe = _Transcribing(ctx, instance)

@@ -96,6 +96,8 @@ class Progress:
     """
     joins_groups: bool = False
     """True if some value has been joined from those of a work group."""
+    reads_view: bool = False
+    """True if some value depends on the number of the view that is drawn."""
     depth: int = 0
     """The number of values computed inside each other on Python's stack (``evaluation``)."""
 

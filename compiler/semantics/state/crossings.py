@@ -31,6 +31,7 @@ from ...ir.stages import (
     RASTERISED,
     VERTEX,
     VERTICES,
+    VIEWS,
     Crossing,
     Domain,
     SystemInput,
@@ -111,7 +112,7 @@ class Crossings:
         inner = self.checked_at_vertex(node, span)
         if isinstance(inner, Failure):
             return FAILURE
-        if self._domains.of(inner) is None:
+        if self._needs_no_crossing(inner):
             return node
         if not isinstance(inner.type, Scalar | Vector):
             self._report.add(rules.CANNOT_CROSS, span, type=inner.type)
@@ -156,6 +157,10 @@ class Crossings:
             known[node.id] = min(filter(None, found), key=AGE, default=None)
         return known[root.id]
 
+    def _needs_no_crossing(self, value: Node) -> bool:
+        """True if each stage has a value by itself: it is the same all over a draw, or a view."""
+        return self._domains.of(value) in (None, VIEWS)
+
     def _crossing(self, inner: Node) -> Node:
         domain = self._domains.of(inner)
         smooth, flat = INTO_FRAGMENTS.get(domain or VERTICES, INTO_FRAGMENTS[VERTICES])
@@ -163,8 +168,8 @@ class Crossings:
         return build.cross(self._graph, inner, smooth if is_smooth else flat)
 
     def _across(self, value: Node, crossed: Callable[[Node], Node]) -> Node:
-        """A value all of whose parts cross alike; itself where it is the same all over a draw."""
-        if self._domains.of(value) is None:
+        """A value all of whose parts cross alike; itself where each stage has it by itself."""
+        if self._needs_no_crossing(value):
             return value
         graph, type_ = self._graph, value.type
         if isinstance(type_, Matrix):
@@ -204,7 +209,7 @@ def _exists_before_fragments(node: Node) -> bool:
     """True if stages before the fragments have all that an operation needs besides operands."""
     if node.op == "call":
         return not BUILTINS[str(node.data)].compares_pixels
-    return node.op != "input" or INPUT.data(node) not in FRAGMENT.inputs
+    return node.op != "input" or INPUT.data(node).domain != FRAGMENTS
 
 
 def missing_in_kernels(root: Node) -> Node | None:

@@ -89,6 +89,7 @@ from .members import (
     Target,
     Tessellate,
     Texture,
+    Views,
     WorkGroup,
 )
 from .walking import parts
@@ -168,6 +169,7 @@ __all__ = [
     "TypeName",
     "TypeParameter",
     "Unary",
+    "Views",
     "With",
     "WorkGroup",
     "is_named",

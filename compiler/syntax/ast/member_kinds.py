@@ -237,6 +237,17 @@ KINDS: tuple[MemberKind, ...] = (
         doc="how many layers each render target of a pass has",
     ),
     MemberKind(
+        word="views",
+        node=members.Views,
+        productions={"views": members.Views},
+        opening=("of",),
+        records=("pass",),
+        inheritance="replaced",
+        contribution="result",
+        form="the number of views is `views of 2`",
+        doc="how many views of the scene a pass draws",
+    ),
+    MemberKind(
         word="raster",
         node=members.Raster,
         productions={"raster": _raster},

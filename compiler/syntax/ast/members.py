@@ -134,6 +134,14 @@ class Layers:
     count: Expression
 
 
+@frozen(eq=False)
+class Views:
+    """``views of 2``: how many views of a scene a pass draws, each to a layer of its targets."""
+
+    span: Span
+    count: Expression
+
+
 Settings = tuple[tuple[Name, Expression], ...]
 """Settings, each with its value: a word, which is a reference then, or a constant."""
 
@@ -302,8 +310,8 @@ class Output:
 
 
 Member = (
-    Param | Texture | Buffer | Attribute | Slot | Target | Discard | Clear | Layers | Raster | Depth
-    | Stencil
+    Param | Texture | Buffer | Attribute | Slot | Target | Discard | Clear | Layers | Views | Raster
+    | Depth | Stencil
     | Capture | Expand | Tessellate | Result | Scatter | Extent | WorkGroup | Models | Output
 )  # fmt: skip
 """Every kind of member; its class has the fields ``span`` and, if comments describe it, ``doc``."""

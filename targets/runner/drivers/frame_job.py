@@ -82,7 +82,7 @@ class Attachment:
     texture: int
     layer: int = 0
     layers: int = 1
-    """The number of layers to which a geometry stage draws at once, from ``layer`` on."""
+    """The number of layers that one draw reaches, from ``layer`` on."""
     level: int = 0
     loads: bool = False
     """The load operation: True keeps the contents, False clears them."""
@@ -146,6 +146,8 @@ class FrameStep:
     """The part of the targets to which fragments are written; ``None``: all of it."""
     blend_constant: tuple[float, float, float, float] = BLACK
     """The colour of the blend factor ``constant``, for all targets."""
+    view_mask: int = 0
+    """The views that each draw reaches, a bit for each, as all of its pipelines say; 0: none."""
     images: tuple[int, ...] = ()
     """The textures that a kernel writes, in the order of its pipeline."""
     groups: Sides = (0, 0, 0)

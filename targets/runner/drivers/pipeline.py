@@ -88,7 +88,10 @@ class Pipeline:
     targets: tuple[RenderTarget, ...]
     """The render targets, in the order of their locations."""
     layers: int = 0
-    """The number of layers of each target, if a geometry stage draws to all of them; 0: none."""
+    """The number of layers of each target, if one draw reaches all of them; 0: none."""
+    view_mask: int = 0
+    """The views that a draw reaches, a bit for each; each is drawn to the layer of its number. 0: a
+    geometry stage chooses the layer, if there are any."""
     primitive: Primitive = "triangle"
     patch_points: int = 0
     """The number of vertices of each patch, if the primitives are patches."""

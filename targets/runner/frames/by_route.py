@@ -177,8 +177,9 @@ class HostSteps:
         given = [draw.state.draws() for draw in draws]
         found, state = [], self._host.state_of(step)
         buffers = self._resources.buffer_barriers(step, is_first=is_first)
-        # A geometry stage reaches all layers in one draw; otherwise, each has draws of its own.
-        at_once = self._pipelines[step.draws[0].uses[0].shader].layers or 1
+        # One draw reaches all layers by a geometry stage, or as views; else each has its own draws.
+        pipeline = self._pipelines[step.draws[0].uses[0].shader]
+        at_once = pipeline.layers or 1
         whole = self._plan.textures[step.attachments[0].texture].layers
         drawn = 1 if step.attachments[0].layer is not None else whole // at_once
         for layer in range(drawn):
@@ -195,6 +196,7 @@ class HostSteps:
                     state.viewport,
                     state.scissor,
                     state.blend_constant,
+                    pipeline.view_mask,
                     buffer_barriers=buffers if layer == 0 else (),
                     name=self._called(step),
                 )
@@ -313,7 +315,10 @@ def _drawn_on(before: FrameStep, step: FrameStep) -> list[FrameStep]:
     The pass begins as the first step does, and leaves what the second one leaves. Its resolve
     targets are ready from the beginning. The steps stay two if their settings differ.
     """
-    settings = [(each.viewport, each.scissor, each.blend_constant) for each in (before, step)]
+    settings = [
+        (each.viewport, each.scissor, each.blend_constant, each.view_mask)
+        for each in (before, step)
+    ]
     if settings[0] != settings[1]:
         return [before, step]
 

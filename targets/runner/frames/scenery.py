@@ -96,11 +96,14 @@ def _middle(model: Model) -> NDArray[np.float64]:
     return middle
 
 
-def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: str) -> Scenery:
+def in_a_row(
+    materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: str, room: float = 1
+) -> Scenery:
     """One model of each material, side by side on a floor, before a camera that sees all of them.
 
     ``tags`` are the materials of the models that a frame asks for by each name. The floor has the
-    material that only the name ``floor`` asks for, or the last one of all.
+    material that only the name ``floor`` asks for, or the last one of all. The camera sees ``room``
+    times as much as the models fill.
     """
     if not materials:
         return Scenery(())
@@ -115,12 +118,12 @@ def in_a_row(materials: Sequence[str], tags: Mapping[str, Sequence[str]], mesh: 
     lowest = float(shape.channels["position"][:, 1].min())
     if lies(shape):
         lowest -= _HOVERS
-    models.append(Model(MESHES["plane"](), below, _lying(width / 2 + _SIDE, lowest)))
+    models.append(Model(MESHES["plane"](), below, _lying(room * (width / 2 + _SIDE), lowest)))
     tagged = tuple(
         replace(model, tags=frozenset(_tags_of(model.material, tags))) for model in models
     )
     reach = float(np.linalg.norm(shape.channels["position"], axis=1).max())
-    camera = overview(np.zeros(3), width / 2 + reach)
+    camera = overview(np.zeros(3), room * (width / 2 + reach))
     return Scenery(tagged, Scene(camera, light_distance=3 + width / 2))
 
 

@@ -1,6 +1,7 @@
-"""Render targets with layers: how many a pass has, and to which of them a strip is drawn.
+"""Render targets with layers: how many a pass has, and to which of them a strip or a view is drawn.
 
-``elaborate.py`` calls this for the results of a pass.
+``elaborate.py`` calls this for the results of a pass. A strip says its layer, by an expansion; each
+view has a layer, and ``view_index`` is its number in all stages.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ....diagnostics import rules
+from ....diagnostics.diagnostic import Label, Rule
 from ....diagnostics.source import Span
 from ....ir import build
 from ....ir.node import Node
@@ -22,9 +24,12 @@ from ...state.context import Context
 from ...state.scope import Instance, Scope
 from ..assembly import is_declared_abstract
 from ..vertices.derived import differs_in_strip
+from .captures import captures
 
 MOST_LAYERS = 256
 """All APIs guarantee so many."""
+MOST_VIEWS = 4
+"""Direct3D takes no more; Vulkan guarantees six."""
 
 
 def _place(ctx: Context, holder: Instance, declared: Span) -> Span:
@@ -46,7 +51,17 @@ def layer_count(ctx: Context, drawn: Record) -> int:
 
     It is also 0 after reporting an error.
     """
-    found = next(iter(drawn.every(ast.Layers)), None)
+    return count_of(ctx, drawn, ast.Layers, MOST_LAYERS, rules.NOT_SO_MANY_LAYERS)
+
+
+def count_of(
+    ctx: Context, drawn: Record, kind: type[ast.Layers | ast.Views], most: int, beyond: Rule
+) -> int:
+    """The number that a member of a pass says, from 1 to ``most``; 0 if there is no such member.
+
+    It is also 0 after reporting an error: ``beyond`` for other numbers.
+    """
+    found = next(iter(drawn.every(kind)), None)
     if found is None:
         return 0
     member, owner, _level = found
@@ -55,8 +70,8 @@ def layer_count(ctx: Context, drawn: Record) -> int:
     count = ctx.constants.integer(number, span)
     if count is None:
         return 0
-    if not 1 <= count <= MOST_LAYERS:
-        ctx.report.add(rules.NOT_SO_MANY_LAYERS, span, count=count, most=MOST_LAYERS)
+    if not 1 <= count <= most:
+        ctx.report.add(beyond, span, count=count, most=most)
         return 0
     return count
 
@@ -85,3 +100,18 @@ def layer_of(ctx: Context, passing: Instance, count: int) -> Iterator[Result]:
         return
     ends = (build.constant(ctx.tree, INT, end) for end in (0, count - 1))
     yield Result(LAYER, GEOMETRY, ctx.tree.node("call", INT, (layer, *ends), "clamp"))
+
+
+def view_count(ctx: Context, drawn: Record) -> int:
+    """The number of views of a pass; 0 where it says nothing of views, or draws nothing.
+
+    It is also 0 after reporting an error.
+    """
+    if captures(drawn):
+        return 0
+    layers, views = (next(iter(drawn.every(kind)), None) for kind in (ast.Layers, ast.Views))
+    if layers is not None and views is not None:
+        labels = [Label(layers[0].span, "the layers are declared here")]
+        ctx.report.add(rules.VIEWS_AND_LAYERS, views[0].span, name=drawn.name, labels=labels)
+        return 0
+    return count_of(ctx, drawn, ast.Views, MOST_VIEWS, rules.NOT_SO_MANY_VIEWS)

@@ -14,7 +14,7 @@ from ....diagnostics.diagnostic import Label, Rule
 from ....diagnostics.fixes import fix_it
 from ....ir import build
 from ....ir.binding import substitute
-from ....ir.domains import MixedDomainsError
+from ....ir.domains import MixedDomainsError, exists
 from ....ir.expansion import STRIP_KINDS, EmittedStrips, Expansion
 from ....ir.node import Node
 from ....ir.primitives import CORNERS, DrawnPrimitive
@@ -328,8 +328,7 @@ class _Expanding:
         if isinstance(node, Failure):
             return node
         try:
-            domain = ctx.crossings.domain(node)
-            fits = domain in (None, EMITTED)
+            fits = exists(ctx.crossings.domain(node), EMITTED)
         except MixedDomainsError:
             fits = False
         if not fits:

@@ -15,7 +15,7 @@ from ....diagnostics import rules
 from ....diagnostics.diagnostic import Rule
 from ....diagnostics.source import Span
 from ....ir import build
-from ....ir.domains import MixedDomainsError
+from ....ir.domains import MixedDomainsError, exists
 from ....ir.node import Node
 from ....ir.shader import Result
 from ....ir.stages import CONTROL, EDGE_LEVEL, INNER_LEVEL, PATCH_CORNER, PATCHES
@@ -135,7 +135,7 @@ class Levels:
         if isinstance(node, Failure):
             return FAILURE
         try:
-            fits = ctx.crossings.domain(node) in (None, PATCHES)
+            fits = exists(ctx.crossings.domain(node), PATCHES)
         except MixedDomainsError:
             fits = False
         if not fits:

@@ -49,6 +49,10 @@ class Gpu:
     """True if a depth bias can have a limit."""
     transform_feedback: bool
     """True if vertices can be captured."""
+    multiview: bool
+    """True if one draw can reach several views."""
+    mixes_views: bool
+    """True if a draw of several views may draw a triangle to the wrong one."""
     messages: Messages
     seconds: float
     """The seconds that one submission may take."""
@@ -72,8 +76,9 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             raise DriverError(f"{properties.deviceName} has no Vulkan 1.1")
         features = vk.vkGetPhysicalDeviceFeatures(physical)
         family = _graphics_family(physical)
-        captures = _captures(physical)
-        device = _device(owned, physical, family, features, captures=captures)
+        captures, multiview = _captures(physical), _has_multiview(physical)
+        extended = _extended_features(captures=captures, multiview=multiview)
+        device = _device(owned, physical, family, features, extended, captures=captures)
         return Gpu(
             physical=physical,
             device=device,
@@ -87,6 +92,8 @@ def open_gpu(owned: ExitStack, seconds: float, wanted: str = "") -> Gpu:
             draws_lines=bool(features.fillModeNonSolid),
             clamps_bias=bool(features.depthBiasClamp),
             transform_feedback=captures,
+            multiview=multiview,
+            mixes_views=_mixes_views(properties),
             messages=messages,
             seconds=seconds,
         )
@@ -134,7 +141,42 @@ def _captures(physical: Any) -> bool:
     return vk.VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME in names
 
 
-def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captures: bool) -> Any:
+def _has_multiview(physical: Any) -> bool:
+    """True if one draw can reach several views, which Vulkan 1.1 leaves to the device."""
+    views = vk.ffi.new("VkPhysicalDeviceMultiviewFeatures*")
+    views.sType = vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES
+    features = vk.ffi.new("VkPhysicalDeviceFeatures2*")
+    features.sType = vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2
+    features.pNext = views
+    vk.vkGetPhysicalDeviceFeatures2(physical, features)
+    return bool(views.multiview)
+
+
+def _mixes_views(properties: Any) -> bool:
+    """True for lavapipe, which draws what it has to clip to the last of several views."""
+    name: str = properties.deviceName
+    return name.startswith("llvmpipe")
+
+
+def _extended_features(*, captures: bool, multiview: bool) -> Any:
+    """The chain of the features beyond those of Vulkan 1.0; ``None`` if there are none."""
+    chain = None
+    if captures:
+        chain = vk.VkPhysicalDeviceTransformFeedbackFeaturesEXT(transformFeedback=True)
+    if multiview:
+        chain = vk.VkPhysicalDeviceMultiviewFeatures(pNext=chain, multiview=True)
+    return chain
+
+
+def _device(
+    owned: ExitStack,
+    physical: Any,
+    family: int,
+    offered: Any,
+    extended: Any,
+    *,
+    captures: bool,
+) -> Any:
     queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=family, pQueuePriorities=[1.0])
     features = vk.VkPhysicalDeviceFeatures(
         independentBlend=offered.independentBlend,
@@ -144,9 +186,8 @@ def _device(owned: ExitStack, physical: Any, family: int, offered: Any, *, captu
         tessellationShader=offered.tessellationShader,
         imageCubeArray=offered.imageCubeArray,
     )
-    extended = vk.VkPhysicalDeviceTransformFeedbackFeaturesEXT(transformFeedback=True)
     info = vk.VkDeviceCreateInfo(
-        pNext=extended if captures else None,
+        pNext=extended,
         pQueueCreateInfos=[queue],
         pEnabledFeatures=features,
         ppEnabledExtensionNames=[vk.VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME] if captures else [],

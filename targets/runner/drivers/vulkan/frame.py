@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
+from dataclasses import replace
 from typing import Any
 
 import vulkan as vk
@@ -136,6 +137,23 @@ class _Frame:
             self._run(commands, step, sets[0])
 
     def _draw(self, commands: Any, step: FrameStep, sets: Sequence[DescriptorSets]) -> None:
+        for part in self._parts(step):
+            self._draw_part(commands, part, sets)
+        for target in step.targets:
+            if target.resolve is not None:
+                self._resolve(commands, target.texture, target.resolve)
+
+    def _parts(self, step: FrameStep) -> Sequence[FrameStep]:
+        """The step itself or, where several views at once go wrong, one for each view.
+
+        lavapipe draws what it has to clip to the last of the views.
+        """
+        if not self._gpu.mixes_views:
+            return (step,)
+        bits = [1 << view for view in range(step.view_mask.bit_length())]
+        return [replace(step, view_mask=bit) for bit in bits if bit & step.view_mask] or (step,)
+
+    def _draw_part(self, commands: Any, step: FrameStep, sets: Sequence[DescriptorSets]) -> None:
         width, height = self._size(step.drawn_to[0])
         render_pass = self._passes.begin(commands, step, (width, height))
         port, drawn_to = step.areas(width, height)
@@ -148,9 +166,6 @@ class _Frame:
             assert drawn.draw is not None
             self._draw_mesh(commands, drawn.draw)
         vk.vkCmdEndRenderPass(commands)
-        for target in step.targets:
-            if target.resolve is not None:
-                self._resolve(commands, target.texture, target.resolve)
 
     def _capture(
         self, commands: Any, step: FrameStep, bound: DescriptorSets, captures: Captures

@@ -109,6 +109,8 @@ def _state_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
         yield "the device cannot draw the edges of triangles"
     if pipeline.has_bias and pipeline.depth.bias_clamp and not gpu.clamps_bias:
         yield "the device cannot limit a depth bias"
+    if pipeline.view_mask and not gpu.multiview:
+        yield "the device cannot draw several views at once"
 
 
 def _buffer_problems(

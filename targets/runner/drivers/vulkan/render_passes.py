@@ -41,7 +41,8 @@ class RenderPasses:
             ],
             width=width,
             height=height,
-            layers=attachments[0].layers if attachments else 1,
+            # With views, a draw goes to the layers of the attachments that the mask names.
+            layers=1 if step.view_mask or not attachments else attachments[0].layers,
         )
         framebuffer = vk.vkCreateFramebuffer(self.gpu.device, info, None)
         self.owned.callback(vk.vkDestroyFramebuffer, self.gpu.device, framebuffer, None)
@@ -55,7 +56,7 @@ class RenderPasses:
         return render_pass
 
     def _of(self, step: FrameStep) -> Any:
-        key = tuple(
+        attachments = tuple(
             (
                 self.textures[each.texture].description.format,
                 self.textures[each.texture].description.samples,
@@ -66,6 +67,7 @@ class RenderPasses:
             )
             for each in step.drawn_to
         )
+        key = attachments, step.view_mask
         if key not in self._made:
             self._made[key] = self._make(step)
         return self._made[key]
@@ -82,7 +84,10 @@ class RenderPasses:
             pColorAttachments=references,
             pDepthStencilAttachment=None if step.depth is None else depth,
         )
-        info = vk.VkRenderPassCreateInfo(pAttachments=described, pSubpasses=[subpass])
+        views = vk.VkRenderPassMultiviewCreateInfo(pViewMasks=[step.view_mask])
+        info = vk.VkRenderPassCreateInfo(
+            pNext=views if step.view_mask else None, pAttachments=described, pSubpasses=[subpass]
+        )
         made = vk.vkCreateRenderPass(self.gpu.device, info, None)
         self.owned.callback(vk.vkDestroyRenderPass, self.gpu.device, made, None)
         return made

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
+from .....compiler.documents.drawing import LayersRow
 from .....compiler.documents.plan import (
     AttachmentRow,
     DrawStep,
@@ -168,8 +169,23 @@ class _Shaders:
                     fail(self._plan, where, f"`{row.name}` has {found} samples, not {samples}")
                 if (own is not None) != (row.layer is None):
                     fail(self._plan, where, f"`{row.name}` is drawn to layer {row.layer}")
-            if own is not None and own.count != layers:
-                fail(self._plan, where, f"it draws {own.count} layers to {layers}")
+            if own is not None:
+                self._check_layers(where, own, layers)
+            if own is not None and self._at_once(shader) != self._at_once(step.uses[0].shader):
+                fail(self._plan, where, "its shaders reach different layers by one draw")
+
+    def _at_once(self, shader: int) -> tuple[bool, int | None]:
+        """The way in which a draw of a shader reaches the layers of its targets."""
+        row = self._reflections[shader].draw.layers
+        assert row is not None
+        return row.parameter is None, row.view_mask
+
+    def _check_layers(self, where: str, own: LayersRow, layers: int) -> None:
+        """Check that a shader draws to as many layers as its targets have, and so its views."""
+        if own.count != layers:
+            fail(self._plan, where, f"it draws {own.count} layers to {layers}")
+        if own.view_mask is not None and (own.parameter or own.view_mask != 2**own.count - 1):
+            fail(self._plan, where, f"its view mask {own.view_mask} is not that of all layers")
 
     def _check_depths(
         self, where: str, given: AttachmentRow | None, reflection: Reflection
