@@ -10,9 +10,11 @@ from itertools import count
 
 import burnish
 from burnish.api.compiled import CompiledFrame, CompiledMaterial
+from burnish.api.entry_points import equations
 from burnish.commands.graph.command import as_svg
 from burnish.compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from burnish.compiler.diagnostics.render import render_all
+from burnish.compiler.semantics.equations.model import Equations
 from burnish.targets.toolchain import Job, Toolchain
 
 from ..examples.kit import jobs_of
@@ -32,6 +34,10 @@ def problem(text: str, native_stages: bool = False) -> str | None:
             _show(material)
         for frame in result.frames if result else ():
             _show(frame)
+        if result and not result.frames:
+            with suppress(CompileError):  # There may be kernels only.
+                for graph in equations(text + "\n", search_path=search_path()):
+                    _show(graph)
     except Exception:
         return traceback.format_exc()
     return None
@@ -84,7 +90,7 @@ def _compiled(text: str, native_stages: bool = False) -> burnish.CompileResult |
     return result
 
 
-def _show(subject: CompiledMaterial | CompiledFrame) -> None:
+def _show(subject: CompiledMaterial | CompiledFrame | Equations) -> None:
     """Draw the graph, unless it is too large for people."""
     with suppress(CompileError):
         as_svg(subject)

@@ -104,8 +104,10 @@ def reads_of(texts: Iterable[object], where: Where) -> Reads:
     """The slots of the surface that syntax trees read, and if they are summed over lights."""
     walk = _Walk(where.surface)
     walk.run([(text, where) for text in texts])
-    order = list(where.surface.record.definitions)
-    slots = sorted(walk.slots, key=lambda key: (order.index(key[0]), key[1]))
+    slots = list(walk.slots)
+    if len(slots) > 1:
+        order = {name: number for number, name in enumerate(where.surface.record.definitions)}
+        slots.sort(key=lambda key: (order[key[0]], key[1]))
     return Reads(tuple(slots), walk.lights)
 
 
@@ -231,6 +233,7 @@ class Behind:
         self._surface = surface
         self._order = {name: i for i, name in enumerate(surface.record.definitions)}
         self._known: dict[Key, tuple[Key, ...]] = {}
+        self._read: dict[Key, Sequence[Key]] = {}
 
     def is_own(self, key: Key) -> bool:
         """True if the material itself declares the slot."""
@@ -238,27 +241,32 @@ class Behind:
 
     def of(self, key: Key) -> tuple[Key, ...]:
         """The own slots and the knobs from which an inherited slot is computed."""
-        if key not in self._known:
-            self._known[key] = tuple(self._ends(key))
+        pending, entered = [key], set[Key]()
+        while pending:
+            top = pending[-1]
+            if top in self._known:
+                pending.pop()
+            elif top in entered:
+                pending.pop()
+                self._known[top] = self._ends(top)
+            else:
+                entered.add(top)
+                pending += (each for each in self._next(top) if each not in entered)
         return self._known[key]
 
     def depends_on_own(self, key: Key) -> bool:
         """True if anything that the material says changes the slot."""
         return any(map(self.is_own, (key, *self.of(key))))
 
-    def _ends(self, start: Key) -> Sequence[Key]:
+    def _ends(self, key: Key) -> tuple[Key, ...]:
+        """The ends behind a slot, when those behind all that it reads are known."""
         found: dict[Key, None] = {}
-        pending, seen = list(self._next(start)), {start}
-        while pending:
-            key = pending.pop()
-            if key in seen:
-                continue
-            seen.add(key)
-            if self.is_own(key) or self._is_set_by_bases(key):
-                found[key] = None
+        for each in self._next(key):
+            if self.is_own(each) or self._is_set_by_bases(each):
+                found[each] = None
             else:
-                pending += self._next(key)
-        return sorted(found, key=lambda key: self._order[key[0]])
+                found.update(dict.fromkeys(self._known.get(each, ())))
+        return tuple(sorted(found, key=lambda key: self._order[key[0]]))
 
     def _is_set_by_bases(self, key: Key) -> bool:
         """True for a knob, but not for those of the root, which are about meshes."""
@@ -267,9 +275,11 @@ class Behind:
         return not is_of_root and is_knob(record.at(*key).member)
 
     def _next(self, key: Key) -> Sequence[Key]:
-        definition = self._surface.record.at(*key)
-        if not isinstance(definition.member, ast.Slot):
-            return ()
-        module, level = definition.owner.module, definition.level
-        where = Where(module, self._surface, self._surface, level)
-        return reads_of([definition.member.value], where).slots
+        """The slots that an inherited slot reads; nothing for an end."""
+        if key not in self._read:
+            definition = self._surface.record.at(*key)
+            is_end = self.is_own(key) or not isinstance(definition.member, ast.Slot)
+            where = Where(definition.owner.module, self._surface, self._surface, definition.level)
+            read = () if is_end else reads_of([definition.member], where).slots
+            self._read[key] = read
+        return self._read[key]
