@@ -53,7 +53,9 @@ LANGUAGE = Language(
         stored={"vec3": "tight3"},
     ),
     textures=TextureNames(
-        dimensions={"2d": "flat", "2d_array": "stack", "3d": "solid", "cube": "box"},
+        dimensions={
+            "2d": "flat", "2d_array": "stack", "3d": "solid", "cube": "box", "cube_array": "boxes",
+        },
         textures={}, samplers={"filtering": "", "comparison": ""},
         combined=dict.fromkeys(("float", "depth", "int", "uint"), "{dimension}_picture"),
         compared="{dimension}_shadow",
