@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import click
 
-from .console import show
+from .console import remark, show
 from .failures import fail
 from .hosts import (
     is_single,
@@ -262,6 +262,9 @@ def _standing_frames(
     }
     if request.scene is not None or not drawn:
         fail("--floor is for the mesh of a material: a frame, a kernel or a scene has none")
+    passes = dict.fromkeys(material.reflection.pass_ for _, material in materials)
+    if own := [name for name in passes if name not in ("", "Forward")]:
+        remark("note", f"on a floor, materials are drawn by Forward, and not by {', '.join(own)}")
     return [
         (
             titles,

@@ -181,6 +181,16 @@ def test_a_material_stands_on_a_floor(tmp_path: Path) -> None:
     assert (np.abs(reference - drawn).max(axis=2) > 1).mean() < 0.02  # Edges of faces.
 
 
+def test_passes_of_a_file_are_not_used_on_a_floor(tmp_path: Path) -> None:
+    (tmp_path / "m.burnish").write_text(
+        "material M { color = vec3(1) }\npass Cut : Forward { discard when true }"
+    )
+    result = invoke("render", tmp_path / "m.burnish", "-o", tmp_path / "m.png", "--floor",
+                    "--size", 16)  # fmt: skip
+    assert result.exit_code == 0
+    assert result.stderr == "note: on a floor, materials are drawn by Forward, and not by Cut\n"
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
