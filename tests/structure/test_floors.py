@@ -68,7 +68,7 @@ FLOORS: dict[str, str] = {
         "state hints declarations checking lowering"
     ),
     "compiler.semantics.equations": (
-        "frozen stdlib diagnostics syntax ir names inheritance state checking shading"
+        "frozen stdlib diagnostics syntax ir types names inheritance state checking shading"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
