@@ -74,8 +74,10 @@ FLOORS: dict[str, str] = {
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
         "lowering shading"
     ),
+    "compiler.opening": "inputs diagnostics syntax names inheritance",
     "compiler.frontend": (
-        "watching inputs diagnostics syntax ir library names inheritance shading equations frames"
+        "watching inputs diagnostics syntax ir library names inheritance shading equations frames "
+        "opening"
     ),
     "compiler.planning": "frozen diagnostics ir documents",
     "compiler.expansion_templates": (
