@@ -18,7 +18,7 @@ import pytest
 from burnish.compiler.ir.leaves import Parameter
 from burnish.compiler.ir.node import Graph, Node, reachable
 from burnish.compiler.ir.signatures import FIXED
-from burnish.compiler.ir.types import Matrix
+from burnish.compiler.ir.types import FLOAT, Matrix
 from burnish.compiler.reference.bounds import (
     Bounded,
     Bounds,
@@ -124,6 +124,27 @@ def _of_matrices() -> list[Node]:
 def test_no_device_leaves_the_bounds_of_matrices(platform: Platform) -> None:
     for seen in evaluated(_of_matrices(), Values(0), Errors((platform,)), 0):
         assert not seen.outside().any(), seen.told()
+
+
+def _of_functions() -> list[Node]:
+    """Sums of functions that devices compute as sums, whose terms they may combine with others."""
+    graph = Graph()
+    p, q, r = (graph.node("parameter", FLOAT, (), Parameter(name, FLOAT, "draw")) for name in "pqr")
+
+    def call(name: str, *operands: Node) -> Node:
+        return graph.node("call", FLOAT, operands, name)
+
+    one = graph.node("constant", FLOAT, (), 1.0)
+    parts = call("fract", p), call("fract", q), call("mix", p, q, one), call("mod", p, q)
+    return [call("add", x, y) for x in parts for y in (*parts, call("mul", q, r))]
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_no_device_leaves_the_bounds_of_sums_of_functions(platform: Platform) -> None:
+    for seed in range(8):
+        for seen in evaluated(_of_functions(), Values(seed), Errors((platform,)), seed):
+            assert not seen.outside().any(), f"seed {seed}, {seen.told()}"
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")

@@ -10,6 +10,7 @@ import numpy as np
 
 from .bounded import Bounded
 from .lanes import either, limited
+from .orders import Single, Sum, of_either
 from .rounding import Array
 
 _OPEN = 2.0**-12
@@ -26,6 +27,7 @@ def blend(x: Bounded, y: Bounded, a: Bounded) -> Bounded:
     part, other, moved = x * rest, y * a, change * a
     mean, shifted = part + other, x + moved
     found = either(mean, shifted)
+    found._sum = _terms(mean, x, moved)
     if a.is_exact or not (a.high - a.low > _OPEN).any():
         return found
     error = np.maximum(
@@ -41,6 +43,19 @@ def blend(x: Bounded, y: Bounded, a: Bounded) -> Bounded:
         np.where(np.isfinite(low + error), low - error, found.low),
         np.where(np.isfinite(high + error), high + error, found.high),
     )
+
+
+def _terms(mean: Bounded, x: Bounded, moved: Bounded) -> Sum | None:
+    """The terms that a compiler may combine with others: those of the formula with larger ones.
+
+    Those of ``x`` itself are not among them: a loop that blends in each iteration would otherwise
+    add up the magnitudes of all. Compilers that combine the terms of several blends, written by the
+    second formula, are not allowed for.
+    """
+    if mean._sum is None:
+        return None
+    singles = (Single(lane.low, lane.high, lane.magnitude) for lane in (x, moved))
+    return of_either(mean._sum, Sum(1, tuple(singles), is_exact=mean._sum.is_exact))
 
 
 def _ends(x: Bounded, y: Bounded, a: Bounded) -> tuple[Array, Array]:

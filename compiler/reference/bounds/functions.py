@@ -103,7 +103,7 @@ class Bounds(OwnFunctions, OpenLoops):
         """
         x = as_bounded(x)
         found = x - self.floor(x)
-        found = widened(found, np.where(found.high >= 1.0, _BELOW_ONE, 0.0))
+        found = widened(found, np.where(found.high >= 1.0, _BELOW_ONE, 0.0)).made_as(found)
         rounding = 0.0 if x.is_exact else ULP * x.magnitude
         return limited(found, np.minimum(-rounding, 0.0), np.maximum(1.0 + rounding, 1.0))
 

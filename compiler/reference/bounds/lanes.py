@@ -48,11 +48,10 @@ def hull(x: Bounded, y: Bounded) -> Bounded:
 
 
 def either(x: Bounded, y: Bounded) -> Bounded:
-    """The result of one of two formulas for the same value; its terms are those of the first."""
+    """The result of one of two formulas for the same value."""
     found = hull(x, y)
     if x.form is not None and y.form is not None:
         found = Bounded(x.value, found.low, found.high, x.form.or_else(y.form))
-    found._sum = x._sum
     return found
 
 

@@ -102,6 +102,14 @@ def in_any_order(sum_: Sum) -> Array:
     return sum_.error - sum(before)
 
 
+def of_either(x: Sum, y: Sum) -> Sum:
+    """The terms of a lane that a device computes by one of two sums, whichever is worse."""
+    return Sum(
+        max(x.roundings, y.roundings), (), x.is_exact and y.is_exact, np.minimum(x.error, y.error),
+        np.maximum(x.magnitude, y.magnitude), x.whole & y.whole,
+    )  # fmt: skip
+
+
 def is_coarse(value: Array) -> bool:
     """True if sums of such numbers are exact in any order: small multiples of a fraction."""
     scaled = value / _FINEST
