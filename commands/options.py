@@ -103,6 +103,13 @@ def _turn(_context: click.Context, _option: click.Parameter, given: str) -> tupl
     return right, up
 
 
+def _stops(_context: click.Context, _option: click.Parameter, given: float) -> float:
+    """The callback of ``--exposure``: a number, as a range alone lets what is none pass."""
+    if math.isnan(given):
+        raise click.BadParameter("'nan' is no number of stops, which would be like 1.5")
+    return given
+
+
 plain_option = click.option(
     "--plain", is_flag=True,
     help="Draw with declared values only, whatever the comment of FILE asks for.",
@@ -124,6 +131,7 @@ mesh_option = click.option(
 )  # fmt: skip
 exposure_option = click.option(
     "--exposure", metavar="STOPS", default=0.0, show_default=True, type=click.FloatRange(-32, 32),
+    callback=_stops,
     help="Brighten the picture; each stop doubles the light. Files of numbers keep these.",
 )  # fmt: skip
 tone_option = click.option(

@@ -67,7 +67,8 @@ def standing(
     """The frame that shows a material of a file on a floor.
 
     The file has been compiled before: its own mistakes and warnings are told then. Raises
-    ``PlanError`` where the file declares a name, such as ``DepthOnly``, that the frame needs.
+    ``PlanError`` where the file declares a name that the frame needs, such as ``DepthOnly``, or has
+    a block of the host for the camera.
     """
     from ..api import entry_points as api
     from ..compiler.diagnostics.diagnostic import CompileError
@@ -84,7 +85,7 @@ def standing(
         )  # fmt: skip
     except CompileError as error:
         raise PlanError(
-            f"{material} cannot stand on a floor, as its file has names that the floor needs: "
+            f"{material} cannot stand on a floor, whose frame does not fit its file: "
             f"{error.diagnostics[0].message}"
         ) from error
     return result.frames[0]

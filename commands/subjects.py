@@ -137,10 +137,11 @@ def subjects(
 
     profiles = sorted({route.profile for route in routes})
     frames, materials = _compiled(request, profiles)
-    kernels = kernels_of(_all_of_file(request, [material for _titles, material in materials]))
     if request.floor:
+        kernels: Sequence[Kernel] = ()
         frames = [*frames, *_standing_frames(materials, request, profiles)]
     else:
+        kernels = kernels_of(_all_of_file(request, [material for _titles, material in materials]))
         frames = [*frames, *_single_frames(materials, request)]
     outputs = [_outputs(titles, frame, request.target) for titles, frame in frames]
     with ExitStack() as stack:
@@ -253,18 +254,23 @@ def _standing_frames(
     materials: Materials, request: RenderRequest, profiles: Sequence[str]
 ) -> Frames:
     """The materials on a floor, each with each rig. Ends the command where there is no mesh."""
+    from ..targets.runner.kernels import is_over_buffers
     from .standing import standing
 
+    unrun = [m.name for _, m in materials if is_over_buffers(m.reflection)]
     drawn = {
         (material.name, material.reflection.rig): titles
         for titles, material in reversed(materials)
-        if material.reflection.extent is None
+        if material.reflection.extent is None and material.name not in unrun
     }
     if request.scene is not None or not drawn:
         fail("--floor is for the mesh of a material: a frame, a kernel or a scene has none")
     passes = dict.fromkeys(material.reflection.pass_ for _, material in materials)
     if own := [name for name in passes if name not in ("", "Forward")]:
         remark("note", f"on a floor, materials are drawn by Forward, and not by {', '.join(own)}")
+    if unrun:
+        names = ", ".join(dict.fromkeys(unrun))
+        remark("note", f"on a floor, no kernels run, so buffers have nothing of {names}")
     return [
         (
             titles,

@@ -62,6 +62,9 @@ def test_the_ball_is_seen_from_where_the_camera_is(
         (("--eye", "1,2"), 2, "'1,2' is no point, which would be like 0,1.5,4"),
         (("--eye", "1,nan,2"), 2, "'1,nan,2' is no point"),
         (("--look-at", "0,0,1e30"), 2, "'0,0,1e30' is no point"),
+        (("--exposure", "nan"), 2, "'nan' is no number of stops, which would be like 1.5"),
+        (("--exposure", "inf"), 2, "inf is not in the range"),
+        (("--tone", "nope"), 2, "'nope' is not one of 'none', 'reinhard'"),
         (("--turn", "1,2,3"), 2, "'1,2,3' is no angle in degrees, which would be like 30 or 30,10"),
         (("--turn", "much"), 2, "'much' is no angle"),
         (("--eye", "1,1,1", "--look-at", "1,1,1"), 1,
@@ -191,16 +194,31 @@ def test_passes_of_a_file_are_not_used_on_a_floor(tmp_path: Path) -> None:
     assert result.stderr == "note: on a floor, materials are drawn by Forward, and not by Cut\n"
 
 
+def test_kernels_of_a_file_do_not_run_on_a_floor(tmp_path: Path) -> None:
+    """Its materials are drawn all the same, with buffers that have no elements."""
+    text = """
+        kernel Made { result lamps : vec3[2] = vec3(float(index)) }
+        material M { buffer lamps : vec3[]  color = lamps[0] }
+    """
+    (tmp_path / "m.burnish").write_text(text)
+    result = invoke("render", tmp_path / "m.burnish", "-o", tmp_path / "m.png", "--floor",
+                    "--size", 8)  # fmt: skip
+    said = "note: on a floor, no kernels run, so buffers have nothing of Made\n"
+    assert (result.exit_code, result.stderr) == (0, said)
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
+        ("kernel Made { result lamps : vec3[2] = vec3(float(index)) }",
+         "--floor is for the mesh of a material: a frame, a kernel or a scene has none"),
         ("kernel K { map a : texture2d  result b : image2d<rgba8>[a.size()] = a.load(texel) }",
          "--floor is for the mesh of a material: a frame, a kernel or a scene has none"),
         ("fn share_lit(x: float) -> float = x\nmaterial M { color = vec3(share_lit(uv.x)) }",
-         "M cannot stand on a floor, as its file has names that the floor needs: "
+         "M cannot stand on a floor, whose frame does not fit its file: "
          "`share_lit` takes 1 argument, found 5"),
     ],
-    ids=["a kernel", "a name of the frame"],
+    ids=["a kernel over buffers", "a kernel", "a name of the frame"],
 )  # fmt: skip
 def test_what_cannot_stand_on_a_floor(text: str, said: str, tmp_path: Path) -> None:
     (tmp_path / "m.burnish").write_text(text)

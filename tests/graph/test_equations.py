@@ -124,6 +124,34 @@ def test_an_equation_of_constants_is_one_box_with_its_text() -> None:
     assert (nodes["half"].text, nodes["half"].rows) == ("1.0 / 2", ())
 
 
+def test_rows_of_texture_reads_are_called_as_the_kind_of_texture_has_them() -> None:
+    nodes = of_text("""material M {
+        map sheets : texture2d_array
+        map lamps  : depth_cube_array
+        shown = sheets(uv, 3)
+        far   = sheets.level(uv, 3, 2)
+        texel = sheets.load(ivec2(uv), 3, 0)
+        sharp = lamps(normal, 1, 0.5)
+        color = shown.rgb + far.rgb + texel.rgb + vec3(sharp)
+    }""")
+    assert rows(nodes["shown"]) == ["map sheets", "coordinate uv", "layer 3"]
+    assert rows(nodes["far"]) == ["map sheets", "coordinate uv", "layer 3", "level 2"]
+    assert rows(nodes["texel"]) == ["map sheets", "place ivec2", "layer 3", "level 0"]
+    assert rows(nodes["sharp"]) == ["map lamps", "coordinate normal", "layer 1", "reference 0.5"]
+
+
+def test_lanes_of_a_vector_have_names_if_each_is_written() -> None:
+    nodes = of_text("""material M {
+        apart   = vec3(uv.x, 0, 1)
+        mixed   = vec3(uv, 1)
+        columns = mat2(uv, uv.yx)
+        color   = apart + mixed + vec3(columns[0], 1)
+    }""")
+    assert rows(nodes["apart"]) == ["x uv.x", "y 0", "z 1"]
+    assert rows(nodes["mixed"]) == ["uv", "1"]
+    assert rows(nodes["columns"]) == ["0 uv", "1 uv.yx"]
+
+
 def test_slots_that_functions_read_by_themselves_have_rows_if_the_material_sets_them() -> None:
     source = """
         import std.terms.{lambert}

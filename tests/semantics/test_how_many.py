@@ -11,7 +11,7 @@ import pytest
 
 import burnish
 from burnish import Diagnostic
-from burnish.compiler import frontend
+from burnish.compiler import opening
 from burnish.compiler.semantics import work
 from burnish.compiler.semantics.frames import steps
 from burnish.compiler.semantics.shading import room, trials, unused
@@ -33,7 +33,7 @@ def complaint(source: str) -> str:
 
 def test_a_file_declares_only_so_many_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Abstract materials do not count, as others build on them, nor passes: frames draw them."""
-    monkeypatch.setattr(frontend, "MOST_PROGRAMS", 3)
+    monkeypatch.setattr(opening, "MOST_PROGRAMS", 3)
     assert burnish.check(MANY) == ()
     assert complaint(f"{MANY}material D {{ }}\n") == (
         "<text>:7:10: B0015 `<text>` declares 4 materials, kernels and frames, and 3 are possible"
@@ -42,7 +42,7 @@ def test_a_file_declares_only_so_many_programs(monkeypatch: pytest.MonkeyPatch) 
 
 def test_a_file_declares_only_so_many_records(monkeypatch: pytest.MonkeyPatch) -> None:
     """Abstract records and mixins count as well: each is put together with its bases."""
-    monkeypatch.setattr(frontend, "MOST_RECORDS", 5)
+    monkeypatch.setattr(opening, "MOST_RECORDS", 5)
     assert burnish.check(MANY) == ()
     assert complaint(f"{MANY}mixin D {{ a = 1 }}\n") == (
         "<text>:7:7: B0015 `<text>` declares 6 records and mixins, and 5 are possible"
@@ -92,7 +92,7 @@ def test_only_so_much_is_tried(
 
 
 def test_what_is_imported_is_not_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(frontend, "MOST_PROGRAMS", 1)
+    monkeypatch.setattr(opening, "MOST_PROGRAMS", 1)
     (tmp_path / "many.burnish").write_text(MANY, "utf-8")
     importing = 'import "many.burnish".{A}\nmaterial Mine : A { color = vec3(0.5) }\n'
     assert burnish.check(importing, search_path=(tmp_path,)) == ()

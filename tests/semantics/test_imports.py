@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.compiler import frontend
+from burnish.compiler import opening
 from burnish.compiler.diagnostics.diagnostic import Diagnostic
 from burnish.compiler.syntax import load
 
@@ -136,7 +136,7 @@ def test_an_import_of_something_else(name: str, expected: str, odd: Path) -> Non
 
 def test_files_are_only_so_large_together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The error is reported once, and no further file is read."""
-    monkeypatch.setattr(frontend, "TOTAL_LIMIT", 1000)
+    monkeypatch.setattr(opening, "TOTAL_LIMIT", 1000)
     for name in "abc":
         (tmp_path / f"{name}.burnish").write_text(f"{name} = 1.0 //{'x' * 600}\n", "utf-8")
     imports = "".join(f'import "{name}.burnish".{{{name}}}\n' for name in "abc")

@@ -68,14 +68,16 @@ FLOORS: dict[str, str] = {
         "state hints declarations checking lowering"
     ),
     "compiler.semantics.equations": (
-        "frozen stdlib diagnostics syntax ir names inheritance state checking shading"
+        "frozen stdlib diagnostics syntax ir types names inheritance state checking shading"
     ),
     "compiler.semantics.frames": (
         "frozen stdlib diagnostics syntax ir types names inheritance state declarations checking "
         "lowering shading"
     ),
+    "compiler.opening": "inputs diagnostics syntax names inheritance",
     "compiler.frontend": (
-        "watching inputs diagnostics syntax ir library names inheritance shading equations frames"
+        "watching inputs diagnostics syntax ir library names inheritance shading equations frames "
+        "opening"
     ),
     "compiler.planning": "frozen diagnostics ir documents",
     "compiler.expansion_templates": (

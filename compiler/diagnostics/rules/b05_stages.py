@@ -292,8 +292,8 @@ NO_FORMAT = error(
 CAPTURES_AND_DRAWS = error(
     "B0560",
     "`{name}` captures vertices, so it draws nothing",
-    "A pass that captures has no render targets, no layers of them, no `raster` and no `depth`, "
-    "and discards nothing. Draw in another pass.",
+    "A pass that captures has no render targets, no layers of them, no views, no `raster` and no "
+    "`depth`, and discards nothing. Draw in another pass.",
 )
 CANNOT_CAPTURE = error(
     "B0561",

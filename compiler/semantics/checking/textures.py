@@ -79,6 +79,12 @@ def can_read(ctx: Context, type_: TextureType, method: ast.Name, e: ast.Call) ->
     return True
 
 
+def operand_names(type_: TextureType, method: str) -> tuple[str, ...]:
+    """The names of what a read of a texture takes, for pictures; none if there is no such read."""
+    way = next(_ways(type_, method), None)
+    return () if way is None else way.names
+
+
 def _ways(type_: TextureType, method: str) -> Iterator[_Way]:
     """The reads of textures of a type by a method: one, if at all."""
     for row in _READS:

@@ -42,7 +42,7 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
     if elsewhere:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=elsewhere)
         return
-    if hint := _of_stages(name, scope):
+    if hint := _of_stages(name, scope) or _of_pipeline(name):
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=hint)
         return
     if hint := advice.uncalled(name):
@@ -102,6 +102,16 @@ def _of_stages(name: str, scope: Scope) -> str:
     if name == "corner" and "end" in scope.locals:
         return "the level of an edge reads its two ends, `end[0].slot` and `end[1].slot`"
     return _WHERE_MADE.get(name, "")
+
+
+def _of_pipeline(name: str) -> str:
+    """About what the pipeline supplies, where nothing is drawn: in functions and kernels."""
+    if name not in INPUTS:
+        return ""
+    return (
+        "it exists where something is drawn: in equations of materials, lights and passes, and in "
+        "terms; a function takes it as an argument"
+    )
 
 
 def _other_vertices(scope: Scope, name: str) -> str:

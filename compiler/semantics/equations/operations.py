@@ -13,8 +13,12 @@ from typing import Any
 from ....stdlib.builtins import BUILTINS
 from ....support.frozen import changed, frozen
 from ...diagnostics.source import Span
+from ...ir.types import Matrix, TextureType, Vector
 from ...syntax import ast
+from ..checking.constructors import is_constructor
+from ..checking.textures import operand_names
 from ..names.modules import Symbol
+from ..types.typenames import NAMED
 from .model import NodeKind
 from .reads import Key, MeantSlot, Reads, Where, called, inherited, meant, reads_of
 
@@ -177,14 +181,29 @@ def _call(e: ast.Call, where: Where) -> Form:
     name = e.callee.name
     found = called(name, where)
     if isinstance(found, MeantSlot):
-        return _read(f"read {name}", e.callee, e.arguments, "")
+        return _read(f"read {name}", e, e.callee, "", where)
     for symbol in found or ():
         if isinstance(symbol.declaration, ast.StructDeclaration):
             names = [member.name.text for member in symbol.declaration.members]
             return Operation(name, _labelled(names, e.arguments))
     if found:
         return _function(name, found, e, where)
-    return Operation(name, _labelled(LETTERS if len(e.arguments) > 1 else (), e.arguments))
+    return Operation(name, _labelled(_letters(name, len(e.arguments)), e.arguments))
+
+
+def _letters(name: str, count: int) -> Sequence[str]:
+    """The names of the operands of something built in: those of lanes, if each has an operand."""
+    if count < 2:
+        return ()
+    if not is_constructor(name):
+        return LETTERS
+    match NAMED[name].representation:
+        case Vector(size=size) if size == count:
+            return LETTERS
+        case Matrix(columns=columns) if columns == count:
+            return tuple(map(str, range(columns)))
+        case _:
+            return ()
 
 
 def _function(name: str, symbols: Sequence[Symbol], e: ast.Call, where: Where) -> Form:
@@ -202,20 +221,35 @@ def _function(name: str, symbols: Sequence[Symbol], e: ast.Call, where: Where) -
 def _method(e: ast.Call, where: Where) -> Form:
     """A read such as ``albedo.level(uv, 2)``, or of a texture that has no name of its own."""
     if not isinstance(e.callee, ast.Field) or inherited(e.callee, where) is not None:
-        return _read("read", e.callee, e.arguments, "")
+        return _read("read", e, e.callee, "", where)
     method, texture = e.callee.name.text, e.callee.operand
     if method in {row.method for row in BUILTINS.values()}:
         shown = f" {texture.name}" if isinstance(texture, ast.Reference) else ""
-        return _read(f"{method}{shown}", texture, e.arguments, method)
-    return _read("read", e.callee, e.arguments, "")
+        return _read(f"{method}{shown}", e, texture, method, where)
+    return _read("read", e, e.callee, "", where)
 
 
-def _read(
-    name: str, texture: ast.Expression, arguments: Sequence[ast.Expression], method: str
-) -> Form:
-    rows = (row for row in BUILTINS.values() if row.method == method)
-    names = max((row.parameters for row in rows), key=len, default=())
-    return Operation(name, (("map", texture), *_labelled(names, arguments)))
+def _read(name: str, e: ast.Call, texture: ast.Expression, method: str, where: Where) -> Form:
+    type_ = _texture_type(texture, where)
+    names = () if type_ is None else operand_names(type_, method)
+    return Operation(name, (("map", texture), *_labelled(names, e.arguments)))
+
+
+def _texture_type(texture: ast.Expression, where: Where) -> TextureType | None:
+    """The type of a texture that a record declares; ``None`` for one that is chosen."""
+    found = None
+    if isinstance(texture, ast.Reference):
+        found = meant(texture.name, where)
+    elif isinstance(texture, ast.Field):
+        found = inherited(texture, where)
+    if not isinstance(found, MeantSlot):
+        return None
+    typing = found.instance.record.typing(found.key[0])
+    if typing is None or typing.member.type is None:
+        return None
+    named = NAMED.get(typing.member.type.name.text)
+    type_ = None if named is None else named.representation
+    return type_ if isinstance(type_, TextureType) else None
 
 
 def _labelled(names: Iterable[str], operands: Sequence[ast.Expression]) -> Operands:

@@ -69,7 +69,7 @@ def captures_of(ctx: Context, passing: Instance) -> Iterator[Result]:
 
 
 def _check_that_nothing_is_drawn(ctx: Context, record: Record, first: ast.Capture) -> None:
-    kinds = ast.Target, ast.Discard, ast.Clear, ast.Layers, ast.Raster, ast.Depth
+    kinds = ast.Target, ast.Discard, ast.Clear, ast.Layers, ast.Views, ast.Raster, ast.Depth
     drawn = [member for kind in kinds for member, *_ in record.every(kind)]
     if drawn:
         labels = [Label(member.span, "drawn here") for member in drawn]
