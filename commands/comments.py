@@ -104,7 +104,7 @@ def asked(source: str, name: str, root: Path, size: int, command: click.Command)
     are.
     """
     try:
-        words = next(_commands(source, name), None)
+        words = _command(source, name)
         if not words:
             return NOTHING
         options = _options(words[1:], root, command)
@@ -130,8 +130,20 @@ def files_of(value: str, root: Path) -> Iterator[Path]:
         yield path
 
 
-def _commands(source: str, name: str) -> Iterator[list[str]]:
-    """The words behind ``burnish render`` of each command that draws this file."""
+def _command(source: str, name: str) -> list[str]:
+    """The words of the first command that draws this file; none if there is no command at all."""
+    other = ""
+    for words in _commands(source):
+        if words[0] == name:
+            return words
+        other = other or words[0]
+    if other:
+        raise _NotFollowedError(f"draws `{other}`, and the file is `{name}`")
+    return []
+
+
+def _commands(source: str) -> Iterator[list[str]]:
+    """The words behind ``burnish render`` of each command. The first word is the file."""
     for text, is_command in paragraphs(source):
         if not is_command or not text.startswith(_BEGINNING):
             continue
@@ -142,7 +154,7 @@ def _commands(source: str, name: str) -> Iterator[list[str]]:
         except ValueError as error:
             reason = str(error).lower()
             raise _NotFollowedError(f"has a command that cannot be read ({reason})") from None
-        if words and words[0] == name:
+        if words:
             yield words
 
 

@@ -61,6 +61,11 @@ def write(span: Span, text: str, *, sure: bool = False) -> FixIt:
     return fix_it(f"write `{text}`", (span, text), sure=sure)
 
 
+def write_color(span: Span, digits: str) -> FixIt:
+    """The hint for a colour without its mark, in place of its digits at ``span``."""
+    return fix_it(f"a colour is written `#{digits}`", (span, f"#{digits}"), sure=True)
+
+
 def either(text: str, span: Span, *instead: str) -> FixIt:
     """A hint with several texts that may stand at ``span``."""
     return FixIt(text, tuple(Fix((Edit(span, one),)) for one in instead))

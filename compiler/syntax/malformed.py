@@ -10,7 +10,7 @@ import re
 
 from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
-from ..diagnostics.fixes import Hint, fix_it, write
+from ..diagnostics.fixes import Hint, fix_it, write, write_color
 from ..diagnostics.source import Span
 from .tokens import Token
 
@@ -157,7 +157,7 @@ def _number(word: str, span: Span, report: Report) -> Token:
         report.add(rules.BAD_NAME, span, text=word, hint=begun)
         return Token("NAME", word, span.start, span.end)
     if re.fullmatch(r"(?=.*[a-fA-F])(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})", word):
-        report.add(rules.BAD_NUMBER, span, text=word, hint=_color(word, span))
+        report.add(rules.BAD_NUMBER, span, text=word, hint=write_color(span, word))
         return Token("COLOR", f"#{word}", span.start, span.end)
     number = re.match(r"[0-9.]+(?=°|degrees?$)", word)
     if number:
@@ -173,10 +173,6 @@ def _number(word: str, span: Span, report: Report) -> Token:
     hint: Hint = write(span, better, sure=True) if proper else ""
     report.add(rules.BAD_NUMBER, span, text=word, hint=hint)
     return Token("NUMBER", better if proper else "0", span.start, span.end)
-
-
-def _color(digits: str, span: Span) -> Hint:
-    return fix_it(f"a colour is written `#{digits}`", (span, f"#{digits}"), sure=True)
 
 
 def _is_defined(span: Span) -> bool:

@@ -93,6 +93,16 @@ def test_a_missing_picture_is_told(file: Path) -> None:
     )
 
 
+def test_a_comment_that_draws_another_file_is_told(file: Path) -> None:
+    """A copy keeps the name that the comment has for the first one."""
+    copy = file.with_name("copy.burnish")
+    copy.write_text(FILE)
+    found, _, said = drawn(copy)
+    assert found == (0, 0, 0)
+    draws = "the comment of the file draws `m.burnish`, and the file is `copy.burnish`"
+    assert said == f"note: {draws}; it is drawn without that\n"
+
+
 def test_what_is_not_followed_is_told(file: Path) -> None:
     file.write_text(FILE.replace("--mesh plane", "--scene x.glb"))
     found, _, said = drawn(file)

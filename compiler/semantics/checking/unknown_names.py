@@ -142,7 +142,7 @@ def unknown(
 
     If no name is near, it says how such a thing is declared.
     """
-    hint = advice.nearest_or_all(name, span, known) or advice.undeclared(declared_as, name)
+    hint = advice.nearest_or_all(name, span, known) or advice.undeclared(declared_as, name, span)
     ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)
 
 
@@ -156,5 +156,6 @@ def unknown_here(
             if nearest_in(span.source, name, known) is None:
                 return  # The file that could not be imported may declare it.
         kinds = ("fn", "term") if kind == "function" else ()
-        hint = module.hint(ast.Name(name, span), known, kinds) or advice.undeclared(kind, name)
+        hint = module.hint(ast.Name(name, span), known, kinds)
+        hint = hint or advice.undeclared(kind, name, span)
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

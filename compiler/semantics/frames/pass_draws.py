@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from ....support.frozen import frozen, record
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
+from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.blending import REPLACES
 from ...ir.frame import Drawn, FrameShader, Use
@@ -87,12 +88,21 @@ class Draws:
                     node = node_of(self._ctx, count, scope)
                     number = fit(self._ctx, node, INT, "int", count.span)
                     return self._vertices(on_host(self._ctx, number, count.span))
+        self._not_drawn(name, e.span)
+        return None
+
+    def _not_drawn(self, name: str, span: Span) -> None:
+        """Reports what a pass is told to draw, with the names that the frame has for models."""
         known = [*self._models, SCREEN, f"{VERTICES}(n)"]
         hint = f"there is {', '.join(f'`{each}`' for each in known)}"
-        if name and not self._models:
+        declared = [models.member.name.span for models in self._models.values()]
+        elsewhere = [each for each in declared if name and each.source is not span.source]
+        if elsewhere:
+            hint += f"; what is imported draws `{name}`: declare the models as `models {name}`"
+        elif name and not self._models:
             hint += f"; models of the host's scene are declared by `models {name}`"
-        self._ctx.report.add(rules.NOT_DRAWN, e.span, hint=hint)
-        return None
+        labels = [Label(each, "these models have another name") for each in elsewhere]
+        self._ctx.report.add(rules.NOT_DRAWN, span, hint=hint, labels=labels)
 
     def _vertices(self, count: Node | Failure) -> What | None:
         number = self._numbers.number(count)

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from ....stdlib.builtins import BUILTINS
 from ...diagnostics.diagnostic import Label
-from ...diagnostics.fixes import Hint, either, fix_it, write
+from ...diagnostics.fixes import Hint, either, fix_it, write, write_color
 from ...diagnostics.nearest import is_searched_out, respelling
 from ...diagnostics.source import Span
 from ...ir.node import Node, bare
@@ -302,8 +302,14 @@ _DECLARED_AS: Mapping[str, str] = MappingProxyType(
 )
 
 
-def undeclared(kind: str, name: str) -> str:
-    """A hint how to declare a name that nothing declares."""
+_DIGITS = re.compile(r"(?=.*[0-9])(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
+"""The digits of a colour that begin with a letter, so that they are read as a name."""
+
+
+def undeclared(kind: str, name: str, span: Span) -> Hint:
+    """A hint how to declare a name that nothing declares, or what it is if it is no name."""
+    if kind == "name" and _DIGITS.fullmatch(name):
+        return write_color(span, name)
     return _DECLARED_AS.get(kind, "").format(name)
 
 
