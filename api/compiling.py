@@ -232,13 +232,19 @@ def _lacking(
     found = {}
     made_of = shader.expansion or shader.tessellation
     expanded = None if made_of is None else made_of.span
-    places = {extern.place.name: extern.span for extern in shader.externs}
+    places = {
+        **{extern.place.name: extern.span for extern in shader.externs},
+        **{
+            info.leaf.name: info.span
+            for info in (*shader.textures, *shader.buffers, *shader.written)
+        },
+    }
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()
         program = form_for(staged, profile).program
         for excess in excesses(program, profile):
             report.add(
-                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.block),
+                rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.declared),
                 count=excess.count,
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
                 hint=excess.instead or within(excess.limit_name, excess.count, profile),

@@ -165,14 +165,17 @@ IN_ONE_TEXTURE = (
     "have pictures of the same size in the layers of one `texture2d_array`, or put several beside "
     "each other in one `texture2d`"
 )
+IN_ONE_BUFFER = "put arrays into one buffer, whose elements are a structure with a member of each"
 IN_ONE_STATE = "give textures the same `filter`, `mip` and `wrap`, so that they share a sampler"
 
 LIMITED: Mapping[str, Limited] = {
     "varyings": Limited("varyings"),
     "attributes": Limited("vertex inputs"),
-    "vertex_buffers": Limited("storage buffers of a stage that computes vertices"),
-    "fragment_buffers": Limited("storage buffers of the fragment stage"),
-    "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE),
+    "vertex_buffers": Limited(
+        "storage buffers of a stage that computes vertices", instead=IN_ONE_BUFFER
+    ),
+    "fragment_buffers": Limited("storage buffers of the fragment stage", instead=IN_ONE_BUFFER),
+    "kernel_buffers": Limited("storage buffers of a kernel", COMPUTE, instead=IN_ONE_BUFFER),
     "textures": Limited("textures", instead=IN_ONE_TEXTURE),
     "asked_textures": Limited("textures, if the host asks for a device that has them"),
     "samplers": Limited("samplers, each of another state", instead=IN_ONE_STATE),

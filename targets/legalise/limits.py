@@ -7,9 +7,10 @@ features that a profile lacks altogether.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...compiler.ir.kernel import invocations
+from ...compiler.ir.leaves import Buffer, Texture
 from ...compiler.ir.node import Node
 from ...compiler.ir.operations import OF_GROUPS
 from ...compiler.ir.program import Program, Stage
@@ -39,8 +40,8 @@ class Excess:
     """A field of ``Limits``."""
     count: int
     limit: int
-    block: str = ""
-    """The host's own block that exceeds the limit."""
+    declared: str = ""
+    """The first texture, buffer or block of the host that is beyond the limit."""
     of_expansion: bool = False
     """True if the reason is the material's expansion or tessellation."""
     instead: str = ""
@@ -64,10 +65,22 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
         if limit is not None and count > limit:
             of_corners = by_corner and name == "attributes"
             instead = BY_CORNER if of_corners else INSTEAD.get(name, "")
-            yield Excess(name, count, limit, of_expansion=of_corners, instead=instead)
+            first = _first_beyond(program, name, limit)
+            yield Excess(name, count, limit, first, of_expansion=of_corners, instead=instead)
     if not {stage.row for stage in emitting(program)} - {*profile.stages}:
         yield from _too_much_emitted(program, profile)
     yield from _excessive_places(program, profile.limits)
+
+
+def _first_beyond(program: Program, name: str, limit: int) -> str:
+    """The first texture or buffer that a stage has beyond a limit of those; empty for others."""
+    for stage in program.stages:
+        limited: Mapping[str, Sequence[Texture | Buffer]] = {
+            "textures": stage.textures, buffer_limit(stage.row): stage.buffers
+        }  # fmt: skip
+        if beyond := limited.get(name, ())[limit:]:
+            return beyond[0].name
+    return ""
 
 
 def demands(program: Program, profile: Profile) -> Iterator[Excess]:

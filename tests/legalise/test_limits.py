@@ -90,7 +90,8 @@ Its vertex inputs have three places, although nothing reads the one at the secon
 @pytest.mark.parametrize(("limit", "count"), HAS.items(), ids=HAS)
 def test_a_program_may_have_as_much_as_the_limit_and_no_more(limit: str, count: int) -> None:
     program, profile = staged(LARGE, "P").program, registry.load("wgsl").profiles[0]
-    for most, expected in ((count, []), (count - 1, [Excess(limit, count, count - 1)])):
+    beyond = Excess(limit, count, count - 1, "high" if limit == "textures" else "")
+    for most, expected in ((count, []), (count - 1, [beyond])):
         limits = changed(profile.limits, asked_textures=None, **{limit: most})
         assert list(excesses(program, changed(profile, limits=limits))) == expected
 
@@ -115,13 +116,29 @@ def test_a_host_may_ask_for_more_textures_up_to_a_number() -> None:
     for every, asked, demanded, exceeded in (
         (3, 4, [], []),
         (2, 3, [Excess("textures", 3, 2)], []),
-        (1, 2, [], [Excess("textures", 3, 2)]),
-        (2, None, [], [Excess("textures", 3, 2)]),
+        (1, 2, [], [Excess("textures", 3, 2, "c")]),
+        (2, None, [], [Excess("textures", 3, 2, "c")]),
     ):
         limits = changed(profile.limits, textures=every, asked_textures=asked)
         limited = changed(profile, limits=limits)
         assert list(demands(program, limited)) == demanded
         assert list(excesses(program, limited)) == exceeded
+
+
+def test_the_first_buffer_beyond_the_limit_is_shown() -> None:
+    rows = "".join(f"    buffer b{i} : float[]\n" for i in range(5))
+    total = " + ".join(f"b{i}[0]" for i in range(5))
+    with pytest.raises(burnish.CompileError) as caught:
+        burnish.compile(f"material M {{\n{rows}    color = vec3({total})\n}}\n", "glsl")
+    assert render_all(caught.value.diagnostics) == (
+        "error[B0702]: 5 storage buffers of the fragment stage of M, but glsl:vulkan has only 4\n"
+        " --> <text>:6:12\n"
+        "  |\n"
+        "6 |     buffer b4 : float[]\n"
+        "  |            ^^\n"
+        "  = help: put arrays into one buffer, whose elements are a structure with a member of "
+        "each, or compile for glsl:gl450, hlsl:sm6 or wgsl:webgpu"
+    )
 
 
 def doubling(levels: int) -> str:
