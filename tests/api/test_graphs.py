@@ -17,7 +17,7 @@ import burnish
 from burnish.api import entry_points, graphs
 from burnish.api.graphs import Recent
 from burnish.api.remembered import Remembered
-from burnish.compiler import frontend
+from burnish.compiler import opening
 
 from ..suite.processes import at_once, run
 
@@ -93,7 +93,7 @@ def test_what_was_asked_for_is_pickled() -> None:
     spans = _spans(result["Flat"].files[0])
     copied = pickle.loads(pickle.dumps(result))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(frontend, "parse", None)
+        patch.setattr(opening, "parse", None)
         assert burnish.to_json(copied["Flat"].reflection) == wanted
         assert _spans(copied["Flat"].files[0]) == spans
 

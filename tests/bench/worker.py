@@ -120,7 +120,10 @@ class Memory:
         if (nothing := getattr(frontend, "NOTHING_KNOWN", None)) is not None:
             self._places.append((frontend, "KNOWN_RIGHT", frontend.KNOWN_RIGHT, nothing))
         parser = importlib.import_module("burnish.compiler.syntax.parser")
-        self._places.append((frontend, "parse", frontend.parse, parser.parse))
+        # Checkouts before `opening` was a module of its own parse in the frontend.
+        is_old = hasattr(frontend, "parse")
+        opening = frontend if is_old else importlib.import_module("burnish.compiler.opening")
+        self._places.append((opening, "parse", opening.parse, parser.parse))
 
     def use(self, remember: bool) -> None:
         """Have compiles remember; or have each of them do its work, also if it is the same."""

@@ -343,6 +343,9 @@ class _Program:
             before = replace(scope, leaves=scope.leaves[2:])
             items += expansion(writer, before, layers=writer.chance.choice((0, 2, 3)))
             scope = scope.having(SPREAD)
+        elif writer.maybe(0.15):
+            items.append(Node("views of 2", role="views"))
+            scope = scope.having(variable("view_index", "int"))
         adds = writer.maybe(0.25)
         types = []
         for number in range(writer.chance.randint(0, 2)):

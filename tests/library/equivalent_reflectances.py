@@ -84,6 +84,14 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
     ),
     "Light and eye may be exchanged.": (
         (
+            "std.models.open_pbr: eometry_coat_normal, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] , facet_width(coat_r"
+        ),
+        (
+            "std.models.gltf_lit: learcoat_normal, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] , facet_width(clear"
+        ),
+        (
             "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, "
             "[saturate(dot(normal,…dot(normal, to_eye)) -> saturate(dot(normal,…al, "
             "light.to_light))] ) + light.specular *"

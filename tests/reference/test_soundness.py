@@ -135,7 +135,7 @@ def _of_functions() -> list[Node]:
         return graph.node("call", FLOAT, operands, name)
 
     one = graph.node("constant", FLOAT, (), 1.0)
-    parts = call("fract", p), call("fract", q), call("mix", p, q, one), call("mod", p, q)
+    parts = call("mix", p, q, r), call("mix", p, q, one), call("mod", p, q)
     return [call("add", x, y) for x in parts for y in (*parts, call("mul", q, r))]
 
 

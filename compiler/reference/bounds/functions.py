@@ -99,11 +99,12 @@ class Bounds(OwnFunctions, OpenLoops):
         """The part above the floor. Just below a whole number it is 1, or the float before 1.
 
         If the product that ``x`` may be is not rounded before the floor is taken from it, the part
-        may leave 0..1 by that rounding.
+        may leave 0..1 by that rounding. Compilers that combine ``x`` and the floor with further
+        terms of a sum are not allowed for.
         """
         x = as_bounded(x)
         found = x - self.floor(x)
-        found = widened(found, np.where(found.high >= 1.0, _BELOW_ONE, 0.0)).made_as(found)
+        found = widened(found, np.where(found.high >= 1.0, _BELOW_ONE, 0.0))
         rounding = 0.0 if x.is_exact else ULP * x.magnitude
         return limited(found, np.minimum(-rounding, 0.0), np.maximum(1.0 + rounding, 1.0))
 
