@@ -54,11 +54,11 @@ def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
 
 
 def _may_have_samples(program: Sequence[Node]) -> bool:
-    """True if the picture of a pass may have several samples: no lines, layers or large floats."""
+    """True if a pass may have several samples: without lines, layers, views and large floats."""
     return not any(
         (node.role == "strips" and node.form.startswith("line "))
         or (node.role == "tessellation" and node.form.startswith("tessellate isoline"))
-        or node.role == "layers"
+        or node.role in ("layers", "views")
         or (node.role == "target" and _FLOATS.search(node.form))
         for part in program
         for _, node in walk(part)
