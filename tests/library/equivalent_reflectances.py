@@ -88,8 +88,8 @@ OF_REFLECTANCES: Mapping[str, Sequence[str]] = {
             "light.to_light] , facet_width(coat_r"
         ),
         (
-            "std.models.gltf_lit: learcoat_normal, [light.to_light, to_eye -> to_eye, "
-            "light.to_light] , facet_width(clear"
+            "std.models.gltf_lit: ts(clearcoat_normal, [light.to_light, to_eye -> to_eye, "
+            "light.to_light] , facet_width(clearc"
         ),
         (
             "std.reflectances.ashikhmin_shirley: in_matt( albedo, f0, "
