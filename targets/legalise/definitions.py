@@ -2,9 +2,9 @@
 
 ``legalise`` asks for them first. A profile has no word for a builtin (``Profile.lacks``), its own
 operation has another meaning, or none, for operands of some types (``Profile.agrees``), or a driver
-gets it wrong (``Profile.mistakes``). Then
-the builtin's ``definition``, which says the same in simpler operations, becomes a function, and
-every use of the builtin on operands of these types is printed as a call of it.
+gets it wrong (``Profile.mistakes``). Then the builtin's ``definition``, which says the same in
+simpler operations, becomes a function, and every use of the builtin on operands of these types is
+printed as a call of it.
 """
 
 from __future__ import annotations

@@ -172,8 +172,8 @@ WEBGPU = Profile(
     without_inputs=frozenset({"view_index"}),
     single_file=True,
     # Tint accepts 127 nested statements; each loop and each branch counts as two.
-    # Every device has 16 textures and samplers in a stage (WebGPU, 3.6.2 "Limits"). Chromium offers
-    # 48 textures at most, and no more samplers (Dawn's tiers of limits).
+    # Every device has 16 textures and samplers in a stage (WebGPU, 3.6.2 "Limits"). Of browsers,
+    # 48 textures at most are reported, and no more samplers; Chromium on SwiftShader offers 16.
     limits=Limits(
         nested_blocks=62,
         groups=4,
