@@ -167,7 +167,8 @@ LATER_ARGUMENT = error(
     "B0335",
     "the default of `{argument}` reads `{name}`, which has no value before it",
     "A default can read the arguments that are declared before its own, and what the function "
-    "itself can read: constants of the file and, in a term, slots of the surface.",
+    "itself can read: constants of the file and, in a term, slots of the surface. `light` has no "
+    "value there, as arguments are the same for all lights.",
 )
 TEXTURE_LACKS_READ = error(
     "B0350",

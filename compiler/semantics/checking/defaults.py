@@ -72,6 +72,8 @@ def default_of(
         if is_recursive(ctx, symbol, span):
             return FAILURE
         later = {each.name.text: FAILURE for each in function.arguments}
+        if function.per is not None:
+            later[function.per.text] = FAILURE  # Arguments are the same for all lights.
         locals_: Mapping[str, Value] = {**numbers_of(ctx, variables), **later, **earlier}
         scope = Scope(symbol.module, surface=surface, locals=locals_, variables=variables)
         finish = partial(_finish, ctx, key, symbol, scope, ctx.report.count, span)
