@@ -41,8 +41,11 @@ class Models:
         self._models: dict[Definition, Model] = {}
 
     def model(self, definition: Definition) -> Model | None:
-        """The abstract material for a definition; nothing if it takes closures, which are no values of slots."""
+        """The abstract material for a definition; nothing if it takes closures or
+        files, which are no values of slots."""
         if definition.graph is None or any(port.type in CLOSURES for port in definition.inputs.values()):
+            return None
+        if any(port.type == "filename" for port in definition.inputs.values()):
             return None
         if definition not in self._models:
             self._models[definition] = self._written(definition)

@@ -26,5 +26,4 @@ class Problem:
     is_error: bool = True
 
     def __str__(self) -> str:
-        kind = "error" if self.is_error else "note"
-        return f"{self.place}: {kind}: {self.path}: {self.text}"
+        return f"{self.place}: {self.path}: {self.text}"
