@@ -190,7 +190,7 @@ def _stamps(folder: str) -> Iterator[str]:
     with os.scandir(folder) as entries:
         for entry in entries:
             if entry.is_dir():
-                if folder != _ROOT and entry.name != "__pycache__" or _is_package(entry.path):
+                if (folder != _ROOT and entry.name != "__pycache__") or _is_package(entry.path):
                     yield from _stamps(entry.path)
             elif folder != _ROOT or entry.name.endswith(".py"):
                 yield _stamp(entry.path, entry.stat())
