@@ -1,0 +1,215 @@
+"""MaterialX's own GLSL of single nodes, drawn for many points at once by llvmpipe.
+
+``std.mtlx`` is written from the specification; what the installed package ``MaterialX`` draws is
+the truth about it. The nodes of a test module are in one shader, each of which fills some rows of
+one picture, so one draw serves all of its tests. The numbers are kept, as they hardly ever change.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+from burnish.targets.runner.drivers.draws import Draw
+from burnish.targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
+from burnish.targets.runner.drivers.render_state import RenderTarget
+from burnish.targets.runner.drivers.slots import Place, TextureSlot
+from burnish.targets.runner.drivers.texels import Image
+from burnish.targets.runner.store import Store, digest
+
+from ..runner.jobs_kit import draw_job
+from ..runner.textual_kit import CORNERS, asker, floats, indices, pixels
+from .calls import called
+from .kit import Floats
+
+WIDTH, ROWS = 256, 4
+"""The size of the part of a picture that belongs to a node."""
+GIVEN = {"p": (-9.0, 9.0), "q": (0.0, 1.0), "r": (-2.0, 2.0)}
+"""The vectors of four numbers that each call may read, by the ranges in which these lie."""
+RESULTS = {1: "one", 2: "two", 3: "three", 4: "four"}
+"""The variables of GLSL that take a result, by its lanes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A node of MaterialX, called in GLSL and in Burnish with the same numbers."""
+
+    glsl: str
+    """A statement that sets one of ``RESULTS``; ``whole`` and ``single`` may take others."""
+    ours: str
+    """The expression of Burnish."""
+    lanes: int = 1
+    near: float = 1e-5
+    """How far both may be from each other, beside 1 or, if that is more, the value."""
+    files: Sequence[str] = ()
+    """Where the GLSL is defined, within the folder of MaterialX's libraries, or ``file:function``;
+    if nothing is said, it is the file of the function's name."""
+    in_quads: bool = False
+    """True if it compares neighbouring pixels: ``p`` is then a plane within each quad."""
+
+    @property
+    def defined_in(self) -> Sequence[str]:
+        """The files or functions to include."""
+        return self.files or [f"stdlib/genglsl/{self.glsl.partition('(')[0]}.glsl"]
+
+
+Nodes = Mapping[str, Node]
+
+
+def assert_alike(nodes: Nodes, name: str, imports: str) -> None:
+    """Burnish's expression of one of the nodes gives what MaterialX's GLSL of it draws."""
+    node = nodes[name]
+    ours, theirs = by_burnish(node, imports), drawn(nodes)[name]
+    apart = np.abs(ours - theirs) / np.maximum(1, np.abs(theirs))
+    assert apart.max() <= node.near, f"{name}: {apart.max()} at {apart.argmax()}"
+
+
+@cache
+def points() -> Mapping[str, Floats]:
+    """The numbers that calls may read, in float32: arrays of (rows, columns, lanes)."""
+    chance = np.random.default_rng(11)
+    made = {}
+    for name, (low, high) in GIVEN.items():
+        some = chance.uniform(low, high, (ROWS, WIDTH, 4))
+        some[0, :8] = np.round(some[0, :8])
+        some[0, 8:16] = np.floor(some[0, 8:16]) + 0.5
+        made[name] = some.astype(np.float32).astype(np.float64)
+    return made
+
+
+@cache
+def by_burnish(node: Node, imports: str) -> Floats:
+    """The lanes of the expression, by the reference, one row for each point."""
+    read = {name: value for name, value in points().items() if re.search(rf"\b{name}\b", node.ours)}
+    flat = {name: value.reshape(-1, 4) for name, value in read.items()}
+    return called(imports, node.ours, node.lanes, **flat).reshape(-1, node.lanes)
+
+
+@cache
+def _drawn(text: str, count: int) -> Floats:
+    """The parts of the picture that a shader draws, one for each node."""
+    store = Store("library", limit=1 << 26)
+    name = digest(text, *(lanes.astype("<f4").tobytes() for lanes in points().values()))
+    data = store.read(name)
+    if data is None:
+        data = _picture(text, count).astype("<f4").tobytes()
+        store.write(name, data)
+    return np.frombuffer(data, "<f4").reshape(count, ROWS * WIDTH, 4).astype(np.float64)
+
+
+def drawn(nodes: Nodes) -> Mapping[str, Floats]:
+    """The lanes that MaterialX's GLSL gives for each of the nodes, one row for each point."""
+    parts = _drawn(_shader_of(list(nodes.values())), len(nodes))
+    return {
+        name: part[:, : node.lanes] for part, (name, node) in zip(parts, nodes.items(), strict=True)
+    }
+
+
+def _picture(text: str, count: int) -> Floats:
+    """The picture of a fragment shader, by llvmpipe, with its bottom row first."""
+    slots = [
+        TextureSlot(Place(f"{name}_given", None, None), None, "nearest", "none", "clamp")
+        for name in GIVEN
+    ]
+    pipeline = Pipeline(
+        {"vertex": Code("main", _VERTEX), "fragment": Code("main", text)},
+        (VertexInput("place", 0, "float32x3"),), (), tuple(slots), (RenderTarget("rgba32float"),),
+        first_row="bottom",
+    )  # fmt: skip
+    images = tuple(
+        Image("rgba32float", WIDTH, ROWS, (lanes.astype("<f4").tobytes(),))
+        for lanes in points().values()
+    )
+    corners = floats([(*corner, 0.5) for corner in CORNERS])
+    draw = Draw(WIDTH, ROWS * count, 3, (corners,), indices(0, 1, 2), (), images)
+    (picture,) = asker("opengl").draw(draw_job(pipeline, (draw,)))
+    return np.asarray(pixels(picture)[::-1], np.float64)
+
+
+_VERTEX = """#version 330 core
+in vec3 place;
+void main() { gl_Position = vec4(place, 1.0); }
+"""
+_CALL = """
+void call_{number}(vec4 p, vec4 q, vec4 r)
+{{
+    int whole; float single;
+    float one; vec2 two; vec3 three; vec4 four;
+    {glsl};
+    found.{lanes} = {result};
+}}
+"""
+_FRAGMENT = """#version 330 core
+uniform sampler2D p_given, q_given, r_given;
+layout(location = 0) out vec4 found;
+{definitions}
+{calls}
+void main()
+{{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 at = ivec2(pixel.x, pixel.y % {rows});
+    vec4 p = texelFetch(p_given, at, 0);
+    vec4 q = texelFetch(q_given, at, 0);
+    vec4 r = texelFetch(r_given, at, 0);
+    found = vec4(0.0);
+    switch (pixel.y / {rows}) {{
+{cases}
+    }}
+}}
+"""
+
+
+def _shader_of(nodes: Sequence[Node]) -> str:
+    """A fragment shader whose picture has some rows of each node, from the bottom on."""
+    seen: set[Path] = set()
+    files = dict.fromkeys(file for node in nodes for file in node.defined_in)
+    return _FRAGMENT.format(
+        rows=ROWS,
+        definitions="\n".join(_defined(file, seen) for file in (_MATH, *files)),
+        calls="".join(
+            _CALL.format(
+                number=number,
+                glsl=node.glsl,
+                lanes="xyzw"[: node.lanes],
+                result=RESULTS[node.lanes],
+            )
+            for number, node in enumerate(nodes)
+        ),
+        cases="\n".join(f"    case {n}: call_{n}(p, q, r); break;" for n in range(len(nodes))),
+    )
+
+
+_MATH = "stdlib/genglsl/lib/mx_math.glsl"
+
+
+def libraries() -> Path:
+    """The folder of the installed package in which the libraries of MaterialX are."""
+    return Path(import_module("MaterialX").getDefaultDataSearchPath().asString()) / "libraries"
+
+
+def _defined(file: str, seen: set[Path]) -> str:
+    """A file of MaterialX with all that it includes, or one function of it."""
+    name, _, function = file.partition(":")
+    if not function:
+        return _included(libraries() / name, seen)
+    text = (libraries() / name).read_text("utf-8")
+    (whole,) = re.findall(rf"^\w+ {function}\(.*?^}}", text, re.MULTILINE | re.DOTALL)
+    return str(whole)
+
+
+def _included(path: Path, seen: set[Path]) -> str:
+    path = path.resolve()
+    if path in seen:
+        return ""
+    seen.add(path)
+    lines = []
+    for line in path.read_text("utf-8").splitlines():
+        wanted = re.match(r'#include "(.+)"', line)
+        lines.append(_included(path.parent / wanted[1], seen) if wanted else line)
+    return "\n".join(lines)
