@@ -145,9 +145,18 @@ void call_{number}(vec4 p, vec4 q, vec4 r)
     found.{lanes} = {result};
 }}
 """
+_HEAD = """#define DIRECTIONAL_ALBEDO_METHOD 0
+#define AIRY_FRESNEL_ITERATIONS 2
+struct BSDF { vec3 response; vec3 throughput; };
+#define VDF BSDF
+#define EDF vec3
+vec3 even_light = vec3(0.0);
+"""
+"""What MaterialX's generator writes before the texts of closures."""
 _FRAGMENT = """#version 330 core
 uniform sampler2D p_given, q_given, r_given;
 layout(location = 0) out vec4 found;
+{head}
 {definitions}
 {calls}
 void main()
@@ -171,6 +180,7 @@ def _shader_of(nodes: Sequence[Node]) -> str:
     files = dict.fromkeys(file for node in nodes for file in node.defined_in)
     return _FRAGMENT.format(
         rows=ROWS,
+        head=_HEAD,
         definitions="\n".join(_defined(file, seen) for file in (_MATH, *files)),
         calls="".join(
             _CALL.format(
@@ -186,6 +196,19 @@ def _shader_of(nodes: Sequence[Node]) -> str:
 
 
 _MATH = "stdlib/genglsl/lib/mx_math.glsl"
+TOKENS = {
+    "$closureDataConstructor": "ClosureData(closureType, L, V, N, P, occlusion)",
+    "$refractionTwoSided": "false",
+    "textureLod($texSamplerSampler2D, uv, lod).rgb": "even_light",
+    "$texSamplerSignature": "float light",
+    "$envRadianceMips": "1",
+    "$envRadiance": "0.0",
+    "$envIrradiance": "0.0",
+    "$envLightIntensity": "1.0",
+    "$envMatrix": "mat4(1.0)",
+}
+"""What is drawn with in place of what MaterialX's generator fills in: ``even_light`` is the same
+light from everywhere. Words that others begin with come after these."""
 
 
 def libraries() -> Path:
@@ -209,7 +232,10 @@ def _included(path: Path, seen: set[Path]) -> str:
         return ""
     seen.add(path)
     lines = []
-    for line in path.read_text("utf-8").splitlines():
+    text = path.read_text("utf-8")
+    for token, filled in TOKENS.items():
+        text = text.replace(token, filled)
+    for line in text.splitlines():
         wanted = re.match(r'#include "(.+)"', line)
         lines.append(_included(path.parent / wanted[1], seen) if wanted else line)
     return "\n".join(lines)
