@@ -188,9 +188,18 @@ void call_{number}(vec4 p, vec4 q, vec4 r, vec4 s)
     found.{lanes} = {result};
 }}
 """
+_HEAD = """#define DIRECTIONAL_ALBEDO_METHOD 0
+#define AIRY_FRESNEL_ITERATIONS 2
+struct BSDF { vec3 response; vec3 throughput; };
+#define VDF BSDF
+#define EDF vec3
+vec3 even_light = vec3(0.0);
+"""
+"""What MaterialX's generator writes before the texts of closures."""
 _FRAGMENT = """#version 330 core
 uniform sampler2D p_given, q_given, r_given;
 layout(location = 0) out vec4 found;
+{head}
 vec4 picture(vec2 at, vec2 dx, vec2 dy)
 {{
     return vec4(
@@ -227,6 +236,7 @@ def _shader_of(nodes: Sequence[Node]) -> str:
     files = dict.fromkeys(file for node in nodes for file in node.defined_in)
     return _FRAGMENT.format(
         rows=ROWS,
+        head=_HEAD,
         definitions="\n".join(_defined(file, seen) for file in (_MATH, *files)),
         calls="".join(
             _CALL.format(
@@ -243,11 +253,20 @@ def _shader_of(nodes: Sequence[Node]) -> str:
 
 _MATH = "stdlib/genglsl/lib/mx_math.glsl"
 TOKENS = {
+    "$closureDataConstructor": "ClosureData(closureType, L, V, N, P, occlusion)",
+    "$refractionTwoSided": "false",
+    "textureLod($texSamplerSampler2D, uv, lod).rgb": "even_light",
     "$texSamplerSignature": "sampler2D given",
     "$texSamplerSampler2D": "given",
     "$fileTransformUv": "mx_transform_uv_vflip.glsl",
+    "$envRadianceMips": "1",
+    "$envRadiance": "p_given",
+    "$envIrradiance": "p_given",
+    "$envLightIntensity": "1.0",
+    "$envMatrix": "mat4(1.0)",
 }
-"""What MaterialX's generator writes for the words of its files that begin with a dollar."""
+"""What MaterialX's generator fills in for these words: ``even_light`` is the same light from
+everywhere. Words that others begin with come after these."""
 
 
 def libraries() -> Path:
@@ -272,8 +291,8 @@ def _included(path: Path, seen: set[Path]) -> str:
     seen.add(path)
     lines = []
     text = path.read_text("utf-8")
-    for token, meant in TOKENS.items():
-        text = text.replace(token, meant)
+    for token, filled in TOKENS.items():
+        text = text.replace(token, filled)
     for line in text.splitlines():
         wanted = re.match(r'#include "(.+)"', line)
         lines.append(_included(path.parent / wanted[1], seen) if wanted else line)
