@@ -1,1 +1,1 @@
-"""MaterialX documents come in as materials, and are compared with MaterialX's own texts."""
+"""Documents of MaterialX: what they mean in Burnish."""
