@@ -78,13 +78,13 @@ class Checker(Closing):
 
     def generated(
         self, document: Path, renderable: str, setting: Setting = ONE_LIGHT, *,
-        complete: bool = False,
+        complete: bool = False, by_host: bool = False,
     ) -> Generated:  # fmt: skip
-        """The texts that MaterialX generates for a renderable; with ``complete``, all of its inputs
-        are uniforms. Raises ``FidelityError``."""
+        """The texts that MaterialX generates for a renderable; ``complete`` and ``by_host`` are
+        those of ``draw``. Raises ``FidelityError``."""
         asked = {
             "path": str(document.resolve()), "renderable": renderable,
-            "lights": list(setting.light_kinds), "complete": complete,
+            "lights": list(setting.light_kinds), "complete": complete, "by_host": by_host,
         }  # fmt: skip
         answer = self._ask({"generate": asked})
         return joined(Generated, answer.reply["generated"], answer.data)
@@ -97,21 +97,28 @@ class Checker(Closing):
         *,
         root: Path | None = None,
         complete: bool = False,
+        by_host: bool = False,
     ) -> Drawn:
         """The picture of a renderable by MaterialX's own text.
 
         Images lie in ``root``, by default in the document's folder. MaterialX writes constants with
         six decimal places into texts; those of ``complete`` ones are exact, and take several times
         as long to compile. A reduced text that no compiler takes is drawn by the complete one: some
-        have names of files in them. Raises ``FidelityError``, which also tells what is missing.
+        have names of files in them. MaterialX's text decodes files from sRGB after filtering them;
+        with ``by_host``, textures are decoded before, as those of most engines are. Raises
+        ``FidelityError``, which also tells what is missing.
         """
         self._require(self._route)
-        generated = self.generated(document, renderable, setting, complete=complete)
+        generated = self.generated(
+            document, renderable, setting, complete=complete, by_host=by_host
+        )
         try:
             return self._drawn(generated, document, setting, root)
         except DriverError as error:
             if not complete:
-                return self.draw(document, renderable, setting, root=root, complete=True)
+                return self.draw(
+                    document, renderable, setting, root=root, complete=True, by_host=by_host
+                )
             raise FidelityError(f"MaterialX's own text cannot be drawn: {error}") from None
 
     def _drawn(

@@ -28,6 +28,8 @@ class Claim:
     material: str
     values: Mapping[str, Any] = field(default_factory=dict)
     """The values of parameters, and the textures, that are no defaults."""
+    by_host: bool = True
+    """True if textures are decoded from sRGB by the host, before filtering, on both sides."""
     root: Path | None = None
     """The folder in which the document's images lie, if it is not the document's own."""
 
@@ -48,7 +50,9 @@ class Checked:
 def check(checker: Checker, claim: Claim, setting: Setting = ONE_LIGHT) -> Checked:
     """Draw both sides of a claim, and compare them."""
     try:
-        theirs = checker.draw(claim.document, claim.renderable, setting, root=claim.root)
+        theirs = checker.draw(
+            claim.document, claim.renderable, setting, root=claim.root, by_host=claim.by_host
+        )
         ours = checker.ours(claim.source, claim.material, setting, claim.values)
     except FidelityError as error:
         return Checked(claim.renderable, "not run", str(error))

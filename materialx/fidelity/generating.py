@@ -25,6 +25,8 @@ from .records import (
 )
 
 WORKING_SPACE = "lin_rec709"
+SRGB = ("srgb_texture", "srgb_rec709_scene")
+"""The names of the colour space that hosts can decode."""
 DISTANCE_UNIT = "meter"
 
 _NUMBERS = frozenset(
@@ -59,10 +61,15 @@ class Generator:
         return list(self._renderables(document))
 
     def generated(
-        self, path: str, renderable: str, lights: Sequence[str], *, complete: bool
+        self, path: str, renderable: str, lights: Sequence[str], *, complete: bool, by_host: bool
     ) -> Generated:
-        """The texts of one renderable, for lights of these kinds. Raises ``FidelityError``."""
+        """The texts of one renderable, for lights of these kinds.
+
+        With ``by_host``, texts do not decode files from sRGB, and the host has to do it. Raises
+        ``FidelityError``.
+        """
         document = self._document(path)
+        encoded = _without_srgb(document) if by_host else set()
         found = self._renderables(document)
         if renderable not in found:
             there = ", ".join(found) or "nothing"
@@ -70,7 +77,7 @@ class Generator:
         # Sampler states stand only in the uniforms of complete texts.
         whole = self._shader(path, found[renderable], lights, complete=True)
         taken = whole if complete else self._shader(path, found[renderable], lights)
-        return _generated(taken, whole)
+        return _generated(taken, whole, encoded)
 
     def _renderables(self, document: Any) -> dict[str, Any]:
         """The elements by their names; they live as long as the document."""
@@ -138,7 +145,19 @@ class Generator:
         )
 
 
-def _generated(taken: Any, whole: Any) -> Generated:
+def _without_srgb(document: Any) -> set[str]:
+    """Let files in sRGB be linear ones for the generator, and return the paths of their inputs."""
+    found = [
+        element
+        for element in document.traverseTree()
+        if element.getAttribute("type") == _FILE and element.getActiveColorSpace() in SRGB
+    ]
+    for element in found:
+        element.setColorSpace(WORKING_SPACE)
+    return {element.getNamePath() for element in found}
+
+
+def _generated(taken: Any, whole: Any, encoded: set[str]) -> Generated:
     vertex, pixel = (taken.getStage(name) for name in ("vertex", "pixel"))
     uniforms: dict[str, Uniform] = {}
     for stage in (vertex, pixel):
@@ -155,7 +174,7 @@ def _generated(taken: Any, whole: Any) -> Generated:
         for port in _ports(stage, ("PublicUniforms",))
         if port.getType().getName() == _FILE
     )
-    images = {port.getVariable(): _image(port, settings) for port in files}
+    images = {port.getVariable(): _image(port, settings, encoded) for port in files}
     text = taken.getSourceCode("pixel")
     lights = _ports(pixel, ("LightData",)) if _LIGHTS in text else ()
     return Generated(
@@ -206,7 +225,7 @@ def _numbers(value: Any) -> tuple[float, ...]:
     return tuple(float(each) for each in value)
 
 
-def _image(port: Any, settings: dict[str, Any]) -> ImageUse:
+def _image(port: Any, settings: dict[str, Any], encoded: set[str]) -> ImageUse:
     """The state of a sampler, found as MaterialX's renderer finds it: by the names of uniforms."""
     name = port.getVariable()
     root = name.rpartition("_")[0] or name
@@ -219,6 +238,7 @@ def _image(port: Any, settings: dict[str, Any]) -> ImageUse:
         wrap_v=_address_mode(settings.get(f"{root}_vaddressmode")),
         nearest=settings.get(f"{root}_filtertype") == 0,
         default=_color(_numbers(default)),
+        is_srgb=port.getPath() in encoded,
     )
 
 

@@ -1,7 +1,7 @@
 """Loads the images of a document as MaterialX's renderer binds them: numbers as they are in files.
 
 Both sides read files by the same loader and have the same smaller levels. MaterialX's text decodes
-colour spaces itself, after filtering.
+colour spaces itself, after filtering, unless it was asked to leave sRGB to the host.
 """
 
 from __future__ import annotations
@@ -13,11 +13,14 @@ from pathlib import Path
 import numpy as np
 
 from ...compiler.ir.types import Wrap
+from ...compiler.reference.transfer import decode_srgb
 from ...targets.runner.drivers.slots import Place, TextureSlot
 from ...targets.runner.drivers.texels import Image
 from ...targets.runner.textures.kinds import PictureError
 from ...targets.runner.textures.texture import Texture
 from .records import AddressMode, FidelityError, ImageUse
+
+Color = tuple[float, float, float, float]
 
 WRAPS: Mapping[AddressMode, Wrap] = {
     "constant": "border", "clamp": "clamp", "periodic": "repeat", "mirror": "mirror",
@@ -41,6 +44,7 @@ class Images:
 
     def bound(self, use: ImageUse) -> tuple[TextureSlot, Image]:
         """The slot of a sampler, and its image. Raises ``FidelityError``."""
+        default = _decoded(use.default) if use.is_srgb else use.default
         slot = TextureSlot(
             Place(use.name, None, None),
             None,
@@ -48,17 +52,17 @@ class Images:
             mip="nearest" if use.nearest else "linear",
             wrap_u=WRAPS[use.wrap_u],
             wrap_v=WRAPS[use.wrap_v],
-            border_color=use.default if "constant" in (use.wrap_u, use.wrap_v) else None,
+            border_color=default if "constant" in (use.wrap_u, use.wrap_v) else None,
         )
-        return slot, self._image(use)
+        return slot, self._image(use, default)
 
-    def _image(self, use: ImageUse) -> Image:
+    def _image(self, use: ImageUse, default: Color) -> Image:
         path = self.path(use.file)
         if path is not None:
-            return _loaded(path, path.stat().st_mtime_ns)
+            return _loaded(path, path.stat().st_mtime_ns, use.is_srgb)
         if use.file:
             self.missing.append(use.file)
-        texel = np.array(use.default, np.float32).reshape(1, 1, 4)
+        texel = np.array(default, np.float32).reshape(1, 1, 4)
         return Texture.of_array(texel).image()
 
     def path(self, file: str) -> Path | None:
@@ -77,9 +81,15 @@ class Images:
         return None
 
 
+def _decoded(color: Color) -> Color:
+    """A colour in sRGB as linear light."""
+    red, green, blue = decode_srgb(np.array(color[:3])).tolist()
+    return red, green, blue, color[3]
+
+
 @lru_cache(maxsize=8)
-def _loaded(path: Path, _changed: int) -> Image:
+def _loaded(path: Path, _changed: int, is_srgb: bool) -> Image:
     try:
-        return Texture.load(path).image()
+        return Texture.load(path, srgb=is_srgb).image()
     except PictureError as error:
         raise FidelityError(str(error)) from None

@@ -32,7 +32,7 @@ from ...targets.runner.meshes import Mesh, MeshError
 from ...targets.runner.reference import expected
 from ...targets.runner.routes import Route
 from ...targets.runner.runner import Runner
-from ...targets.runner.scene import inputs_of_mesh
+from ...targets.runner.scene import inputs_of_mesh, takes_mean_radiance
 from ...targets.runner.scene_state import SceneState, set_up
 from ...targets.toolchain import Toolchain
 from .records import FidelityError
@@ -100,7 +100,7 @@ def draw_own(
     try:
         for name, value in values.items():
             instance.set(name, value)
-        _set_decay(instance, setting)
+        _set_light(instance, setting)
         mesh = _with_primvars(setting, compiled.reflection)
         state = set_up(instance, mesh, setting.scene, setting.size, BACKGROUND)
         exact = Exact.of(compiled)
@@ -135,7 +135,11 @@ def wrapped(file: str, material: str, setting: Setting) -> str:
     return _WRAPPING.format(file=file, material=material, lights=lights)
 
 
-def _set_decay(instance: Instance, setting: Setting) -> None:
+def _set_light(instance: Instance, setting: Setting) -> None:
+    """Let the lights of the setting decay as MaterialX's do, and let them be the only ones."""
+    for parameter in instance.declared.parameters:
+        if takes_mean_radiance(parameter):
+            instance.set(parameter.name, (0.0, 0.0, 0.0))
     for row in instance.declared.lights:
         if f"{row.name}.{DECAY}" in row.parameters:
             instance.set(f"{row.name}.{DECAY}", setting.decay)

@@ -52,6 +52,8 @@ class ImageUse:
     """True if texels are not filtered (``filtertype`` is ``closest``)."""
     default: tuple[float, float, float, float]
     """The colour beyond a border, and that of a file that is missing."""
+    is_srgb: bool = False
+    """True if the host has to decode texels from sRGB: the text does not."""
 
 
 @dataclass(frozen=True, slots=True)

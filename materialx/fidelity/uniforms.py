@@ -5,6 +5,7 @@ Values that a host sets have names that MaterialX gives them; all others stand i
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -21,6 +22,10 @@ _LANES = {
     "float": 1, "vector2": 2, "vector3": 3, "vector4": 4, "color3": 3, "color4": 4,
     "matrix33": 9, "matrix44": 16, "integer": 1, "boolean": 1, "string": 1,
 }  # fmt: skip
+
+INTENSITY = math.pi
+"""The intensity of MaterialX's lights for those of Burnish, under which a white matt surface is
+white: of MaterialX's light, such a surface reflects 1/π."""
 
 ALPHA_THRESHOLD = 0.001
 """The coverage below which MaterialX's text draws nothing."""
@@ -72,7 +77,7 @@ def _of(lamp: Lamp, member: Stream, setting: Setting) -> Sequence[float]:
         case "color":
             return lamp.color
         case "intensity":
-            return (1.0,)
+            return (INTENSITY,)
         case "direction":
             return lamp.direction
         case "position":

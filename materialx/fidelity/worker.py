@@ -43,8 +43,9 @@ class _Worker:
             return Packet({"renderables": self._generator.renderables(content["renderables"])})
         asked = content["generate"]
         found = self._generator.generated(
-            asked["path"], asked["renderable"], asked["lights"], complete=asked["complete"]
-        )
+            asked["path"], asked["renderable"], asked["lights"],
+            complete=asked["complete"], by_host=asked["by_host"],
+        )  # fmt: skip
         answer, data = split(found)
         return Packet({"generated": answer}, data)
 

@@ -6,6 +6,8 @@ be, and each depends on something else: lights, spaces, charts, textures, primit
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -45,7 +47,8 @@ differently where a triangle is seen from its edge, or where a texture is steep.
 def claim(name: str, renderable: str, material: str) -> Claim:
     tiles = Texture.load(DOCUMENTS / "images" / "tiles.png")
     values = {"tiles": tiles} if material == "Sticker" else {}
-    return Claim(document(name), renderable, BY_HAND / f"{name}.burnish", material, values)
+    source = BY_HAND / f"{name}.burnish"
+    return Claim(document(name), renderable, source, material, values, by_host=False)
 
 
 @pytest.mark.parametrize("setting", SETTINGS.values(), ids=SETTINGS)
@@ -59,6 +62,15 @@ def test_both_sides_draw_the_same(
     assert found.likeness.drawn > 100
     assert found.likeness.percentiles[1] <= USUAL, found.reason
     assert found.likeness.largest <= LARGEST, found.reason
+
+
+def test_textures_may_be_decoded_before_filtering(checker: Checker) -> None:
+    source = "burnish 1\nmaterial Early { map tiles : texture2d of rgb\n color = tiles(uv).rgb }"
+    tiles = Texture.load(DOCUMENTS / "images" / "tiles.png", srgb=True)
+    early = Claim(document("image_plain"), "Sticker", source, "Early", {"tiles": tiles})
+    found, late = (check(checker, replace(early, by_host=each)) for each in (True, False))
+    assert found.likeness is not None and found.likeness.largest <= LARGEST, found.reason
+    assert late.verdict == "different"
 
 
 def test_another_material_is_told_apart(checker: Checker) -> None:
