@@ -34,13 +34,17 @@ from ...targets.runner.routes import Route
 from ...targets.runner.runner import Runner
 from ...targets.runner.scene import inputs_of_mesh, takes_mean_radiance
 from ...targets.runner.scene_state import SceneState, set_up
+from ...targets.runner.textures.kinds import PictureError
 from ...targets.toolchain import Toolchain
 from .records import FidelityError
 from .settings import BACKGROUND, Setting
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, Any]
+"""Values of parameters and textures by name. Texts are written as on a command line."""
 
+CLOCK = "std.mtlx.surface.MaterialXSurface"
+"""The declaration of the library whose parameters are the time and the number of the frame."""
 DECAY = "decay_rate"
 POINT = "MaterialXPoint"
 _WRAPPING = f"""burnish 1
@@ -99,7 +103,9 @@ def draw_own(
     instance = compiled.instance()
     try:
         for name, value in values.items():
-            instance.set(name, value)
+            set_value = instance.set_text if isinstance(value, str) else instance.set
+            set_value(name, value)
+        _set_clock(instance, setting)
         _set_light(instance, setting)
         mesh = _with_primvars(setting, compiled.reflection)
         state = set_up(instance, mesh, setting.scene, setting.size, BACKGROUND)
@@ -107,7 +113,7 @@ def draw_own(
         codes = compile_one(route, compiled.files, toolchain)
         bound = pipeline(exact.reflection, route, codes)
         (outcome,) = draw_states(exact, [state], route, bound, runner)
-    except (ParameterError, MeshError, CodeError, DriverError) as error:
+    except (ParameterError, PictureError, MeshError, CodeError, DriverError) as error:
         raise FidelityError(f"{material} cannot be drawn: {error}") from None
     return OwnPicture(outcome.pictures[0], compiled, state, route, runner)
 
@@ -143,6 +149,14 @@ def _set_light(instance: Instance, setting: Setting) -> None:
     for row in instance.declared.lights:
         if f"{row.name}.{DECAY}" in row.parameters:
             instance.set(f"{row.name}.{DECAY}", setting.decay)
+
+
+def _set_clock(instance: Instance, setting: Setting) -> None:
+    """Set the time and the number of the frame of a material that was imported."""
+    clock = {f"{CLOCK}.time": setting.time, f"{CLOCK}.frame": setting.frame}
+    for parameter in instance.declared.parameters:
+        if parameter.library in clock:
+            instance.set(parameter.name, clock[parameter.library])
 
 
 def _with_primvars(setting: Setting, reflection: Reflection) -> Mesh:

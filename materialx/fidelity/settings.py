@@ -36,8 +36,8 @@ class Setting:
     decay: float = 2.0
     """The exponent by which light with a place decays (``decay_rate``): MaterialX divides by the
     power of the distance and one."""
-    frame: float = 1.0
-    time: float = 0.0
+    frame: float = 3.0
+    time: float = 0.625
     """The frame and the seconds that animated documents are drawn at."""
 
     @property
