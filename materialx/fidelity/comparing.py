@@ -13,7 +13,8 @@ from .settings import BACKGROUND
 Floats = NDArray[np.float64]
 
 BEYOND = 1e-3
-"""The difference of a lane from which a pixel counts as different."""
+"""The difference of a lane from which a pixel counts as different. Where MaterialX draws a number
+above one, such as a highlight's, the difference is relative to it."""
 ALIKE_SHARE = 1e-3
 """The largest share of the drawn pixels that may be different in pictures that are alike."""
 _PERCENTILES = (50, 90, 99)
@@ -42,7 +43,8 @@ class Likeness:
     """Pixels with a lane that differs by more than ``BEYOND``, or that is finite on one side
     only."""
     largest: float
-    """The largest difference of a lane; infinite if one is finite on one side only."""
+    """The largest difference of a lane, as ``BEYOND`` counts it; infinite if one is finite on one
+    side only."""
     percentiles: tuple[float, ...]
     """The differences of pixels below which 50, 90 and 99 percent of them lie."""
     not_finite: tuple[int, int]
@@ -115,9 +117,9 @@ def drawn(picture: Floats) -> NDArray[np.bool_]:
 
 
 def _differences(ours: Floats, theirs: Floats) -> Floats:
-    """The largest difference of the lanes of each pixel."""
+    """The largest difference of the lanes of each pixel, as ``BEYOND`` counts it."""
     with np.errstate(invalid="ignore"):
-        apart = np.abs(ours - theirs)
+        apart = np.abs(ours - theirs) / np.maximum(np.abs(theirs), 1.0)
     same = (ours == theirs) | (np.isnan(ours) & np.isnan(theirs))
     apart = np.where(same, 0.0, np.where(np.isfinite(apart), apart, np.inf))
     largest: Floats = apart.max(axis=2)

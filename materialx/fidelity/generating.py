@@ -135,6 +135,8 @@ class Generator:
         options.hwSpecularEnvironmentMethod = shaders.SPECULAR_ENVIRONMENT_NONE
         options.hwShadowMap = False
         options.hwTransparency = True
+        # Or else weights of mixes go into closures, and into all other uses of these, too.
+        options.premultipliedBsdfAdd = False
         options.hwMaxActiveLightSources = MOST_LIGHTS
         options.targetColorSpaceOverride = WORKING_SPACE
         options.targetDistanceUnit = DISTANCE_UNIT

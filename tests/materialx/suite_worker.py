@@ -29,7 +29,7 @@ def compared(checker: Checker, document: Path, root: Path) -> Iterator[Mapping[s
         _write(Path(folder), found)
         rows = _rows(checker, document, found, Path(folder), root)
         for name in names:
-            yield rows.pop(name, None) or _not_run(name, _problem(found, name))
+            yield rows.pop(name) if name in rows else _not_run(name, _problem(found, name))
         yield from rows.values()
 
 
@@ -38,7 +38,8 @@ def _rows(
 ) -> dict[str, Mapping[str, Any]]:
     rows = {}
     try:
-        for claim in claims_of(document, found, folder, root):
+        source = folder / next(iter(found.files))
+        for claim in claims_of(document, source, found.materials, root):
             try:
                 rows[claim.renderable] = _row(check(checker, claim))
             except Exception as error:  # so is a compiler that fails

@@ -82,6 +82,12 @@ def test_black_is_drawn_and_nothing_is_not() -> None:
     assert "nothing is compared" in found.sentence()
 
 
+def test_bright_pixels_differ_relatively() -> None:
+    bright = np.where(picture() > 0, 500.0, picture())
+    assert compare(bright + np.where(bright > 0, 0.4, 0), bright).verdict == "alike"
+    assert compare(bright + np.where(bright > 0, 0.6, 0), bright).verdict == "different"
+
+
 def test_pictures_of_different_sizes_are_refused() -> None:
     with pytest.raises(ValueError, match="different sizes"):
         compare(picture(), picture()[1:])

@@ -60,6 +60,7 @@ LEFT_OUT: Mapping[str, str] = {
     "materialx/test_by_hand.py": _DRAW,
     "materialx/test_checker.py": _DRAW,
     "materialx/test_documents.py": _DRAW,
+    "materialx/test_suite.py": _DRAW,
     "mistakes/test_edits.py": _LARGE,
     "mutants": _DRAW,
     "passes/test_expansions.py": _LARGE,
