@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from .definitions import Functions
@@ -12,41 +12,105 @@ from .materials import Material, Materials, Renderable
 from .model import Definition, Document
 from .models import Models
 from .names import slot_name
-from .problems import Problem, Unsupported
+from .pictures import Pictures
+from .problems import Problem, UnsupportedError
 from .reading import read
 from .records import Records
 from .texts import File
 
 
 class Imported(NamedTuple):
-    """What a document becomes: texts by their paths in a folder, the materials, and what is missing."""
+    """What a document becomes: texts and pictures by their paths in a folder, its materials, and
+    what is missing."""
 
-    files: dict[str, str]
+    files: Mapping[str, bytes]
+    main: str
+    """The path of the file that has the materials."""
     materials: Sequence[Material]
     problems: Sequence[Problem]
 
 
-def imported(path: Path) -> Imported:
-    """Convert a document. Raises ``DocumentError`` and ``OSError`` if it cannot be read."""
+def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> Imported:
+    """Convert a document to files of Burnish.
+
+    The main one is called ``name``, or else like the document.
+
+    Pictures are taken from the document's folder and from ``image_folders``, and from nowhere else.
+    Raises ``DocumentError``, and ``OSError`` if the document cannot be read.
+    """
     document, renderables = read(path)
-    return converted(document, renderables, slot_name(path.stem))
+    pictures = Pictures((path.parent, *image_folders))
+    return converted(document, renderables, name or slot_name(path.stem), pictures)
 
 
-def converted(document: Document, renderables: Iterable[Renderable], name: str) -> Imported:
-    """Convert what of a document is drawn, to a file with this name and to those that it imports."""
-    own = File(name, heading=f"//! Imported from `{document.name}`, a document of MaterialX {document.version}.")
+def converted(
+    document: Document, renderables: Iterable[Renderable], name: str, pictures: Pictures
+) -> Imported:
+    """Convert what of a document is drawn, to a file with this
+    name and to those that it imports."""
+    own = File(name)
     functions = Functions(own, _Known())
-    models = Models(functions, own)
-    writer = Materials(own, functions, models)
-    materials, problems = [], []
+    writer = Materials(own, functions, Models(functions, own))
+    materials: list[Material] = []
+    problems: list[Problem] = []
     for renderable in renderables:
         try:
             materials.append(writer.written(renderable))
-        except Unsupported as error:
+        except UnsupportedError as error:
             place = error.path or renderable.path
             problems.append(Problem(place, document.place(place), error.text))
-    files = {f"{file.path}.burnish": file.text() for file in (own, *functions.files.values())}
-    return Imported(files, materials, problems)
+    copied = {}
+    for material in materials:
+        for title, file in material.files.items():
+            found = pictures.found(file)
+            if found is None:
+                text = (
+                    f"the picture `{file}` is not in the document's folder: "
+                    "its texture is white until a host binds it"
+                )
+                problems.append(
+                    Problem(material.path, document.place(material.path), text, is_error=False)
+                )
+            else:
+                copied[title] = found
+    own.heading = _heading(
+        document, name, materials, {title: picture.path for title, picture in copied.items()}
+    )
+    texts = {
+        f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())
+    }
+    files = texts | {picture.path: picture.content for picture in copied.values()}
+    return Imported(files, f"{name}.burnish", materials, problems)
+
+
+def _heading(
+    document: Document, name: str, materials: Sequence[Material], pictures: Mapping[str, str]
+) -> str:
+    """The comment about the file, with the command that draws its first material."""
+    lines = [
+        f"//! Imported from `{PurePosixPath(document.name).name}`, "
+        f"a document of MaterialX {document.version}."
+    ]
+    if materials:
+        first = materials[0]
+        words = [f"burnish render {name}.burnish -o {name}.png"]
+        if len(materials) > 1:
+            words.append(f"--material {first.name}")
+        words += [f"--set {title}={pictures[title]}" for title in first.files if title in pictures]
+        lines += ["//!", *(f"//!     {line}" for line in _continued(words))]
+    return "\n".join(lines)
+
+
+def _continued(words: Sequence[str]) -> list[str]:
+    """A command in lines, each but the last with a backslash at its end."""
+    lines = [words[0]]
+    for word in words[1:]:
+        if len(lines[-1]) + len(word) > 100:
+            lines[-1] += " \\"
+            lines.append(f"    {word}")
+        else:
+            lines[-1] += f" {word}"
+    return lines
 
 
 class _Known:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 
-class Unsupported(Exception):
+class UnsupportedError(Exception):
     """Something in a document that has no meaning in Burnish, or none at all.
 
     ``path`` is filled in by whoever knows the element.
@@ -26,5 +26,4 @@ class Problem:
     is_error: bool = True
 
     def __str__(self) -> str:
-        kind = "error" if self.is_error else "note"
-        return f"{self.place}: {kind}: {self.path}: {self.text}"
+        return f"{self.place}: {self.path}: {self.text}"
