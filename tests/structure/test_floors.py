@@ -127,6 +127,11 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
         "selection runner compiled remembered compiling"
     ),
+    # Documents of MaterialX.
+    "materialx.fidelity": (
+        "installing diagnostics ir documents reflection closing runner conformance toolchain "
+        "entry_points"
+    ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
