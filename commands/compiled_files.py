@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..support.frozen import frozen
-from .compile_options import CompileRequest
+from .compile_options import CompileRequest, name_and_value
 
 if TYPE_CHECKING:
     from ..api.compiled import CompileResult
@@ -62,6 +62,7 @@ def _result(request: CompileRequest, file: Path) -> CompileResult:
         rig=request.rig,
         pass_=request.pass_,
         search_path=request.search_path,
+        values=dict(map(name_and_value, request.values)),
         hoist=request.hoist,
         flip_y=request.flip_y,
         single_file=request.single_file,
