@@ -75,6 +75,7 @@ SET = Option(
     metavar="NAME=VALUE|LOW..HIGH",
     many=True,
 )
+WHY = Option("why", ("--why",), "Say what values of parameters make dead, and why.")
 VALIDATE = Option("validate", ("--validate",), "Have the real compilers check the texts.")
 SINGLE_FILE = Option(
     "single_file", ("--single-file",), "All stages in one text: vs_main and fs_main."
@@ -104,7 +105,7 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, VALIDATE, SINGLE_FILE, FLIP_Y,
+    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
     LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
@@ -126,6 +127,7 @@ class CompileRequest:
     search_path: tuple[Path, ...] = ()
     values: tuple[str, ...] = ()
     """What is said of parameters, each as ``NAME=VALUE`` or ``NAME=LOW..HIGH``."""
+    why: bool = False
     validate: bool = False
     single_file: bool = False
     flip_y: bool = False
@@ -177,6 +179,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
     if not chosen.keys() >= {"files", "output"} or not all(map(_may_be_read, paths)):
         return None
     if not _are_named_once(chosen.get("values", ())):
+        return None
+    if chosen.get("why") and chosen["output"] == STDOUT:
         return None
     return CompileRequest(**chosen)
 

@@ -13,7 +13,7 @@ from ..support.frozen import frozen
 from .compile_options import CompileRequest, name_and_value
 
 if TYPE_CHECKING:
-    from ..api.compiled import CompileResult
+    from ..api.compiled import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.inputs import Inputs
 
@@ -98,6 +98,7 @@ def _written(
         reflections[reflection] = to_text(material.reflection)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
+        lines += _reasons(material) if request.why else ()
     for frame in result.frames:
         plan = f"{frame.name}.plan.json"
         plans[plan] = to_text(frame.plan)
@@ -106,6 +107,15 @@ def _written(
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     remarks = (*_remarks_on_passes(request, result), *_remarks_on_languages(result))
     return Compiled(texts, reflections, plans, tuple(lines), remarks, warnings, result.inputs)
+
+
+def _reasons(material: CompiledMaterial) -> Iterator[str]:
+    """A line for each value that a shader does not compute, with its place in the source."""
+    for removal in material.removals:
+        place = "" if removal.span is None else f"{removal.span}: "
+        yield f"  {place}{removal.sentence}\n"
+    if not material.removals:
+        yield "  No value of a parameter makes anything dead.\n"
 
 
 def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterator[str]:

@@ -44,3 +44,15 @@ def test_a_value_is_given_once_and_with_a_name(words: list[str]) -> None:
 def test_a_wrong_name_or_value_is_a_mistake_of_the_input(words: list[str]) -> None:
     wrong = invoke(*words, "--set", "wieght=0")
     assert wrong.exit_code == 1 and "did you mean `weight`?" in wrong.output
+
+
+def test_reasons_are_printed_with_places(words: list[str], tmp_path: Path) -> None:
+    *start, _dash = words
+    result = invoke(*start, tmp_path / "out", "--set", "weight=0", "--why")
+    assert result.exit_code == 0
+    said = "`weight` is 0, so `weight * coat(uv).xyz` is 0. Nothing reads the map `coat`"
+    assert f"paint.burnish:7:27: {said}" in result.stdout
+    plain = invoke(*start, tmp_path / "out", "--why")
+    assert "No value of a parameter makes anything dead." in plain.stdout
+    printed = invoke(*words, "--why")
+    assert printed.exit_code == 2 and "not with -o -" in printed.output
