@@ -297,6 +297,9 @@ def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
         ctx.report.add(rules.UNGUARDED, e.span, hint=hint)
         return FAILURE
     native = ctx.tree.node("native", node.type, node.operands, node.data)
+    if name in ("div", "mod") and ctx.constants.is_zero(node.operands[1]):
+        found = ctx.report.finding(rules.ZERO_DIVISOR, e.arguments[0].span)
+        ctx.deferred.add(native, found, *arguments)
     return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 
 
