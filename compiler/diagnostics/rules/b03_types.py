@@ -134,6 +134,24 @@ AMBIGUOUS_CALL = error(
     "None of them takes the arguments better than the others. Say what is meant: of which type a "
     "number is, as in `float(1)` or `vec3(1)`, or what numbers mean, as in `(v as rgb)`.",
 )
+NO_NUMBER = error(
+    "B0330",
+    "`{operator}` takes numbers, and {left} is an enumeration",
+    "Members of an enumeration are told apart by `==` and `!=`, chosen by `if`, and may be "
+    "indices of an array. `int(x)` is the number of a member, from 0, and `(n as Mode)` the "
+    "member of a number.",
+)
+MIXED_ENUMS = error(
+    "B0331",
+    "`{operator}` of members of two enumerations: {left} and {right}",
+    "A member is only like a member of the same enumeration, whatever their names are.",
+)
+MEMBER_AND_NUMBER = error(
+    "B0332",
+    "`{operator}` of a member of {left} and something else",
+    "A member of an enumeration is no number, and a number is no member. `int(x)` is the number "
+    "of a member, from 0, and `(n as Mode)` the member of a number.",
+)
 TEXTURE_LACKS_READ = error(
     "B0350",
     "`{type}` has no {read}",

@@ -195,6 +195,11 @@ VALUE_TOO_LARGE = error(
     "A host that sets a value has all its numbers in memory, and so has a shader that chooses "
     "between two. Elements of a `buffer` may be many: `buffer name : T[]`.",
 )
+EMPTY_ENUM = error(
+    "B0483",
+    "the enumeration `{name}` has no members",
+    "Give it the values that there are: `enum Mode { add, mix }`.",
+)
 
 HOST_NAME_TAKEN = error(
     "B0490",

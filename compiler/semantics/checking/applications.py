@@ -43,7 +43,7 @@ def apply_best(
         return _apply(ctx, found[0], arguments, e, scope)
     ctx.report.add(
         rules.AMBIGUOUS_CALL if found else rules.NO_OVERLOAD, e.span,
-        name=overloaded[0].name, arguments=listed(arguments),
+        name=overloaded[0].name, arguments=listed(ctx, arguments),
         labels=[Label(s.declaration.name.span, "a candidate") for s in found or overloaded],
     )  # fmt: skip
     return FAILURE
@@ -83,7 +83,7 @@ def _fit_arguments(
         return None  # The declaration's mistake has been reported.
     if variables is None:
         ctx.report.add(
-            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
+            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(ctx, arguments),
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None

@@ -25,7 +25,7 @@ from ..inheritance.records import Definition
 from ..names.duplicates import check_once
 from ..state.context import Context
 from ..state.evaluation import plain
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope, Value
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Members, Scope, Value
 from . import lookup, textures
 from .aggregates import structure
 from .applications import apply_best
@@ -217,6 +217,8 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)
         hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        if symbols and isinstance(symbols[0].declaration, ast.Enumeration):
+            hint = Members(symbols[0]).example
         if not hint:
             place = Span(span.source, span.end, span.end)
             said = f"it is a value: `{name}`, or a product, `{name} * (…)`"

@@ -23,7 +23,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.evaluation import Demand, plain, settle
-from ..state.scope import FAILURE, Application, Inherited, Instance, Scope, Value
+from ..state.scope import FAILURE, Application, Inherited, Instance, Members, Scope, Value
 from .bodies import part_value
 from .cycles import is_cycle
 from .slots import slot
@@ -94,6 +94,8 @@ def _symbol_value(ctx: Context, symbol: Symbol, span: Span) -> Value:
     declaration = symbol.declaration
     if isinstance(declaration, ast.ExternMember):
         return extern_value(ctx, symbol, span)
+    if isinstance(declaration, ast.Enumeration):
+        return Members(symbol)
     if not isinstance(declaration, ast.Constant):
         hint = advice.unshaded(symbol)
         if isinstance(declaration, ast.Function | ast.StructDeclaration):

@@ -7,7 +7,7 @@ the setting with the fewest errors are reported.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
@@ -33,6 +33,7 @@ from .trials import (
     Trial,
     check_block,
     check_constant,
+    check_enumeration,
     check_function,
     check_light,
     check_mixin,
@@ -123,7 +124,8 @@ class UnusedDeclarations:
         with suppress(_TooMuchError):
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
-            self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+            self._check(ast.Function, ast.Constant, ast.StructDeclaration)
+            self._check(ast.Enumeration, ast.ExternBlock)
         if not self._report.failed:
             self._known.keep(self._right, self._module.prelude)
 
@@ -275,12 +277,8 @@ class UnusedDeclarations:
                 of_unknown_family(function) or uninferable(function)
             ):
                 yield from self._of_function(symbol, function)
-            case ast.Constant():
-                yield from islice(self._tried(partial(check_constant, symbol)), 1)
-            case ast.StructDeclaration():
-                yield from islice(self._tried(partial(check_structure, symbol)), 1)
-            case ast.ExternBlock():
-                yield from islice(self._tried(partial(check_block, symbol)), 1)
+            case declaration if (alone := _CHECKED_ALONE.get(type(declaration))) is not None:
+                yield from islice(self._tried(partial(alone, symbol)), 1)
 
     def _drawn(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
         trial = self._trial(self._around.materials[0], rig)
@@ -312,6 +310,15 @@ class UnusedDeclarations:
             setting = set_up(parts, self._report.apart(), self._records)
             self._trials[parts] = Trial(setting)
         return self._trials[parts]
+
+
+_CHECKED_ALONE: Mapping[type, Callable[[Symbol, Setting], bool]] = {
+    ast.Constant: check_constant,
+    ast.StructDeclaration: check_structure,
+    ast.Enumeration: check_enumeration,
+    ast.ExternBlock: check_block,
+}
+"""The checks of declarations for which it does not matter what is drawn."""
 
 
 def _written(symbol: Symbol) -> int:
