@@ -75,7 +75,7 @@ setup(
             *(f"docs/**/*.{ending}" for ending in ("md", "png")),
             *(f"examples/**/*.{ending}" for ending in ("burnish", "md", "said", "png", "hdr")),
         ],
-        "burnish.stdlib": ["*.burnish", "*.toml", "*.txt"],
+        "burnish.stdlib": ["**/*.burnish", "*.toml", "*.txt"],
         # Not every folder below these is a package.
         **{
             f"burnish.{root}": [f"**/*.{ending}" for ending in DATA]
