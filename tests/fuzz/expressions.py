@@ -200,6 +200,8 @@ class Writer:
     # --- forms of their own ----------------------------------------------------------------------
 
     def _conditional(self, type_: str, scope: Scope, fuel: int) -> Node:
+        if self.enumerations and self.maybe(0.3):
+            return self._between_members(type_, scope, fuel)
         condition = self.expression("bool", scope, fuel // 3)
         sides = [self.expression(type_, scope, fuel // 3) for _ in range(2)]
         if type_ in INTS[:1] + UINTS[:1] + FLOATS[:1]:
@@ -256,6 +258,15 @@ class Writer:
         ]
         owner, name = self.chance.choice(owners)
         return expression(type_, f"{{}}.{name}", [self.expression(owner, scope, fuel)], "member")
+
+    def _between_members(self, type_: str, scope: Scope, fuel: int) -> Node:
+        """A value for each member, in any order."""
+        name = self.chance.choice(list(self.enumerations))
+        names = self.chance.sample(self.enumerations[name], k=len(self.enumerations[name]))
+        values = [self.pinned(self.expression(type_, scope, fuel // 3)) for _ in names]
+        of = self.expression(name, scope, fuel // 3)
+        form = f"choose({{}}, {', '.join(f'{each} = {{}}' for each in names)})"
+        return expression(type_, form, [of, *values], "choose")
 
     def _of_enumeration(self, type_: str, scope: Scope, fuel: int) -> Node:
         """The number of a member, or a comparison of two."""

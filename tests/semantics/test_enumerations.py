@@ -23,6 +23,7 @@ fn joined(a: float, b: float, mode: Mode) -> float =
     if mode == Mode.add then a + b else if mode == Mode.mix then 0.5 * (a + b) else a
 fn number(mode: Mode) -> float = float(int(mode))
 fn number(n: int) -> float = 100.0
+fn defaulted(a: float, b: float, mode: Mode = Mode.mix) -> float = joined(a, b, mode)
 fn last<N: counts>(modes: Mode[N]) -> Mode = modes[N - 1]
 """
 VALUES = {
@@ -39,6 +40,18 @@ VALUES = {
     "a slot": ("number(kind)", 0.0),
     "an overridden slot": ("number(set_anew)", 2.0),
     "a lane": ("float(Mode.first)", 2.0),
+    "a default": ("defaulted(2, 4)", 3.0),
+    "by name": ("defaulted(2, mode = Mode.add, b = 4)", 6.0),
+    "a value for each member": ("choose(mode, first = uv.x, add = 1, mix = 2)", 0.25),
+    "a value for a constant member": (
+        "choose(Mode.mix, add = 1 / nothing, mix = 2, first = 3)",
+        2.0,
+    ),
+    "members for members": (
+        "number(choose(mode, add = mode, mix = Mode.add, first = Mode.mix))",
+        1.0,
+    ),
+    "vectors": ("choose(mode, add = uv.xyx, mix = vec3(1), first = 0.5)", 0.5),
 }
 
 
@@ -50,6 +63,7 @@ abstract material Base : Surface {{
 }}
 material M : Base {{
     param mode : Mode = Mode.first
+    nothing = 0.0
     set_anew = Mode.first
     color = vec3({expression})
 }}
@@ -60,6 +74,27 @@ material M : Base {{
 def test_members_are_values(name: str) -> None:
     expression, expected = VALUES[name]
     assert kit.color(whole(expression))[0] == expected
+
+
+CHOICES = {
+    "choose(mode, add = 1, mix = 2)": "`choose` needs a value for `first`",
+    "choose(mode, first = 1)": "`choose` needs values for `add` and `mix`",
+    "choose(mode, add = 1, mix = 2, furst = 3)": "`choose` has no argument `furst`",
+    "choose(mode, add = 1, mix = 2, first = 3, add = 4)": "the argument `add` is given twice",
+    "choose(mode, add = uv, mix = uv.xyx, first = uv)": "the branches differ: vec2 and vec3",
+    "choose(mode, 1, mix = 2, first = 3)": "`choose` takes its arguments by position",
+    "choose(add = 1, mix = 2, first = 3)": "`choose` takes its arguments by position",
+    "choose(2, add = 1, mix = 2, first = 3)": "expected a member of an enumeration, found int",
+    "choose(uv.x, add = 1, mix = 2, first = 3)": "expected a member of an enumeration, found float",
+}
+
+
+@pytest.mark.parametrize("expression", CHOICES)
+def test_a_choice_between_members_says_something_of_each(expression: str) -> None:
+    with pytest.raises(CompileError) as raised:
+        kit.shader(whole(expression))
+    (found,) = raised.value.diagnostics
+    assert found.message.startswith(CHOICES[expression])
 
 
 def test_a_parameter_has_the_range_of_the_members_and_their_names() -> None:

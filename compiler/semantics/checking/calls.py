@@ -189,15 +189,25 @@ def _built_in(
     ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Value:
     if e.names:
-        from .arguments import refuse_names
-
-        refuse_names(ctx, e)
-        return FAILURE
+        return _by_names(ctx, name, arguments, e, scope)
     if name == "unguarded":
         return _unguarded(ctx, arguments, e)
     if is_constructor(name):
         return construct(ctx, name, arguments, e)
     return builtin_call(ctx, name, arguments, e.span, name, e.arguments, scope)
+
+
+def _by_names(
+    ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Node | Failure:
+    """A builtin with names for arguments: only a choice between members has some."""
+    from .arguments import refuse_names
+    from .member_choices import NAME, chosen
+
+    found = chosen(ctx, e, arguments, scope) if name == NAME else None
+    if found is None:
+        refuse_names(ctx, e)
+    return found or FAILURE
 
 
 _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
