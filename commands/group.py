@@ -21,6 +21,7 @@ COMMANDS = (
     "render",
     "view",
     "conform",
+    "same",
     "judge",
     "gallery",
     "corpus",
