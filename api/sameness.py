@@ -13,6 +13,7 @@ from ..compiler.equivalence.comparing import (
     Comparison,
     NotComparableError,
     Settings,
+    Witness,
     compare,
 )
 from ..compiler.equivalence.domain import Domain, is_of
@@ -24,7 +25,7 @@ from ..compiler.passes.lower_stages import lower_stages
 from ..support.garbage import seldom_collected
 from .compiling import opened, sources
 
-__all__ = ["Comparison", "Range", "SameError", "Value", "names_of", "same"]
+__all__ = ["Comparison", "Range", "SameError", "Value", "Witness", "names_of", "same"]
 
 Value = float | Sequence[float]
 Range = tuple[float, float]

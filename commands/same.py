@@ -17,7 +17,7 @@ from .progress import Progress
 from .terminal import print_output
 
 if TYPE_CHECKING:
-    from ..api.sameness import Comparison, Range, Value
+    from ..api.sameness import Comparison, Range, Value, Witness
 
 DIFFERENT, UNUSABLE, UNDECIDED = 1, 2, 3
 """Exit codes: they differ; there is nothing to compare; neither was shown."""
@@ -295,11 +295,7 @@ def _percent(share: float) -> str:
 
 def _details(found: Comparison) -> Iterator[str]:
     if (witness := found.witness) is not None:
-        shown = [f"{name} = {witness.values[name]:.6g}" for name in witness.special]
-        more = len(shown) - _MOST_SHOWN
-        rest = f", and {more} more (--format json has all)" if more > 0 else ""
-        yield f"where {', '.join(shown[:_MOST_SHOWN]) or 'all'}{rest}"
-        yield "and all else has its default" if shown else "has its default"
+        yield from _point(witness)
         if (source := witness.source) is not None:
             first, second = (
                 ", ".join(f"{value:.6g}" for value in each)
@@ -322,6 +318,24 @@ def _details(found: Comparison) -> Iterator[str]:
         yield f"the difference there is {known}; --boxes and --range may show more"
 
 
+def _point(witness: Witness) -> Iterator[str]:
+    """The values for which both differ: all of few, or those that are not at their defaults."""
+    is_short = len(witness.values) <= _MOST_SHOWN
+    values = {
+        name: value for name, value in witness.values.items() if is_short or name in witness.special
+    }
+    shown = [f"{name} = {value:.6g}" for name, value in values.items()]
+    left = len(shown) - _MOST_SHOWN
+    rest = f", and {left} more (--format json has all)" if left > 0 else ""
+    if shown:
+        yield f"where {', '.join(shown[:_MOST_SHOWN])}{rest}"
+    if not is_short:
+        yield f"{'and all else' if shown else 'where all'} is at its default, or near zero"
+    if 0 < len(witness.read) <= _MOST_SHOWN:
+        read = ", ".join(f"{name} = {value:.6g}" for name, value in witness.read.items())
+        yield f"reads come to {read}"
+
+
 def _row(one: _Side, other: _Side, found: Comparison) -> dict[str, Any]:
     """A comparison as data for JSON."""
     witness, opened = found.witness, found.open
@@ -338,6 +352,7 @@ def _row(one: _Side, other: _Side, found: Comparison) -> dict[str, Any]:
         "witness": None if witness is None else {
             "values": dict(witness.values),
             "special": list(witness.special),
+            "read": {name: _finite(value) for name, value in witness.read.items()},
             "lane": witness.lane,
             "a": witness.first,
             "b": witness.second,

@@ -17,7 +17,9 @@ from ...stdlib.builtins.facts import SMALLEST_NORMAL
 from ...support.frozen import frozen
 from ..reference.bounds import Bounded, Bounds, exact, remembered
 from .numbers import Array
+from .polynomials import Algebra
 from .term import Term, below
+from .terms import Terms
 
 _ROUNDING = 2.0**-44
 """The part of a function's result by which float64 may be off: far more than it is."""
@@ -29,12 +31,14 @@ class Region:
 
     first: tuple[Term, ...]
     second: tuple[Term, ...]
+    differences: tuple[Term, ...]
+    """The difference of each two results, in which some of what is alike has cancelled."""
     variables: tuple[Term, ...]
     inside: tuple[Term, ...]
     """The terms between the variables and the results, arguments before users."""
 
 
-def cut(first: Sequence[Term], second: Sequence[Term]) -> Region:
+def cut(terms: Terms, first: Sequence[Term], second: Sequence[Term]) -> Region:
     """The region below two programs' results, down to the largest terms that both have.
 
     What both have may be any number between its ends; where these are not known, it is a part of
@@ -42,38 +46,40 @@ def cut(first: Sequence[Term], second: Sequence[Term]) -> Region:
     """
     ours, theirs = ({term.id for term in below(each)} for each in (first, second))
     shared = ours & theirs
-    return _region(first, second, lambda term: term.id in shared and _is_limited(term))
+    ends = {id_ for id_ in shared if _is_limited(terms.all[id_])}
+    return _region(terms, first, second, ends)
 
 
-def whole(first: Sequence[Term], second: Sequence[Term]) -> Region:
+def whole(terms: Terms, first: Sequence[Term], second: Sequence[Term]) -> Region:
     """The region from the variables that come from outside."""
-    return _region(first, second, lambda _term: False)
+    return _region(terms, first, second, set())
 
 
 def _is_limited(term: Term) -> bool:
     return bool(np.isfinite(term.span.low) and np.isfinite(term.span.high))
 
 
-def _region(
-    first: Sequence[Term], second: Sequence[Term], ends_at: Callable[[Term], bool]
-) -> Region:
+def _region(terms: Terms, first: Sequence[Term], second: Sequence[Term], ends: set[int]) -> Region:
+    algebra = Algebra(terms)
+    differences = [
+        algebra.difference(x, y, ends - {x.id, y.id}) for x, y in zip(first, second, strict=True)
+    ]
     variables: dict[int, Term] = {}
     inside: dict[int, Term] = {}
-    pending = [*first, *second]
+    pending = [*first, *second, *differences]
     while pending:
         term = pending.pop()
         if term.id in variables or term.id in inside:
             continue
         is_outside = term.op in ("variable", "read", "element", "crossed")
-        if term.op != "constant" and (is_outside or ends_at(term)):
+        if term.op != "constant" and (is_outside or term.id in ends):
             variables[term.id] = term
         else:
             inside[term.id] = term
             pending += term.args
-    return Region(
-        tuple(first), tuple(second), tuple(variables[id_] for id_ in sorted(variables)),
-        tuple(inside[id_] for id_ in sorted(inside)),
-    )  # fmt: skip
+    outside = tuple(variables[id_] for id_ in sorted(variables))
+    between = tuple(inside[id_] for id_ in sorted(inside))
+    return Region(tuple(first), tuple(second), tuple(differences), outside, between)
 
 
 @frozen
@@ -101,8 +107,8 @@ def bound(region: Region, low: Array, high: Array, epsilon: float) -> Bound:
         for term in region.inside:
             known[term.id] = _evaluated(term, known, library)
         found = [
-            _difference(known[x.id], known[y.id], epsilon, numbers, low.shape)
-            for x, y in zip(region.first, region.second, strict=True)
+            _difference(known[x.id], known[y.id], known[d.id], epsilon, numbers, low.shape)
+            for x, y, d in zip(region.first, region.second, region.differences, strict=True)
         ]
     return Bound(
         np.maximum.reduce([each.difference for each in found]),
@@ -112,25 +118,29 @@ def bound(region: Region, low: Array, high: Array, epsilon: float) -> Bound:
 
 
 def _difference(
-    x: Any, y: Any, epsilon: float, numbers: Sequence[int], shape: tuple[int, int]
+    x: Any, y: Any, made: Any, epsilon: float, numbers: Sequence[int], shape: tuple[int, int]
 ) -> Bound:
     """The bounds of the difference of one lane."""
     count = shape[1]
     if x.kind == "b":
         x, y = _as_number(x), _as_number(y)
-    difference = x - y
-    most = np.maximum(np.abs(difference.low), np.abs(difference.high))
-    most = np.broadcast_to(np.where(np.isnan(most), np.inf, most), (count,))
+    most = np.minimum(_farthest(x - y, count), _farthest(made, count))
     least = np.maximum(_nearest(x), _nearest(y))
     share = most / (epsilon * np.maximum(1.0, np.where(np.isnan(least), 0.0, least)))
     slopes = np.zeros(shape)
-    form = difference.form
+    form = made.form
     if form is not None:
         for error, part in zip(form.errors, form.terms, strict=True):
             if error in numbers:
                 row = numbers.index(error)
                 slopes[row] += np.nan_to_num(np.abs(part) / epsilon, posinf=0.0)
     return Bound(most, share, slopes)
+
+
+def _farthest(x: Bounded, count: int) -> Array:
+    """The largest magnitude that a number may have; infinite if nothing is known of it."""
+    most = np.maximum(np.abs(x.low), np.abs(x.high))
+    return np.broadcast_to(np.where(np.isnan(most), np.inf, most), (count,))
 
 
 def _nearest(x: Bounded) -> Array:

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Literal
 
@@ -63,6 +64,8 @@ class Witness:
 
     values: Mapping[str, float]
     """What the result depends on, by name."""
+    read: Mapping[str, float]
+    """What is read of textures and buffers there, by name; of several reads, with a number."""
     special: tuple[str, ...]
     """The names of those that are not at their defaults: zero, if none is declared."""
     lane: str
@@ -169,11 +172,11 @@ class _Comparing:
     def _by_bounds(self, lanes: list[Lane], first: list[Term], second: list[Term]) -> Comparison:
         """What boxes show, of what both have in common, and then of what comes from outside."""
         epsilon, tell = self._settings.epsilon, self._settings.tell
-        near = cut(first, second)
+        near = cut(self._terms, first, second)
         common = subdivided(near, epsilon, max(1, int(self._most(near) * _FOR_CUT)))
         if common.is_complete:
             return self._same("bounds", common)
-        region = whole(first, second)
+        region = whole(self._terms, first, second)
         if not all(np.isfinite(term.span).all() for term in region.variables):
             return self._undecided(region, Proof(0.0, 0.0, common.boxes))
         search = Search(self._terms, first, second, epsilon, self._settings.seed)
@@ -239,9 +242,15 @@ class _Comparing:
         every = [float(np.asarray(value, np.float64)[0]) for value in values]
         both = {x.name: (every[2 * i], every[2 * i + 1]) for i, (x, _) in enumerate(pairs)}
         matters = [t for t in needed if t.op == "variable" and t.id in found.values]
+        given = {t.data.name: found.values[t.id] for t in matters}
         special = [t.data.name for t in matters if found.values[t.id] != start_of(t)]
+        read = {
+            f"{t.data} at #{t.id}": float(np.asarray(numbers.known[t.id], np.float64).flat[0])
+            for t in needed
+            if t.op in ("read", "element")
+        }
         return Witness(
-            {t.data.name: found.values[t.id] for t in matters}, tuple(special), lane.name,
+            given, dict(_numbered(read)), tuple(special), lane.name,
             found.first, found.second, both, self._source(numbers), found.is_edge,
         )  # fmt: skip
 
@@ -295,6 +304,15 @@ def _notes(first: Shader, second: Shader) -> Iterator[str]:
             )
     if first.targets != second.targets:
         yield "the formats or the blending of the render targets differ, which is not compared"
+
+
+def _numbered(read: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    """Reads by the names of what is read: the second one of a name is called ``albedo.x #2``."""
+    counted: Counter[str] = Counter()
+    for place, value in read.items():
+        name = place.rpartition(" at #")[0]
+        counted[name] += 1
+        yield name if counted[name] == 1 else f"{name} #{counted[name]}", value
 
 
 def _terms(lanes: Sequence[Lane]) -> list[Term]:

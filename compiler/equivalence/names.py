@@ -65,7 +65,9 @@ def _named(shader: Shader) -> Mapping[str, Node]:
     """The values with names that are under no binder, in the order in which they are computed."""
     found: dict[str, Node] = {}
     for node in reachable([result.value for result in shader.results]):
-        name = shader.notes.names.get(node.id)
+        name, span = shader.notes.names.get(node.id), shader.notes.spans.get(node.id)
+        if span is None or span.source.name.startswith("std/"):
+            continue
         if name and not node.free and not node.variables and node.operands:
             found[name] = node
     return found

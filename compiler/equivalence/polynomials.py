@@ -22,6 +22,8 @@ LARGEST = 1500
 """The most products in a polynomial; what has more is not decided by algebra."""
 MOST_STEPS = 600
 """The most atoms that are replaced in one difference."""
+MOST_WORK = 60_000
+"""The most products that one difference may take."""
 _ONE = Fraction(1)
 
 
@@ -41,6 +43,8 @@ class Algebra:
         self._same: dict[int, Polynomial] = {}
         """Comparisons as others that ask the same."""
         self.work = 0
+        self._until = MOST_WORK
+        """The work up to which the present difference may go."""
 
     def are_equal(self, x: Term, y: Term, shared: Container[int] = ()) -> bool:
         """True if the difference of two terms vanishes everywhere.
@@ -55,8 +59,33 @@ class Algebra:
                     return True
         return self._is_nothing(_difference(x, y), shared)
 
+    def difference(self, x: Term, y: Term, shared: Container[int]) -> Term:
+        """The difference of two terms as a sum of products, of which as many as possible cancel.
+
+        What is ``shared`` stays as it is. Bounds of such a sum are often much tighter.
+        """
+        numbers = [self._terms.term(self._terms.as_float(each)) for each in (x, y)]
+        plain = self._terms.term(numbers[0] - numbers[1])
+        self._until = self.work + MOST_WORK
+        try:
+            return self._sum(self._expanded(_difference(x, y), shared))
+        except TooLargeError:
+            return plain
+
+    def _sum(self, polynomial: Polynomial) -> Term:
+        """The term that a polynomial is."""
+        total = self._terms.constant(0.0)
+        for product, factor in sorted(polynomial.items()):
+            part = self._terms.node("constant", (), (factor, "f"))
+            for id_, times in product:
+                for _ in range(times):
+                    part = self._terms.mul(part, self._terms.as_float(self._terms.all[id_]))
+            total = self._terms.add(total, part)
+        return total
+
     def _is_nothing(self, polynomial: Polynomial, shared: Container[int]) -> bool:
         for kept in (shared, ()) if shared else ((),):
+            self._until = self.work + MOST_WORK
             try:
                 if self._vanishes(polynomial, kept, 0):
                     return True
@@ -139,12 +168,13 @@ class Algebra:
 
     def _spend(self, products: int, made: Polynomial) -> None:
         self.work += products
-        if len(made) > LARGEST:
+        if len(made) > LARGEST or self.work > self._until:
             raise TooLargeError
 
     def _reduced(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial with what follows from relations in place of powers of atoms."""
         while True:
+            self._spend(len(polynomial), polynomial)
             found: Polynomial = {}
             changed = False
             for product, factor in polynomial.items():
@@ -157,7 +187,6 @@ class Algebra:
                     _put(found, one, factor * by)
             if not changed:
                 return found
-            self._spend(len(found), found)
             polynomial = found
 
     def _related(self, product: Monomial) -> Polynomial | None:
@@ -233,13 +262,7 @@ class Algebra:
         """The power of a base with an exponent that is given as a polynomial."""
         key = (op, *(term.id for term in base)), frozenset(exponent.items())
         if key not in self._powers:
-            total = self._terms.constant(0.0)
-            for product, factor in sorted(exponent.items()):
-                part = self._terms.node("constant", (), (factor, "f"))
-                for id_, times in product:
-                    for _ in range(times):
-                        part = self._terms.mul(part, self._terms.all[id_])
-                total = self._terms.add(total, part)
+            total = self._sum(exponent)
             self._powers[key] = self._terms.term(self._terms.make(op, (*base, total)))
         return self._powers[key]
 
@@ -279,14 +302,14 @@ class Algebra:
         same = self._same[term.id]
         return None if same == _atom(term) else same
 
-    def _expanded(self, polynomial: Polynomial) -> Polynomial:
+    def _expanded(self, polynomial: Polynomial, kept: Container[int] = ()) -> Polynomial:
         """The polynomial of the atoms in which sums and products end."""
         for _ in range(MOST_STEPS):
             polynomial = self._reduced(polynomial)
             atoms = sorted({id_ for product in polynomial for id_, _ in product}, reverse=True)
             for atom in atoms:
                 term = self._terms.all[atom]
-                made_of = _plainly(term)
+                made_of = None if atom in kept and term.args else _plainly(term)
                 if made_of is not None:
                     polynomial = self._replaced(polynomial, atom, made_of)
                     break

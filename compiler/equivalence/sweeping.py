@@ -23,7 +23,7 @@ SAMPLES = 48
 """The number of points at which terms have to be alike before algebra is asked."""
 DRAWN = 256
 """The number of points of which the best ones are taken."""
-MOST_WORK = 4_000_000
+MOST_WORK = 1_000_000
 """The number of products after which algebra is not asked any more."""
 MOST_CANDIDATES = 4
 _ALIKE = 1e-9

@@ -54,7 +54,10 @@ OF_VECTORS = {
         "h = normalize(l + v)\ncolor = vec3(2.0 * dot(h, l) * dot(h, l) - 1.0)",
         "color = vec3(dot(l, v))",
     ),
-    "the length of what has length one": ("color = vec3(dot(normal, normal) * x)", "color = vec3(x)"),
+    "the length of what has length one": (
+        "color = vec3(dot(normal, normal) * x)",
+        "color = vec3(x)",
+    ),
     "divided by a length": (
         "d = place - position\ncolor = vec3(dot(normal, d) / length(d))",
         "color = vec3(dot(normal, l))",
