@@ -8,23 +8,29 @@ a root is what is under it, and a condition is its own square.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Mapping
+from collections.abc import Callable, Container, Mapping, Sequence
 from fractions import Fraction
 
+from .products import (
+    ONE,
+    Monomial,
+    Polynomial,
+    alone,
+    difference,
+    exponent_of,
+    made,
+    put,
+    times,
+)
 from .term import Term, value_of
 from .terms import Terms
-
-Monomial = tuple[tuple[int, int], ...]
-"""The ids of atoms with their exponents, in order."""
-Polynomial = dict[Monomial, Fraction]
 
 LARGEST = 1500
 """The most products in a polynomial; what has more is not decided by algebra."""
 MOST_STEPS = 600
 """The most atoms that are replaced in one difference."""
-MOST_WORK = 60_000
+MOST_WORK = 40_000
 """The most products that one difference may take."""
-_ONE = Fraction(1)
 
 
 class TooLargeError(Exception):
@@ -40,24 +46,30 @@ class Algebra:
         """For each comparison, as a difference of which is asked if it is positive, an atom."""
         self._powers: dict[object, Term] = {}
         """Powers by their bases and their exponents, multiplied out."""
+        self._simple: set[Monomial] = set()
+        """Products for which there is no relation."""
         self._same: dict[int, Polynomial] = {}
         """Comparisons as others that ask the same."""
         self.work = 0
+        self._asked: set[int] = set()
+        """The terms that are compared."""
         self._until = MOST_WORK
         """The work up to which the present difference may go."""
 
-    def are_equal(self, x: Term, y: Term, shared: Container[int] = ()) -> bool:
+    def are_equal(self, x: Term, y: Term, kept: Sequence[Container[int]] = ()) -> bool:
         """True if the difference of two terms vanishes everywhere.
 
-        Terms that are ``shared``, by their ids, stay as they are at first: where a difference
-        vanishes that is made of them, it does so in few steps.
+        ``kept`` are sets of terms, by their ids, which are tried one after the other: these terms
+        stay as they are. Where a difference vanishes that is made of what both programs have, it
+        does so in few steps. In the end, all terms are looked into.
         """
+        self._asked = {x.id, y.id}
         for root, other in ((x, y), (y, x)):
             if root.op == "sqrt" and other.op != "sqrt" and other.span.low >= 0:
-                square = _made((_ONE, other, other), (-_ONE, root.args[0]))
-                if self._is_nothing(square, shared):
+                square = made((ONE, other, other), (-ONE, root.args[0]))
+                if self._is_nothing(square, kept):
                     return True
-        return self._is_nothing(_difference(x, y), shared)
+        return self._is_nothing(difference(x, y), kept)
 
     def difference(self, x: Term, y: Term, shared: Container[int]) -> Term:
         """The difference of two terms as a sum of products, of which as many as possible cancel.
@@ -68,7 +80,7 @@ class Algebra:
         plain = self._terms.term(numbers[0] - numbers[1])
         self._until = self.work + MOST_WORK
         try:
-            return self._sum(self._expanded(_difference(x, y), shared))
+            return self._sum(self._expanded(difference(x, y), shared))
         except TooLargeError:
             return plain
 
@@ -77,14 +89,14 @@ class Algebra:
         total = self._terms.constant(0.0)
         for product, factor in sorted(polynomial.items()):
             part = self._terms.node("constant", (), (factor, "f"))
-            for id_, times in product:
-                for _ in range(times):
+            for id_, exponent in product:
+                for _ in range(exponent):
                     part = self._terms.mul(part, self._terms.as_float(self._terms.all[id_]))
             total = self._terms.add(total, part)
         return total
 
-    def _is_nothing(self, polynomial: Polynomial, shared: Container[int]) -> bool:
-        for kept in (shared, ()) if shared else ((),):
+    def _is_nothing(self, polynomial: Polynomial, all_kept: Sequence[Container[int]]) -> bool:
+        for kept in (*all_kept, ()):
             self._until = self.work + MOST_WORK
             try:
                 if self._vanishes(polynomial, kept, 0):
@@ -102,7 +114,7 @@ class Algebra:
             if not atoms:
                 return False
             for atom in atoms:
-                if atom in kept and self._terms.all[atom].op != "constant":
+                if self._is_kept(atom, kept):
                     continue
                 made_of = self._definition(self._terms.all[atom], atoms)
                 if made_of is not None:
@@ -111,6 +123,9 @@ class Algebra:
             else:
                 return self._without_quotients(polynomial, atoms, kept, depth)
         raise TooLargeError
+
+    def _is_kept(self, atom: int, kept: Container[int]) -> bool:
+        return atom in kept and atom not in self._asked and self._terms.all[atom].op != "constant"
 
     def _without_quotients(
         self, polynomial: Polynomial, atoms: list[int], kept: Container[int], depth: int
@@ -131,12 +146,12 @@ class Algebra:
 
     def _cleared(self, polynomial: Polynomial, atom: int, divisor: int) -> Polynomial:
         """The polynomial times a power of a divisor, so that its reciprocal is gone."""
-        highest = max(_exponent(product, atom) for product in polynomial)
+        highest = max(exponent_of(product, atom) for product in polynomial)
         found: Polynomial = {}
         for product, factor in polynomial.items():
-            power = highest - _exponent(product, atom)
+            power = highest - exponent_of(product, atom)
             rest = tuple((id_, e) for id_, e in product if id_ != atom)
-            _put(found, _times(rest, ((divisor, power),) if power else ()), factor)
+            put(found, times(rest, ((divisor, power),) if power else ()), factor)
         return found
 
     # --- replacing --------------------------------------------------------------------------------
@@ -144,17 +159,17 @@ class Algebra:
     def _replaced(self, polynomial: Polynomial, atom: int, made_of: Polynomial) -> Polynomial:
         """The polynomial with another one in place of an atom."""
         found: Polynomial = {}
-        powers: list[Polynomial] = [{(): _ONE}]
+        powers: list[Polynomial] = [{(): ONE}]
         for product, factor in polynomial.items():
-            exponent = _exponent(product, atom)
+            exponent = exponent_of(product, atom)
             if not exponent:
-                _put(found, product, factor)
+                put(found, product, factor)
                 continue
             while len(powers) <= exponent:
                 powers.append(self._product(powers[-1], made_of))
             rest = tuple((id_, e) for id_, e in product if id_ != atom)
             for other, by in powers[exponent].items():
-                _put(found, _times(rest, other), factor * by)
+                put(found, times(rest, other), factor * by)
             self._spend(len(powers[exponent]), found)
         return found
 
@@ -162,7 +177,7 @@ class Algebra:
         found: Polynomial = {}
         for one, a in x.items():
             for other, b in y.items():
-                _put(found, _times(one, other), a * b)
+                put(found, times(one, other), a * b)
             self._spend(len(y), found)
         return found
 
@@ -174,17 +189,18 @@ class Algebra:
     def _reduced(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial with what follows from relations in place of powers of atoms."""
         while True:
-            self._spend(len(polynomial), polynomial)
+            self._spend(sum(map(len, polynomial)) // 4, polynomial)
             found: Polynomial = {}
             changed = False
             for product, factor in polynomial.items():
-                other = self._related(product)
+                other = None if product in self._simple else self._related(product)
                 if other is None:
-                    _put(found, product, factor)
+                    self._simple.add(product)
+                    put(found, product, factor)
                     continue
                 changed = True
                 for one, by in other.items():
-                    _put(found, one, factor * by)
+                    put(found, one, factor * by)
             if not changed:
                 return found
             polynomial = found
@@ -203,39 +219,43 @@ class Algebra:
             square = self._square(term)
             if square is not None:
                 left = ((id_, exponent - 2),) if exponent > 2 else ()
-                around = _times(rest, left)
-                return {_times(around, one): by for one, by in square.items()}
+                around = times(rest, left)
+                return {times(around, one): by for one, by in square.items()}
         return self._joined(product)
 
     def _cancelled(self, term: Term, exponent: int, rest: Monomial) -> Polynomial | None:
         """A reciprocal times what it is the reciprocal of."""
         of = term.args[0].id
         if term.op == "inverse_root":
-            root = self._terms.root(term.args[0])
-            of = root.id
-        beside = _exponent(rest, of)
+            roots = (id_ for id_, _ in rest if self._is_root(id_, term.args[0]))
+            of = next(roots, -1)
+        beside = exponent_of(rest, of)
         if not beside:
             return None
         both = min(beside, exponent)
         others = tuple((i, e - both if i == of else e) for i, e in rest if i != of or e > both)
         left = ((term.id, exponent - both),) if exponent > both else ()
-        return {_times(others, left): _ONE}
+        return {times(others, left): ONE}
+
+    def _is_root(self, atom: int, of: Term) -> bool:
+        term = self._terms.all[atom]
+        return term.op == "sqrt" and term.args[0] is of
 
     def _square(self, term: Term) -> Polynomial | None:
         """The square of an atom, if there is a relation for it."""
         if term.kind == "b":
-            return _atom(term)
+            return alone(term)
         if term.op == "sqrt":
-            return _atom(term.args[0])
+            return alone(term.args[0])
         if term.op == "abs":
-            return {((term.args[0].id, 2),): _ONE}
+            return {((term.args[0].id, 2),): ONE}
         if term.op == "inverse_root":
-            return _atom(self._terms.term(self._terms.reciprocal(term.args[0])))
+            return alone(self._terms.term(self._terms.reciprocal(term.args[0])))
         if term.op == "sin":
-            return {(): _ONE, ((self._terms.node("cos", term.args).id, 2),): -_ONE}
+            return {(): ONE, ((self._terms.node("cos", term.args).id, 2),): -ONE}
         if term.id in self._terms.units:
             lanes = self._terms.units[term.id]
-            return {(): _ONE, **{((lane.id, 2),): -_ONE for lane in lanes}}
+            return {(): ONE, **{((lane.id, 2),): -ONE for lane in lanes}}
         return None
 
     def _joined(self, product: Monomial) -> Polynomial | None:
@@ -251,11 +271,11 @@ class Algebra:
                 continue
             total: Polynomial = {}
             for term, exponent in found:
-                _put(total, ((term.args[-1].id, 1),), Fraction(exponent))
+                put(total, ((term.args[-1].id, 1),), Fraction(exponent))
             joined = self._power_of(op, found[0][0].args[:-1], self._expanded(total))
             ids = {term.id for term, _ in found}
             rest = tuple((id_, e) for id_, e in product if id_ not in ids)
-            return {_times(rest, ((joined.id, 1),)): _ONE}
+            return {times(rest, ((joined.id, 1),)): ONE}
         return None
 
     def _power_of(self, op: str, base: tuple[Term, ...], exponent: Polynomial) -> Term:
@@ -278,29 +298,29 @@ class Algebra:
         if term.op == "less":
             return self._comparison(term)
         if term.op == "exp2":
-            joined = self._power_of("exp2", (), self._expanded(_atom(term.args[0])))
-            return None if joined is term else _atom(joined)
+            joined = self._power_of("exp2", (), self._expanded(alone(term.args[0])))
+            return None if joined is term else alone(joined)
         if term.op == "sqrt":
             inverse = self._terms.node("inverse_root", term.args)
-            return _made((_ONE, term.args[0], inverse)) if inverse.id in beside else None
+            return made((ONE, term.args[0], inverse)) if inverse.id in beside else None
         return None
 
     def _comparison(self, term: Term) -> Polynomial | None:
         """A comparison as another one that was met before and asks the same."""
         if term.id not in self._same:
             x, y = term.args
-            self._same[term.id] = _atom(term)
+            self._same[term.id] = alone(term)
             try:
-                asked = self._expanded(_difference(y, x))
+                asked = self._expanded(difference(y, x))
             except TooLargeError:
                 return None
             if asked:
                 scale = abs(asked[max(asked)])
                 key = frozenset((product, by / scale) for product, by in asked.items())
                 first = self._conditions.setdefault(key, term.id)
-                self._same[term.id] = _atom(self._terms.all[first])
+                self._same[term.id] = alone(self._terms.all[first])
         same = self._same[term.id]
-        return None if same == _atom(term) else same
+        return None if same == alone(term) else same
 
     def _expanded(self, polynomial: Polynomial, kept: Container[int] = ()) -> Polynomial:
         """The polynomial of the atoms in which sums and products end."""
@@ -320,9 +340,9 @@ class Algebra:
     def _choice(self, condition: object, x: Term, y: Term) -> Polynomial:
         """``x`` where a condition holds, else ``y``."""
         if isinstance(condition, bool):
-            return _atom(x if condition else y)
+            return alone(x if condition else y)
         assert isinstance(condition, Term)
-        return _made((_ONE, condition, x), (_ONE, y), (-_ONE, condition, y))
+        return made((ONE, condition, x), (ONE, y), (-ONE, condition, y))
 
 
 def _extreme(algebra: Algebra, term: Term) -> Polynomial:
@@ -346,7 +366,7 @@ def _power(_algebra: Algebra, term: Term) -> Polynomial | None:
     whole = min(int(value), 16)
     rest = _algebra._terms.term(_algebra._terms.power(
         base, _algebra._terms.node("constant", (), (value - whole, "f"))))  # fmt: skip
-    return {_times(((base.id, whole),), ((rest.id, 1),)): _ONE}
+    return {times(((base.id, whole),), ((rest.id, 1),)): ONE}
 
 
 def _plainly(term: Term) -> Polynomial | None:
@@ -354,67 +374,18 @@ def _plainly(term: Term) -> Polynomial | None:
     if term.op == "constant":
         return {(): term.data[0]} if term.data[0] else {}
     if term.op == "add":
-        return _made((_ONE, term.args[0]), (_ONE, term.args[1]))
+        return made((ONE, term.args[0]), (ONE, term.args[1]))
     if term.op == "mul":
-        return _made((_ONE, *term.args))
-    return _atom(term.args[0]) if term.op == "float" else None
+        return made((ONE, *term.args))
+    return alone(term.args[0]) if term.op == "float" else None
 
 
 _DEFINITIONS: Mapping[str, Callable[[Algebra, Term], Polynomial | None]] = {
-    "not": lambda _a, term: {(): _ONE, ((term.args[0].id, 1),): -_ONE},
-    "and": lambda _a, term: _made((_ONE, *term.args)),
+    "not": lambda _a, term: {(): ONE, ((term.args[0].id, 1),): -ONE},
+    "and": lambda _a, term: made((ONE, *term.args)),
     "where": lambda a, term: a._choice(*term.args),
     "min": _extreme,
     "max": _extreme,
     "abs": _absolute,
     "power": _power,
 }
-
-
-def _difference(x: Term, y: Term) -> Polynomial:
-    return _made((_ONE, x), (-_ONE, y))
-
-
-def _atom(term: Term) -> Polynomial:
-    return {((term.id, 1),): _ONE}
-
-
-def _made(*products: tuple[Fraction | Term, ...]) -> Polynomial:
-    """A polynomial of products of terms, each behind its factor."""
-    found: Polynomial = {}
-    for factor, *atoms in products:
-        assert isinstance(factor, Fraction)
-        product: Monomial = ()
-        for atom in _terms_of(atoms):
-            product = _times(product, ((atom.id, 1),))
-        _put(found, product, factor)
-    return found
-
-
-def _terms_of(atoms: list[Fraction | Term]) -> Iterator[Term]:
-    for atom in atoms:
-        assert isinstance(atom, Term)
-        yield atom
-
-
-def _exponent(product: Monomial, atom: int) -> int:
-    return next((exponent for id_, exponent in product if id_ == atom), 0)
-
-
-def _put(polynomial: Polynomial, product: Monomial, factor: Fraction) -> None:
-    """Add a product to a polynomial; what cancels is gone."""
-    total = polynomial.get(product, 0) + factor
-    if total:
-        polynomial[product] = Fraction(total)
-    else:
-        polynomial.pop(product, None)
-
-
-def _times(x: Monomial, y: Monomial) -> Monomial:
-    """The product of two products."""
-    if not x or not y:
-        return x or y
-    powers = dict(x)
-    for id_, exponent in y:
-        powers[id_] = powers.get(id_, 0) + exponent
-    return tuple(sorted(powers.items()))

@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple, Protocol
 
 _SLACK = 2.0**-48
+_SHORT = 2.0**13
 _INTEGERS = ("bit_and", "bit_or", "bit_xor", "shift_left", "shift_right", "quotient", "remainder",
              "int", "exponent")  # fmt: skip
 _CONDITIONS = ("less", "equal", "not", "and")
@@ -110,12 +111,23 @@ def _outward(low: float, high: float) -> Span:
 
 
 def _add(x: Span, y: Span) -> Span:
-    return _outward(x.low + y.low, x.high + y.high)
+    low, high = x.low + y.low, x.high + y.high
+    widened = _outward(low, high)
+    return Span(
+        low if low - x.low == y.low and low - y.low == x.low else widened.low,
+        high if high - x.high == y.high and high - y.high == x.high else widened.high,
+    )
 
 
 def _mul(x: Span, y: Span) -> Span:
     products = [a * b if a and b else 0.0 for a in x for b in y]
-    return _outward(min(products), max(products))
+    low, high = min(products), max(products)
+    return Span(low, high) if all(map(_is_short, (*x, *y))) else _outward(low, high)
+
+
+def _is_short(end: float) -> bool:
+    """True if a number has so few digits that products with others of this kind are exact."""
+    return abs(end) <= _SHORT and (end * _SHORT).is_integer()
 
 
 def _reciprocal(x: Span) -> Span:

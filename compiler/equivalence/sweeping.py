@@ -16,6 +16,7 @@ import numpy as np
 from .numbers import Array, Numbers
 from .points import Places
 from .polynomials import Algebra
+from .products import is_linear
 from .term import Term, below
 from .terms import Terms
 
@@ -23,7 +24,7 @@ SAMPLES = 48
 """The number of points at which terms have to be alike before algebra is asked."""
 DRAWN = 256
 """The number of points of which the best ones are taken."""
-MOST_WORK = 1_000_000
+MOST_WORK = 400_000
 """The number of products after which algebra is not asked any more."""
 MOST_CANDIDATES = 4
 _ALIKE = 1e-9
@@ -49,6 +50,7 @@ class _Sweep:
         ours, theirs = ({term.id for term in below(each)} for each in (first, second))
         self._shared = ours & theirs
         """The ids of terms that both programs have."""
+        self._no_sums = {id_ for id_ in self._shared if not is_linear(terms.all[id_])}
         self._classes: dict[tuple[str, int], list[Term]] = defaultdict(list)
 
     def results(self) -> tuple[list[Term], list[Term]]:
@@ -78,7 +80,9 @@ class _Sweep:
             return new
         for candidate in candidates[:MOST_CANDIDATES]:
             if self._are_equal(new, candidate):
-                self._shared.update(each.id for each in below([candidate], self._shared))
+                new_ones = below([candidate], self._shared)
+                self._shared.update(each.id for each in new_ones)
+                self._no_sums.update(each.id for each in new_ones if not is_linear(each))
                 return candidate
         self._note(new)
         return new
@@ -86,7 +90,7 @@ class _Sweep:
     def _are_equal(self, new: Term, candidate: Term) -> bool:
         if self._algebra.work >= MOST_WORK:
             return False
-        return self._algebra.are_equal(new, candidate, self._shared - {new.id, candidate.id})
+        return self._algebra.are_equal(new, candidate, (self._shared, self._no_sums))
 
     def _candidates(self, term: Term) -> list[Term]:
         """The terms that are alike at all points."""
