@@ -65,7 +65,9 @@ GLTF: dict[str, Knobs] = {
              "iridescence": 0.7, "specular": 0.9, "dispersion": 1.0},
     "endless": {"metallic": 0.0, "roughness": 0.1, "transmission": 0.5, "thickness": 0.3,
                 "attenuation_color": (0.5, 0.3, 0.8)},
-    "glass from behind": {"normal": BACK, "metallic": 0.0, "roughness": 0.6, "transmission": 0.5},
+    "white": {"metallic": 0.0, "transmission": 1.0, "thickness": 0.3, "attenuation_distance": 0.2},
+    "glass from behind": {"normal": BACK, "metallic": 0.0, "roughness": 0.6, "transmission": 0.5,
+                          "base_color": (0.5, 0.2, 0.7)},
 }  # fmt: skip
 
 
