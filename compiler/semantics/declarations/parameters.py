@@ -149,9 +149,7 @@ def _library_name(record: Record, name: str) -> str:
 def library_name(symbol: Symbol) -> str:
     """The declaration of the library that a symbol is: ``std.lights.Lantern``; empty for others."""
     module = symbol.module
-    if not module.is_standard or module.path is None:
-        return ""
-    return f"std.{module.path.stem}.{symbol.name}"
+    return f"{module.import_path}.{symbol.name}" if module.is_standard else ""
 
 
 _STANDARD: KeptOfLibrary[ParameterInfo] = KeptOfLibrary(1024)
