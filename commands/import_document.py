@@ -66,7 +66,10 @@ def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:
     try:
         import MaterialX
     except ImportError:
-        fail(f"documents of MaterialX are read by the package MaterialX: {install_command(['materialx'])}")
+        fail(
+            "documents of MaterialX are read by the package MaterialX: "
+            f"{install_command(['materialx'])}"
+        )
     assert MaterialX
     from ..materialx.importing import imported
     from ..materialx.outline import DocumentError
@@ -82,7 +85,11 @@ def _write(found: Imported, out: Path, force: bool) -> None:
     from ..compiler.diagnostics.diagnostic import CompileError
     from .output import write_tree
 
-    new = {path: content for path, content in found.files.items() if not _is_there(out, path, content, force)}
+    new = {
+        path: content
+        for path, content in found.files.items()
+        if not _is_there(out, path, content, force)
+    }
     try:
         write_tree(out, new)
     except CompileError as error:
@@ -96,7 +103,10 @@ def _tell(found: Imported, out: Path, new: Mapping[str, bytes]) -> None:
         say(f"{out / path}{'' if path in new else ' (was there already)'}")
     names = ", ".join(material.name for material in found.materials[:6])
     more = f" and {len(found.materials) - 6} more" if len(found.materials) > 6 else ""
-    say(f"{names}{more}. To see it: burnish render {out / found.main}, or burnish view {out / found.main}")
+    say(
+        f"{names}{more}. To see it: burnish render {out / found.main}, "
+        f"or burnish view {out / found.main}"
+    )
 
 
 def _is_there(out: Path, path: str, content: bytes, force: bool) -> bool:

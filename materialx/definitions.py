@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ..stdlib.builtins import BUILTINS
-from .expressions import Call, Expression, Name, laid_out
+from .expressions import Call, Expression, Name, flat, laid_out
 from .leaves.application import SUFFIXES
 from .leaves.catalogue import catalogue, module_of
 from .model import Definition, Graph, Node, Port
 from .names import Names, part_name, record_name, slot_name
-from .networks import Function, NeedsSurface, NeedsTexts, Network, Sampling, Scope
-from .problems import Unsupported
+from .networks import Function, NeedsSurfaceError, NeedsTextsError, Network, Sampling, Scope
+from .problems import UnsupportedError
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import BARE, CLOSURES, literal, zero
 
@@ -42,7 +42,8 @@ class Functions:
         self._signatures: dict[tuple[str, str, tuple[str, ...]], tuple[str, Function]] = {}
 
     def place(self, definition: Definition) -> Place | None:
-        """Where the function for a definition is; nothing if it has to be written out at each use."""
+        """Where the function for a definition is; nothing if it has to
+        be written out at each use."""
         if definition not in self._places:
             self._places[definition] = None
             if definition.is_library:
@@ -62,7 +63,7 @@ class Functions:
     def _write_if_possible(self, definition: Definition) -> None:
         try:
             self._places[definition] = self._written(definition)
-        except Unsupported:
+        except UnsupportedError:
             # It is told where a node needs this definition, which then is written out.
             self._places[definition] = None
 
@@ -73,14 +74,18 @@ class Functions:
         file = self._own
         if definition.is_library:
             path = f"{FOLDER}/{slot_name(definition.category)}"
-            file = self.file(path, f"//! The node `{definition.category}` of MaterialX, as its own library defines it.")
+            file = self.file(
+                path,
+                f"//! The node `{definition.category}` of MaterialX, "
+                "as its own library defines it.",
+            )
         for is_term in (False, True):
             try:
                 body = _Body(self, file, definition, graph, is_term)
                 return Place(self._declared(file, body), file)
-            except NeedsSurface:
+            except NeedsSurfaceError:
                 continue
-            except NeedsTexts:
+            except NeedsTextsError:
                 return None
         return None
 
@@ -107,13 +112,24 @@ class Functions:
 class _Body:
     """The body of a function while it is written: the ``Texts`` of its network."""
 
-    def __init__(self, functions: Functions, file: File, definition: Definition, graph: Graph, is_term: bool) -> None:
-        self._functions, self._file, self._definition, self._is_term = functions, file, definition, is_term
+    def __init__(
+        self, functions: Functions, file: File, definition: Definition, graph: Graph, is_term: bool
+    ) -> None:
+        self._functions, self._file, self._definition, self._is_term = (
+            functions,
+            file,
+            definition,
+            is_term,
+        )
         outputs = definition.outputs
         self.result = next(iter(outputs.values())).type
-        is_closure = any(port.type in CLOSURES for port in (*outputs.values(), *definition.inputs.values()))
+        is_closure = any(
+            port.type in CLOSURES for port in (*outputs.values(), *definition.inputs.values())
+        )
         self._names = Names((), catalogue())
-        self._arguments = {name: Name(self._names.fresh(slot_name(name))) for name in definition.inputs}
+        self._arguments = {
+            name: Name(self._names.fresh(slot_name(name))) for name in definition.inputs
+        }
         bound = _Read(self._arguments)
         self._parts: list[Equation] = []
         network = Network(self, Name("asked") if is_closure else None)
@@ -126,17 +142,37 @@ class _Body:
         self._value = next(iter(values.values()))
         self.structure = ""
         if members:
-            struct = file.structure(record_name(definition.category), tuple(BARE[port.type] for port in outputs.values()))
+            struct = file.structure(
+                record_name(definition.category),
+                tuple(BARE[port.type] for port in outputs.values()),
+            )
             self.structure = _structure(struct, members, outputs)
             self._value = Call(struct, tuple(values.values()))
             self._type = struct
         else:
             self._type = BARE[self.result]
-        used = tuple(name for name in definition.inputs if name in bound.read)
-        name = slot_name(definition.category if definition.is_library else definition.category or definition.name)
-        self.result_function = Function(
-            f"mx_{name}" if name in BUILTINS else name, used, is_term, is_closure, members
+            self._value = self._without_last_name(self._value)
+        used = {
+            name: self._arguments[name].text for name in definition.inputs if name in bound.read
+        }
+        # Of `f(color, float)` and `f(color, color)`, a call that leaves the second one out means
+        # the latter.
+        has_defaults = not definition.name.endswith("FA")
+        defaults = frozenset(
+            name for name in used if has_defaults and _default(definition.inputs[name]) is not None
         )
+        name = slot_name(
+            definition.category if definition.is_library else definition.category or definition.name
+        )
+        self.result_function = Function(
+            f"mx_{name}" if name in BUILTINS else name, used, is_term, is_closure, defaults, members
+        )
+
+    def _without_last_name(self, value: Expression) -> Expression:
+        """The result itself, where it is a part that nothing else reads."""
+        if self._parts and value == Name(self._parts[-1].name):
+            return self._parts.pop().value or value
+        return value
 
     def _results(self, network: Network, scope: Scope) -> Iterator[tuple[str, Expression]]:
         for name, port in self._definition.outputs.items():
@@ -154,9 +190,15 @@ class _Body:
     def declaration(self, name: str) -> str:
         """The declaration, with its parts."""
         pairs = ["asked: Asked"] if self.result_function.is_closure else []
-        names = [self._arguments[name].text for name in self.result_function.inputs]
         types = list(self.argument_types())[len(pairs) :]
-        pairs += [f"{argument}: {kind}" for argument, kind in zip(names, types, strict=True)]
+        for (input_name, argument), kind in zip(
+            self.result_function.inputs.items(), types, strict=True
+        ):
+            default = _default(self._definition.inputs[input_name])
+            has_default = input_name in self.result_function.defaults and default is not None
+            pairs.append(
+                f"{argument}: {kind}{f' = {flat(default)}' if has_default and default else ''}"
+            )
         kind = "term" if self._is_term else "fn"
         result = "" if self._is_term else f" -> {self._type}"
         head = f"{kind} {name}({', '.join(pairs)}){result} ="
@@ -164,7 +206,11 @@ class _Body:
             head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
-        doc = [f"/// {line}" for line in wrapped(one_line(self._definition.hints.get("doc", "")), 110) if line]
+        doc = [
+            f"/// {line}"
+            for line in wrapped(one_line(self._definition.hints.get("doc", "")), 110)
+            if line
+        ]
         lines = [*doc, f"{head} {value}"]
         if self._parts:
             lines += ["where {", *equations(self._parts), "}"]
@@ -177,27 +223,27 @@ class _Body:
 
     def surface(self, slot: str) -> Expression:
         if not self._is_term:
-            raise NeedsSurface
+            raise NeedsSurfaceError
         return Name(slot)
 
     def parameter(self, _scope: Scope, port: Port) -> Expression:
         return zero(port.type) if port.value is None else literal(port.value, port.type)
 
     def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
-        raise NeedsTexts
+        raise NeedsTextsError
 
     def text(self, _name: str) -> str:
-        raise NeedsTexts
+        raise NeedsTextsError
 
     def attribute(self, _name: str, _kind: str, _doc: str) -> str:
-        raise NeedsTexts
+        raise NeedsTextsError
 
     def function(self, definition: Definition) -> Function | None:
         place = self._functions.place(definition)
         if place is None:
             return None
         if place.function.sees_surface and not self._is_term:
-            raise NeedsSurface
+            raise NeedsSurfaceError
         self._file.imported_from(place.file, place.function.name)
         return place.function
 
@@ -220,6 +266,14 @@ class _Read(dict[str, Expression]):
     def __getitem__(self, name: str) -> Expression:
         self.read.add(name)
         return super().__getitem__(name)
+
+
+def _default(port: Port) -> Expression | None:
+    """The constant that an input has if nothing sets it; nothing if that is a place or a direction
+    of the surface."""
+    if port.geometry or port.value is None or port.type not in BARE or port.type in CLOSURES:
+        return None
+    return literal(port.value, port.type)
 
 
 def _structure(name: str, members: Mapping[str, str], outputs: Mapping[str, Port]) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 WIDTH = 110
 """The longest line of an imported file, in characters."""
@@ -107,6 +108,37 @@ def called(name: str, *arguments: Expression) -> Call:
     return Call(name, arguments)
 
 
+class Given(NamedTuple):
+    """An argument of a call; ``is_default`` if the function has this value for it anyway."""
+
+    name: str
+    value: Expression
+    is_default: bool = False
+
+
+_BARE = 3
+"""The most arguments that are written without their names; of longer calls, the first two are."""
+
+
+def call_with(name: str, given: Sequence[Given]) -> Call:
+    """A call that names its arguments, unless it is short.
+
+    It leaves out what the function has anyway, but for the first argument, which chooses between
+    functions of the same name.
+    """
+    kept = [
+        argument for place, argument in enumerate(given) if place == 0 or not argument.is_default
+    ]
+    bare = 0
+    limit = _BARE if len(kept) <= _BARE else 2
+    for argument, other in zip(kept, given, strict=False):
+        if argument is not other or bare >= limit:
+            break
+        bare += 1
+    labels = tuple(argument.name for argument in kept[bare:])
+    return Call(name, tuple(argument.value for argument in kept), labels)
+
+
 def binary(operator: str, left: Expression, right: Expression) -> Expression:
     """An operation on numbers that are no ``int``. Of constants, its value where that is exact."""
     one, other = scalar(left), scalar(right)
@@ -195,7 +227,9 @@ def _bare(expression: Expression) -> str:
 def _labelled(arguments: Sequence[Expression], labels: Sequence[str]) -> list[str]:
     texts = [flat(argument) for argument in arguments]
     first = len(texts) - len(labels)
-    return texts[:first] + [f"{label} = {text}" for label, text in zip(labels, texts[first:], strict=True)]
+    return texts[:first] + [
+        f"{label} = {text}" for label, text in zip(labels, texts[first:], strict=True)
+    ]
 
 
 def _level(expression: Expression) -> int:
@@ -259,7 +293,9 @@ def _side(expression: Expression, level: int, used: int, indent: int) -> str:
     return laid_out(expression, used, indent)
 
 
-def _broken_arguments(arguments: Sequence[Expression], labels: Sequence[str], indent: int) -> list[str]:
+def _broken_arguments(
+    arguments: Sequence[Expression], labels: Sequence[str], indent: int
+) -> list[str]:
     first = len(arguments) - len(labels)
     texts = []
     for place, argument in enumerate(arguments):

@@ -13,14 +13,15 @@ from .model import Definition, Document
 from .models import Models
 from .names import slot_name
 from .pictures import Pictures
-from .problems import Problem, Unsupported
+from .problems import Problem, UnsupportedError
 from .reading import read
 from .records import Records
 from .texts import File
 
 
 class Imported(NamedTuple):
-    """What a document becomes: texts and pictures by their paths in a folder, its materials, and what is missing."""
+    """What a document becomes: texts and pictures by their paths in a folder, its materials, and
+    what is missing."""
 
     files: Mapping[str, bytes]
     main: str
@@ -30,7 +31,9 @@ class Imported(NamedTuple):
 
 
 def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> Imported:
-    """Convert a document to files of Burnish; the main one is called ``name``, or else like the document.
+    """Convert a document to files of Burnish.
+
+    The main one is called ``name``, or else like the document.
 
     Pictures are taken from the document's folder and from ``image_folders``, and from nowhere else.
     Raises ``DocumentError``, and ``OSError`` if the document cannot be read.
@@ -40,8 +43,11 @@ def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> 
     return converted(document, renderables, name or slot_name(path.stem), pictures)
 
 
-def converted(document: Document, renderables: Iterable[Renderable], name: str, pictures: Pictures) -> Imported:
-    """Convert what of a document is drawn, to a file with this name and to those that it imports."""
+def converted(
+    document: Document, renderables: Iterable[Renderable], name: str, pictures: Pictures
+) -> Imported:
+    """Convert what of a document is drawn, to a file with this
+    name and to those that it imports."""
     own = File(name)
     functions = Functions(own, _Known())
     writer = Materials(own, functions, Models(functions, own))
@@ -50,7 +56,7 @@ def converted(document: Document, renderables: Iterable[Renderable], name: str, 
     for renderable in renderables:
         try:
             materials.append(writer.written(renderable))
-        except Unsupported as error:
+        except UnsupportedError as error:
             place = error.path or renderable.path
             problems.append(Problem(place, document.place(place), error.text))
     copied = {}
@@ -58,19 +64,33 @@ def converted(document: Document, renderables: Iterable[Renderable], name: str, 
         for title, file in material.files.items():
             found = pictures.found(file)
             if found is None:
-                text = f"the picture `{file}` is not in the document's folder: its texture is white until a host binds it"
-                problems.append(Problem(material.path, document.place(material.path), text, is_error=False))
+                text = (
+                    f"the picture `{file}` is not in the document's folder: "
+                    "its texture is white until a host binds it"
+                )
+                problems.append(
+                    Problem(material.path, document.place(material.path), text, is_error=False)
+                )
             else:
                 copied[title] = found
-    own.heading = _heading(document, name, materials, {title: picture.path for title, picture in copied.items()})
-    texts = {f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())}
+    own.heading = _heading(
+        document, name, materials, {title: picture.path for title, picture in copied.items()}
+    )
+    texts = {
+        f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())
+    }
     files = texts | {picture.path: picture.content for picture in copied.values()}
     return Imported(files, f"{name}.burnish", materials, problems)
 
 
-def _heading(document: Document, name: str, materials: Sequence[Material], pictures: Mapping[str, str]) -> str:
+def _heading(
+    document: Document, name: str, materials: Sequence[Material], pictures: Mapping[str, str]
+) -> str:
     """The comment about the file, with the command that draws its first material."""
-    lines = [f"//! Imported from `{PurePosixPath(document.name).name}`, a document of MaterialX {document.version}."]
+    lines = [
+        f"//! Imported from `{PurePosixPath(document.name).name}`, "
+        f"a document of MaterialX {document.version}."
+    ]
     if materials:
         first = materials[0]
         words = [f"burnish render {name}.burnish -o {name}.png"]

@@ -5,17 +5,17 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-
 if TYPE_CHECKING:
-    import MaterialX as mx
-
+    import MaterialX
 
 
 @cache
-def library() -> mx.Document:
+def library() -> MaterialX.Document:
     """The nodes of MaterialX, parsed once a process."""
-    import MaterialX as mx
+    import MaterialX
 
-    document = mx.createDocument()
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), document)
+    document = MaterialX.createDocument()
+    MaterialX.loadLibraries(
+        MaterialX.getDefaultDataLibraryFolders(), MaterialX.getDefaultDataSearchPath(), document
+    )
     return document

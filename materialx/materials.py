@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from .definitions import Functions
@@ -13,14 +12,15 @@ from .model import Graph, Node, Port
 from .models import Model, Models
 from .names import record_name, slot_name
 from .networks import Network, Scope
-from .problems import Unsupported
+from .problems import UnsupportedError
 from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
 
 class Renderable(NamedTuple):
-    """Something of a document that is drawn by itself: a material, a surface, or an output of a graph."""
+    """Something of a document that is drawn by itself: a material, a surface, or an output of a
+    graph."""
 
     path: str
     name: str
@@ -45,11 +45,11 @@ class Materials:
         self._file, self._functions, self._models = file, functions, models
 
     def written(self, renderable: Renderable) -> Material:
-        """Write a material. Raises ``Unsupported``, and then has written nothing."""
+        """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
         kept = len(self._file.declarations)
         try:
             base, members, color = self._converted(renderable, slot_name(renderable.name))
-        except Unsupported:
+        except UnsupportedError:
             del self._file.declarations[kept:]
             raise
         if base == SURFACE:
@@ -62,10 +62,13 @@ class Materials:
         lines += ["", *equations(color)] if lines and color else equations(color)
         doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
         head = f"material {name} : {base} {{"
-        self._file.declarations += ["\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}", *terms]
+        self._file.declarations += [
+            "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
+            *terms,
+        ]
         return Material(name, renderable.path, members.files)
 
-    def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, Sequence[Equation]]:
+    def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
         scope = Scope(renderable.graph)
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
@@ -74,14 +77,14 @@ class Materials:
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
         if found is None:
-            raise Unsupported("no surface is connected", renderable.path)
+            raise UnsupportedError("no surface is connected", renderable.path)
         node, place = found
         model = self._models.model(node.definition) if node.definition is not None else None
         if model is not None:
             return model.name, *self._extended(model, node, place)
         entered = surface_root(network, renderable.port, scope)
         if entered is None:
-            raise Unsupported("no surface is connected", node.path)
+            raise UnsupportedError("no surface is connected", node.path)
         look = shown(members, network, *entered, name)
         rows = [Equation("color", look.color)]
         if look.alpha is not None:
@@ -97,7 +100,7 @@ class Materials:
             network.value(port, scope)
         return network.value(port, scope)
 
-    def _extended(self, model: Model, node: Node, scope: Scope) -> tuple[Members, Sequence[Equation]]:
+    def _extended(self, model: Model, node: Node, scope: Scope) -> tuple[Members, list[Equation]]:
         """The slots of a model that a node sets."""
         self._file.imported_from(model.file, model.name)
         members = Members(self._file, self._functions, model.taken)
@@ -109,8 +112,8 @@ class Materials:
         rows = []
         for name in names:
             slot = model.slots[name]
-            value = network.input(node, name, scope)
-            if slot in ("normal", "tangent"):
+            value: Expression | None = network.input(node, name, scope)
+            if value is not None and slot in ("normal", "tangent"):
                 value = _unit(value)
             if value is not None and model.defaults.get(slot) != flat(value):
                 rows.append(Equation(slot, value))
@@ -135,7 +138,7 @@ def _as_color(value: Expression, kind: str) -> Expression:
         # MaterialX's generators show black in place of what is no colour.
         return Call("vec3", (Name("0"),))
     if lanes is None:
-        raise Unsupported(f"a {kind} cannot be shown")
+        raise UnsupportedError(f"a {kind} cannot be shown")
     if lanes == 1:
         return Call("vec3", (value,))
     if lanes == 2:

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from ..compiler.diagnostics.diagnostic import Report
-from ..compiler.library import FOLDER
-from ..compiler.library_trees import parse_library
 from ..compiler.syntax import ast
-from ..compiler.syntax.load import load_source
 from .definitions import Functions
 from .expressions import Expression, Name, flat, is_literal
-from .leaves.constants import constant
 from .leaves.catalogue import catalogue, module_of
+from .leaves.constants import constant
+from .library_files import declarations
 from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
 from .networks import Function, Sampling, Scope
@@ -27,12 +24,19 @@ _FILTERS = {"closest": "nearest"}
 
 @cache
 def surface_slots() -> frozenset[str]:
-    """The names that every imported material has from its base, which it must not take by accident."""
+    """The names that every imported material has from its base,
+    which it must not take by accident."""
     found = {"pi"}
     for path in ("prelude.burnish", "tangents.burnish", "mtlx/surface.burnish"):
-        for declaration in parse_library(load_source(FOLDER / path, Report()), Report()).declarations:
-            if isinstance(declaration, ast.Record) and declaration.name.text in ("Surface", "Tangents", SURFACE):
-                found |= {member.name.text for member in declaration.members if hasattr(member, "name")}
+        for declaration in declarations(path):
+            if isinstance(declaration, ast.Record) and declaration.name.text in (
+                "Surface",
+                "Tangents",
+                SURFACE,
+            ):
+                found |= {
+                    member.name.text for member in declaration.members if hasattr(member, "name")
+                }
     return frozenset(found)
 
 
@@ -92,7 +96,9 @@ class Members:
             name = self._names.fresh(stem if stem != "unnamed" else slot_name(node.name))
             self.files[name] = path
             kind = "texture2d of rgb" if sampling.is_encoded else "texture2d"
-            self._maps[key] = Equation(name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling))
+            self._maps[key] = Equation(
+                name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
+            )
         return Name(self._maps[key].name)
 
     def text(self, name: str) -> str:
@@ -131,7 +137,12 @@ def _range(port: Port, value: Expression) -> str:
         values = _numbers(port.value or "0")
     except ValueError:
         return ""
-    if len(set(lows)) > 1 or len(set(highs)) > 1 or not lows[0] < highs[0] or not is_literal(value) and port.type != "integer":
+    if (
+        len(set(lows)) > 1
+        or len(set(highs)) > 1
+        or not lows[0] < highs[0]
+        or (not is_literal(value) and port.type != "integer")
+    ):
         return ""
     if not all(lows[0] <= number <= highs[0] for number in values):
         return ""

@@ -67,7 +67,8 @@ class Node:
 
 @dataclass(frozen=True)
 class Graph:
-    """Nodes between inputs and outputs: the document itself, one of its graphs, or what a definition means."""
+    """Nodes between inputs and outputs: the document itself, one of its graphs, or what a
+    definition means."""
 
     name: str
     path: str

@@ -1,4 +1,5 @@
-"""Surface models, such as OpenPBR, as abstract materials whose inputs are slots with their defaults."""
+"""Surface models, such as OpenPBR, as abstract materials whose inputs are slots with their
+defaults."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ from .texts import Equation, File, equations, one_line, wrapped
 from .values import CLOSURES, TYPES, zero
 
 _SHADED = {"normal": "Nworld", "tangent": "Tworld"}
-"""Inputs that are slots of all surfaces, if they have these geometric defaults: materials override them."""
+"""Inputs that are slots of all surfaces, if they have these geometric defaults: materials override
+them."""
 
 
 class Model(NamedTuple):
@@ -43,7 +45,9 @@ class Models:
     def model(self, definition: Definition) -> Model | None:
         """The abstract material for a definition; nothing if it takes closures or
         files, which are no values of slots."""
-        if definition.graph is None or any(port.type in CLOSURES for port in definition.inputs.values()):
+        if definition.graph is None or any(
+            port.type in CLOSURES for port in definition.inputs.values()
+        ):
             return None
         if any(port.type == "filename" for port in definition.inputs.values()):
             return None
@@ -55,9 +59,14 @@ class Models:
         file = self._own
         title = f"`{definition.category}`"
         if definition.is_library:
-            heading = f"//! The surface {title} of MaterialX, as its own library defines it: set the slots that differ."
+            heading = (
+                f"//! The surface {title} of MaterialX, as its own library defines it: "
+                "set the slots that differ."
+            )
             file = self._functions.file(f"{FOLDER}/{slot_name(definition.category)}", heading)
-        slots = {name: _slot(port) for name, port in definition.inputs.items() if port.type in TYPES}
+        slots = {
+            name: _slot(port) for name, port in definition.inputs.items() if port.type in TYPES
+        }
         members = Members(file, self._functions, slots.values())
         rows = [
             _declared(members, port, slots[name])
@@ -78,7 +87,11 @@ class Models:
             if look.alpha is not None:
                 color.append(Equation("alpha", look.alpha))
         file.imported("std.mtlx.surface", SURFACE)
-        doc = [f"/// {line}" for line in wrapped(one_line(definition.hints.get("doc", "")), 110) if line]
+        doc = [
+            f"/// {line}"
+            for line in wrapped(one_line(definition.hints.get("doc", "")), 110)
+            if line
+        ]
         parts = [*equations(rows), "", *members.lines(), "", *equations(color)]
         record = [*doc, f"abstract material {name} : {SURFACE} {{", *parts, "}"]
         file.declarations.insert(0, "\n".join(record))
@@ -88,7 +101,8 @@ class Models:
 
 
 def _slot(port: Port) -> str:
-    """The name of the slot for an input: its own, unless it is one of all surfaces and means something else."""
+    """The name of the slot for an input: its own, unless it is one of all surfaces and means
+    something else."""
     name = slot_name(port.name)
     if name in _SHADED and port.geometry == _SHADED[name]:
         return name

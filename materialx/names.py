@@ -19,7 +19,8 @@ _AWKWARD = {
 
 
 def identifier(text: str) -> str:
-    """A name as close to ``text`` as Burnish has it: ASCII, in snake case if it was in camel case."""
+    """A name as close to ``text`` as Burnish has it: ASCII, in
+    snake case if it was in camel case."""
     text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", text)
     text = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")
     text = re.sub(r"__+", "_", text) or "unnamed"
@@ -42,7 +43,8 @@ def record_name(text: str) -> str:
 
 
 def part_name(name: str, value: Expression) -> str:
-    """The name of a part for a node called ``name``; it is not that of the function that it calls."""
+    """The name of a part for a node called ``name``; it is not
+    that of the function that it calls."""
     return f"{name}_value" if isinstance(value, Call) and value.name == name else name
 
 

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple, Protocol
 
-from .expressions import Call, Expression, Member, Name, flat, is_simple
+from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
 from .model import Definition, Graph, Node, Port
 from .names import slot_name
-from .problems import Unsupported
+from .problems import UnsupportedError
 from .values import CLOSURES, zero
 
 _SRGB = ("srgb_texture", "srgb_rec709_scene")
@@ -28,23 +28,27 @@ LONG = 84
 class Function(NamedTuple):
     """A definition as a function or a term of Burnish.
 
-    ``inputs`` are the inputs of the definition that it takes, in its order. ``sees_surface`` is true
+    ``inputs`` are the inputs of the definition that it takes, in its order, with the names of the
+    arguments for them. ``sees_surface`` is true
     for a term, which reads slots of the surface and so cannot be called by functions.
     """
 
     name: str
-    inputs: tuple[str, ...]
+    inputs: Mapping[str, str]
     sees_surface: bool
     is_closure: bool
+    defaults: frozenset[str] = frozenset()
+    """The inputs that may be left out."""
     members: Mapping[str, str] = MappingProxyType({})
-    """The members of its structure by the names of the outputs; none if there is only one output."""
+    """The members of its structure by the names of the outputs; none if there is only one output.
+    """
 
 
 class Texts(Protocol):
     """What networks ask of the place that their expressions are written to."""
 
     def surface(self, slot: str) -> Expression:
-        """A slot of the surface. Raises ``NeedsSurface`` in a function."""
+        """A slot of the surface. Raises ``NeedsSurfaceError`` in a function."""
 
     def parameter(self, scope: Scope, port: Port) -> Expression:
         """The value of an input of a graph that a person may set."""
@@ -53,7 +57,7 @@ class Texts(Protocol):
         """The texture of the file that a node reads, or nothing if the input names none."""
 
     def text(self, name: str) -> str:
-        """The text that an argument of a function has. Raises ``NeedsTexts``."""
+        """The text that an argument of a function has. Raises ``NeedsTextsError``."""
 
     def function(self, definition: Definition) -> Function | None:
         """The function that a definition becomes, or nothing if it has to be written out."""
@@ -70,9 +74,11 @@ class Texts(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Scope:
-    """A graph at one place of use: ``bound`` has its inputs as expressions where it is the body of a
-    function or a model; ``node`` is the node that it stands for in ``outer``, or nothing for a graph
-    that only groups nodes."""
+    """A graph at one place of use.
+
+    ``bound`` has its inputs as expressions where it is the body of a function or a model. ``node``
+    is the node that it stands for in ``outer``, or nothing for a graph that only groups nodes.
+    """
 
     graph: Graph
     outer: Scope | None = None
@@ -81,7 +87,8 @@ class Scope:
 
 
 class Sampling(NamedTuple):
-    """How a texture is read. ``is_encoded`` is true for colours in sRGB, which are decoded before filtering."""
+    """How a texture is read. ``is_encoded`` is true for colours in sRGB, which are decoded before
+    filtering."""
 
     u: str
     v: str
@@ -89,18 +96,20 @@ class Sampling(NamedTuple):
     is_encoded: bool
 
 
-class NeedsSurface(Exception):
+class NeedsSurfaceError(Exception):
     """A function would have to read the surface."""
 
 
-class NeedsTexts(Exception):
+class NeedsTextsError(Exception):
     """A function would have to know texts, such as the name of a geometric property."""
 
 
 class Network:
     """Expressions for the nodes of a graph and of the graphs inside it."""
 
-    def __init__(self, texts: Texts, asked: Expression | None = None, outer: Network | None = None) -> None:
+    def __init__(
+        self, texts: Texts, asked: Expression | None = None, outer: Network | None = None
+    ) -> None:
         self.texts, self.asked, self.outer = texts, asked, outer
         self._uses: Counter[tuple[Scope, str, str]] = Counter()
         self._values: dict[tuple[Scope, str, str], Expression] = {}
@@ -142,13 +151,13 @@ class Network:
     def _interface(self, name: str, scope: Scope, wanted: Port) -> Expression:
         if scope.bound is not None:
             if name not in scope.bound:
-                raise Unsupported(f"the graph {scope.graph.name} has no input '{name}'")
+                raise UnsupportedError(f"the graph {scope.graph.name} has no input '{name}'")
             return scope.bound[name]
         if scope.node is not None and scope.outer is not None:
             return self.input(scope.node, name, scope.outer)
         port = scope.graph.inputs.get(name)
         if port is None:
-            raise Unsupported(f"the graph {scope.graph.path} has no input '{name}'")
+            raise UnsupportedError(f"the graph {scope.graph.path} has no input '{name}'")
         if port.link is not None and scope.outer is not None:
             return self.value(port, scope.outer)
         if port.value is None and wanted.geometry:
@@ -163,18 +172,21 @@ class Network:
             outputs = inner.graph.outputs
             output = outputs.get(link.output) or next(iter(outputs.values()), None)
             if output is None:
-                raise Unsupported(f"the graph {link.graph} has no output '{link.output}'")
+                raise UnsupportedError(f"the graph {link.graph} has no output '{link.output}'")
             return self.value(output, inner)
         if link.node:
             node = scope.graph.nodes.get(link.node)
             if node is not None:
                 return self.output(node, link.output, scope)
             if link.node in scope.graph.graphs:
-                return self.value(next(iter(scope.graph.graphs[link.node].outputs.values())), self.group(link.node, scope))
-            raise Unsupported(f"there is no node '{link.node}'")
+                return self.value(
+                    next(iter(scope.graph.graphs[link.node].outputs.values())),
+                    self.group(link.node, scope),
+                )
+            raise UnsupportedError(f"there is no node '{link.node}'")
         output = scope.graph.outputs.get(link.output)
         if output is None:
-            raise Unsupported(f"there is no output '{link.output}'")
+            raise UnsupportedError(f"there is no output '{link.output}'")
         return self.value(output, scope)
 
     def group(self, name: str, scope: Scope) -> Scope:
@@ -183,7 +195,7 @@ class Network:
         while found is not None and name not in found.graph.graphs:
             found = found.outer
         if found is None:
-            raise Unsupported(f"there is no graph '{name}'")
+            raise UnsupportedError(f"there is no graph '{name}'")
         key = (found, name)
         root = self.outer or self
         if key not in root._inner:
@@ -205,7 +217,7 @@ class Network:
         wanted = node.definition.inputs.get(name)
         port = node.inputs.get(name) or wanted
         if port is None:
-            raise Unsupported(f"{node.category} has no input '{name}'", node.path)
+            raise UnsupportedError(f"{node.category} has no input '{name}'", node.path)
         return self.value(port, scope, wanted)
 
     def output(self, node: Node, output: str, scope: Scope) -> Expression:
@@ -218,11 +230,11 @@ class Network:
         if key in self._values:
             return self._values[key]
         if key in self._open:
-            raise Unsupported("this node depends on itself", node.path)
+            raise UnsupportedError("this node depends on itself", node.path)
         self._open.add(key)
         try:
             found = self._named(key, node, self._computed(node, output, scope))
-        except Unsupported as error:
+        except UnsupportedError as error:
             error.path = error.path or node.path
             raise
         finally:
@@ -241,14 +253,19 @@ class Network:
         from .leaves import row_of
 
         if node.definition is None:
-            raise Unsupported(f"MaterialX knows no {node.category} of these types", node.path)
+            raise UnsupportedError(f"MaterialX knows no {node.category} of these types", node.path)
+        default = self._default_without_file(node, scope)
+        if default is not None:
+            return default
         row = row_of(node)
         if row is not None:
             from .leaves.application import Application
 
             return self._decoded(row(Application(self, node, output, scope)), node, scope)
         if node.definition.graph is None:
-            raise Unsupported(f"{node.category} has no meaning for renderers of the kind of Burnish", node.path)
+            raise UnsupportedError(
+                f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
+            )
         function = self.texts.function(node.definition)
         if function is None:
             inner = self.entered(node, scope)
@@ -257,44 +274,80 @@ class Network:
         return self._application(function, node, output, scope)
 
     def _application(self, function: Function, node: Node, output: str, scope: Scope) -> Expression:
-        arguments = [self._argument(node, name, scope) for name in function.inputs]
+        given = [
+            Given(
+                argument,
+                self._argument(node, name, scope),
+                name in function.defaults and self.is_default(node, name),
+            )
+            for name, argument in function.inputs.items()
+        ]
         if function.is_closure:
             if self.asked is None:
-                raise Unsupported("a closure can only be part of a surface", node.path)
+                raise UnsupportedError("a closure can only be part of a surface", node.path)
             self.transmits = True
-            arguments.insert(0, self.asked)
-        call = Call(function.name, tuple(arguments))
+            given.insert(0, Given("asked", self.asked))
+        call = call_with(function.name, given)
         if not output:
             return self._decoded(call, node, scope)
         return self.member(call, node, function.members[output], scope)
 
     def member(self, whole: Expression, node: Node, name: str, scope: Scope) -> Expression:
-        """A member of the structure that a node with several outputs gives, which is written once."""
+        """A member of the structure that a node with several outputs
+        gives, which is written once."""
         key = (scope, node.name, "*")
         if key not in self._values:
-            self._values[key] = whole if self._counting else self.texts.part(slot_name(node.name), whole, node)
+            self._values[key] = (
+                whole if self._counting else self.texts.part(slot_name(node.name), whole, node)
+            )
         return Member(self._values[key], name)
+
+    def is_default(self, node: Node, name: str) -> bool:
+        """True if an input has the value that its definition gives it."""
+        assert node.definition is not None
+        wanted = node.definition.inputs[name]
+        port = node.inputs.get(name, wanted)
+        if port.link is not None or port.interface or wanted.geometry:
+            return False
+        return port is wanted or (
+            port.value == wanted.value and not port.unit and not port.color_space
+        )
 
     def _argument(self, node: Node, name: str, scope: Scope) -> Expression:
         assert node.definition is not None
         if node.definition.inputs[name].type != "filename":
             return self.input(node, name, scope)
         found = self.texture(node, name, scope)
-        if found is None:
-            raise Unsupported(f"the input '{name}' names no file", node.path)
+        assert found is not None, "nodes without their files have their defaults"
         return found
 
+    def _default_without_file(self, node: Node, scope: Scope) -> Expression | None:
+        """The default of a node that reads files of which none is named."""
+        assert node.definition is not None
+        inputs = node.definition.inputs
+        files = [name for name, port in inputs.items() if port.type == "filename"]
+        if not files or all(self.texture(node, name, scope) is not None for name in files):
+            return None
+        for name in ("default", "fallback"):
+            if name in inputs:
+                return self.input(node, name, scope)
+        raise UnsupportedError(f"the input '{files[0]}' names no file", node.path)
+
     def texture(self, node: Node, name: str, scope: Scope) -> Expression | None:
-        """The texture that a node's input of the type ``filename`` names; nothing if it names none."""
+        """The texture that a node's input of the type ``filename``
+        names; nothing if it names none."""
         port, place = self._file(node, name, scope)
         if port.interface:
             assert place.bound is not None
             return place.bound[port.interface]
         is_encoded = _gives_color(node) and is_srgb(self._file_space(node, name, scope))
-        return self.texts.texture(port, Sampling(*self._sampling(node, name, scope), is_encoded), node)
+        return self.texts.texture(
+            port, Sampling(*self._sampling(node, name, scope), is_encoded), node
+        )
 
     def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
-        """The input where a file is named, and its scope; in a function, the one that an argument gives."""
+        """The input where a file is named, and its scope; in a function, the one that an argument
+        gives."""
         assert node.definition is not None
         port = node.inputs.get(name) or node.definition.inputs[name]
         while port.interface and scope.bound is None:
@@ -306,7 +359,9 @@ class Network:
             elif port.interface in scope.graph.inputs:
                 port = scope.graph.inputs[port.interface]
             else:
-                raise Unsupported(f"the graph {scope.graph.path} has no input '{port.interface}'")
+                raise UnsupportedError(
+                    f"the graph {scope.graph.path} has no input '{port.interface}'"
+                )
         if port.link is not None and port.link.node:
             other = scope.graph.nodes.get(port.link.node)
             if other is not None and "value" in other.inputs:
@@ -367,7 +422,8 @@ class Network:
 
 
 class Counting:
-    """While it lasts, a network counts uses and writes nothing; afterwards it knows what it knew before."""
+    """While it lasts, a network counts uses and writes nothing; afterwards it knows what it knew
+    before."""
 
     def __init__(self, network: Network) -> None:
         self._networks = [network, *([network.outer] if network.outer is not None else [])]

@@ -47,7 +47,9 @@ class Outline:
             if found["doctype"]:
                 self._fail("documents of MaterialX have no DOCTYPE and no entities")
             elif found["wrong"]:
-                self._fail("this is no XML: an element is not closed, or an attribute has no quotes")
+                self._fail(
+                    "this is no XML: an element is not closed, or an attribute has no quotes"
+                )
             elif found["end"]:
                 self._end(found["end"])
             elif found["start"]:
@@ -60,7 +62,9 @@ class Outline:
     def _start(self, tag: str, attributes: str, is_empty: bool) -> None:
         if not self._tags and tag != "materialx":
             self._fail(f"this is no document of MaterialX: it begins with <{tag}>")
-        values = {name: unescape(one or other) for name, one, other in _ATTRIBUTE.findall(attributes)}
+        values = {
+            name: unescape(one or other) for name, one, other in _ATTRIBUTE.findall(attributes)
+        }
         self._tags.append(tag)
         self._names.append(values.get("name", "") if len(self._tags) > 1 else "")
         if len(self._tags) > DEEPEST:

@@ -29,7 +29,8 @@ class Pictures:
         self._found: dict[Path, Picture] = {}
 
     def found(self, name: str) -> Picture | None:
-        """The picture with this path in one of the folders; nothing if there is none that may be read."""
+        """The picture with this path in one of the folders; nothing if there is none that may be
+        read."""
         for folder, wanted in product(self._folders, _ends(name)):
             root = folder.resolve()
             try:
@@ -54,7 +55,8 @@ class Pictures:
 
 
 def _ends(name: str) -> Iterator[str]:
-    """The path as it stands; if it leads elsewhere, what is left of it without its first folders."""
+    """The path as it stands; if it leads elsewhere, what is left
+    of it without its first folders."""
     parts = name.replace("\\", "/").split("/")
     yield "/".join(parts)
     if ".." in parts or name.startswith("/"):

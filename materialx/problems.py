@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 
-class Unsupported(Exception):
+class UnsupportedError(Exception):
     """Something in a document that has no meaning in Burnish, or none at all.
 
     ``path`` is filled in by whoever knows the element.

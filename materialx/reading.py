@@ -9,29 +9,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from .library import library
-from .outline import DocumentError, Outline
-from .model import Document, Graph, Link, Port
 from .materials import Renderable
+from .model import Document, Graph, Link, Port
+from .outline import DocumentError, Outline
 from .records import Records
 
 LARGEST = 32 << 20
 """The most bytes of a document and of all files that it includes."""
+
+
 def read(path: Path) -> tuple[Document, list[Renderable]]:
-    """A document and what of it is drawn. Raises ``DocumentError``, and ``OSError`` if it cannot be read."""
-    import MaterialX as mx
+    """A document and what of it is drawn. Raises ``DocumentError``, and ``OSError`` if it cannot be
+    read."""
+    import MaterialX
 
     texts = _Texts(path)
-    document = mx.createDocument()
-    options = mx.XmlReadOptions()
+    document = MaterialX.createDocument()
+    options = MaterialX.XmlReadOptions()
     options.readXIncludeFunction = None
     for text in texts.texts:
-        part = document if text is texts.texts[0] else mx.createDocument()
+        part = document if text is texts.texts[0] else MaterialX.createDocument()
         try:
-            mx.readFromXmlString(part, text, mx.FileSearchPath(), options)
-        except mx.Exception as error:
+            MaterialX.readFromXmlString(part, text, MaterialX.FileSearchPath(), options)
+        except MaterialX.Exception as error:
             raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
         if part is not document:
             document.importLibrary(part)
@@ -39,7 +41,7 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
     records = Records(document, library())
     top = records.top()
     version = document.getVersionString()
-    return Document(path.name, version, top, texts.lines), list(_renderables(document, top))
+    return Document(path.name, version, top, texts.lines), list(_renderables(top))
 
 
 class _Texts:
@@ -60,7 +62,9 @@ class _Texts:
         with path.open("rb") as file:
             text = file.read(self._left + 1)
         if len(text) > self._left:
-            raise DocumentError(f"{name}:1: error: documents of more than {LARGEST >> 20} MiB are not read")
+            raise DocumentError(
+                f"{name}:1: error: documents of more than {LARGEST >> 20} MiB are not read"
+            )
         self._left -= len(text)
         outline = Outline(name, text.decode("utf-8", "replace"))
         self.lines = outline.places | self.lines
@@ -71,9 +75,13 @@ class _Texts:
         for href in outline.included:
             other = (path.parent / href).resolve()
             if not other.is_relative_to(self._root) or "://" in href:
-                raise DocumentError(f"{name}:1: error: '{href}' is included from outside of the document's folder")
+                raise DocumentError(
+                    f"{name}:1: error: '{href}' is included from outside of the document's folder"
+                )
             if not other.is_file():
-                raise DocumentError(f"{name}:1: error: there is no file '{href}', which is included")
+                raise DocumentError(
+                    f"{name}:1: error: there is no file '{href}', which is included"
+                )
             self._read(other, str(other.relative_to(self._root)))
 
 
@@ -81,16 +89,31 @@ def _sentence(text: str) -> str:
     return text[:1].lower() + text[1:].rstrip(". ")
 
 
-def _renderables(document: Any, top: Graph) -> Iterator[Renderable]:
-    """Materials, or else surfaces, or else outputs of graphs: as MaterialX's own viewers choose them."""
+def _renderables(top: Graph) -> Iterator[Renderable]:
+    """Materials, or else surfaces, or else outputs of graphs: as MaterialX's own viewers choose
+    them."""
     materials = [node for node in top.nodes.values() if node.type == "material"]
     surfaces = [node for node in top.nodes.values() if node.type == "surfaceshader"]
-    used = {port.link.node for node in top.nodes.values() for port in node.inputs.values() if port.link}
+    used = {
+        port.link.node for node in top.nodes.values() for port in node.inputs.values() if port.link
+    }
     for node in materials:
-        yield Renderable(node.path, node.name, Port("out", "material", link=Link(node.name)), top, node.hints.get("doc", ""))
+        yield Renderable(
+            node.path,
+            node.name,
+            Port("out", "material", link=Link(node.name)),
+            top,
+            node.hints.get("doc", ""),
+        )
     for node in surfaces:
         if node.name not in used:
-            yield Renderable(node.path, node.name, Port("out", "surfaceshader", link=Link(node.name)), top, node.hints.get("doc", ""))
+            yield Renderable(
+                node.path,
+                node.name,
+                Port("out", "surfaceshader", link=Link(node.name)),
+                top,
+                node.hints.get("doc", ""),
+            )
     yield from _outputs(top)
 
 
@@ -107,8 +130,14 @@ def _outputs(top: Graph) -> Iterator[Renderable]:
     for graph in top.graphs.values():
         only = len(graph.outputs) == 1
         for port in graph.outputs.values():
-            if (graph.name, port.name) in read or only and (graph.name, "") in read:
+            if (graph.name, port.name) in read or (only and (graph.name, "") in read):
                 continue
             name = graph.name if only else f"{graph.name}_{port.name}"
             link = Link("", graph.name, port.name)
-            yield Renderable(f"{graph.path}/{port.name}", name, Port("out", port.type, link=link), top, graph.hints.get("doc", ""))
+            yield Renderable(
+                f"{graph.path}/{port.name}",
+                name,
+                Port("out", port.type, link=link),
+                top,
+                graph.hints.get("doc", ""),
+            )

@@ -13,7 +13,15 @@ TARGET = "genglsl"
 _HINTS = (
     "doc", "uiname", "uifolder", "uimin", "uimax", "uisoftmin", "uisoftmax", "enum", "enumvalues",
 )  # fmt: skip
-_OWN_TYPES = ("nodedef", "implementation", "typedef", "unitdef", "unittypedef", "geompropdef", "targetdef")
+_OWN_TYPES = (
+    "nodedef",
+    "implementation",
+    "typedef",
+    "unitdef",
+    "unittypedef",
+    "geompropdef",
+    "targetdef",
+)
 
 
 class Records:
@@ -53,7 +61,11 @@ class Records:
     def _groups(self) -> list[Any]:
         """The graphs of the document that only group nodes, and are not what a definition means."""
         children = self._document.getChildren()
-        meanings = {child.getAttribute("nodegraph") for child in children if child.getCategory() == "implementation"}
+        meanings = {
+            child.getAttribute("nodegraph")
+            for child in children
+            if child.getCategory() == "implementation"
+        }
         graphs = [child for child in children if child.isA(_graph_class())]
         return [
             graph for graph in graphs
@@ -96,9 +108,9 @@ class Records:
 
 
 def _graph_class() -> Any:
-    import MaterialX as mx
+    import MaterialX
 
-    return mx.NodeGraph
+    return MaterialX.NodeGraph
 
 
 def _port(element: Any) -> Port:

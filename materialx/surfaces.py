@@ -13,7 +13,7 @@ from .members import Members
 from .model import Node, Port
 from .names import slot_name
 from .networks import Network, Scope
-from .problems import Unsupported
+from .problems import UnsupportedError
 from .texts import Equation, equations
 
 _ASKED = Name("asked")
@@ -26,10 +26,13 @@ class Shown(NamedTuple):
     alpha: Expression | None = None
 
 
-def root(network: Network, port: Port, scope: Scope, enter: bool = True) -> tuple[Node, Scope] | None:
+def root(
+    network: Network, port: Port, scope: Scope, enter: bool = True
+) -> tuple[Node, Scope] | None:
     """The node that a surface comes from; graphs on the way are entered.
 
-    With ``enter`` false, a node that stands for a graph is not entered. Nothing if the input is not connected.
+    With ``enter`` false, a node that stands for a graph is not entered. Nothing if the input is not
+    connected.
     """
     while True:
         if port.interface:
@@ -44,15 +47,16 @@ def root(network: Network, port: Port, scope: Scope, enter: bool = True) -> tupl
                 return None
             port, scope = found, scope.outer
             continue
-        if port.link is None:
+        link = port.link
+        if link is None:
             return None
-        if port.link.graph:
-            scope = network.group(port.link.graph, scope)
-            port = scope.graph.outputs.get(port.link.output) or next(iter(scope.graph.outputs.values()))
+        if link.graph:
+            scope = network.group(link.graph, scope)
+            port = scope.graph.outputs.get(link.output) or next(iter(scope.graph.outputs.values()))
             continue
-        node = scope.graph.nodes.get(port.link.node)
+        node = scope.graph.nodes.get(link.node)
         if node is None:
-            raise Unsupported(f"there is no node '{port.link.node}'")
+            raise UnsupportedError(f"there is no node '{link.node}'")
         if not enter or node.definition is None or node.definition.graph is None:
             return node, scope
         scope = network.entered(node, scope)
@@ -81,7 +85,7 @@ def shown(members: Members, network: Network, node: Node, scope: Scope, name: st
     """The colour and coverage of a surface; its closures become terms that begin with ``name``."""
     rows = {"surface": _closures, "surface_unlit": _unlit, "mix": _mixed}
     if node.category not in rows:
-        raise Unsupported(f"{node.category} is no surface that Burnish draws", node.path)
+        raise UnsupportedError(f"{node.category} is no surface that Burnish draws", node.path)
     return rows[node.category](members, network, node, scope, name)
 
 
@@ -109,7 +113,9 @@ def _is_connected(node: Node, name: str) -> bool:
     return port is not None and (port.link is not None or bool(port.interface))
 
 
-def _lit(members: Members, network: Network, node: Node, scope: Scope, name: str) -> list[Expression]:
+def _lit(
+    members: Members, network: Network, node: Node, scope: Scope, name: str
+) -> list[Expression]:
     """The terms of closures, and their sum over all questions."""
     file = members.file
     term = file.names.fresh(name)
@@ -121,7 +127,10 @@ def _lit(members: Members, network: Network, node: Node, scope: Scope, name: str
     parts = closures.texts
     assert isinstance(parts, _Parts)
     head = f"term {term}(asked: Asked) ="
-    lines = ["/// What the surface scatters, by what is asked.", f"{head} {laid_out(value, len(head) + 1, 0)}"]
+    lines = [
+        "/// What the surface scatters, by what is asked.",
+        f"{head} {laid_out(value, len(head) + 1, 0)}",
+    ]
     if parts.rows:
         lines += ["where {", *equations(parts.rows), "}"]
     file.declarations.append("\n".join(lines))
@@ -129,12 +138,15 @@ def _lit(members: Members, network: Network, node: Node, scope: Scope, name: str
     by_light = file.imported("std.mtlx.asking", "by_light")
     file.declarations.append(
         f"/// The light of the rig that it scatters.\n"
-        f"term {lit}() per light = pi * light.diffuse * {term}({by_light}(light.to_light, to_eye)).response"
+        f"term {lit}() per light = "
+        f"pi * light.diffuse * {term}({by_light}(light.to_light, to_eye)).response"
     )
     questions = ["from_everywhere", *(["passing"] if closures.transmits else [])]
     sums: list[Expression] = [Call(lit, ())]
     for question in questions:
-        asked = Call(file.imported("std.mtlx.asking", question), (Name("to_eye"), Name("ambient_light")))
+        asked = Call(
+            file.imported("std.mtlx.asking", question), (Name("to_eye"), Name("ambient_light"))
+        )
         sums.append(Member(Call(term, (asked,)), "response"))
     return sums
 
@@ -160,7 +172,7 @@ class _Parts:
         return found
 
 
-def _unlit(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
+def _unlit(_members: Members, network: Network, node: Node, scope: Scope, _name: str) -> Shown:
     emission, color, opacity, passing, tint = (
         network.input(node, word, scope)
         for word in ("emission", "emission_color", "opacity", "transmission", "transmission_color")
@@ -170,7 +182,10 @@ def _unlit(members: Members, network: Network, node: Node, scope: Scope, name: s
         shown = binary("*", opacity, shown)
     alpha: Expression | None = None if opacity == Number(1.0) else opacity
     if passing != Number(0.0):
-        through = Call("dot", (binary("*", passing, tint), Call("vec3", (Binary("/", Name("1.0"), Number(3.0)),))))
+        through = Call(
+            "dot",
+            (binary("*", passing, tint), Call("vec3", (Binary("/", Name("1.0"), Number(3.0)),))),
+        )
         alpha = binary("*", opacity, Binary("-", Number(1.0), through))
     return Shown(shown, alpha)
 
@@ -196,4 +211,3 @@ def _mixed(members: Members, network: Network, node: Node, scope: Scope, name: s
 
 def _or(value: Expression | None, other: Expression) -> Expression:
     return other if value is None else value
-

@@ -1,4 +1,5 @@
-"""Files of Burnish that are being written: imports, declarations, and what expressions ask of them."""
+"""Files of Burnish that are being written: imports,
+declarations, and what expressions ask of them."""
 
 from __future__ import annotations
 
@@ -17,7 +18,8 @@ _WIDE = 16
 
 @dataclass
 class File:
-    """A file that is being written. ``path`` is where it lies in the folder, such as ``materialx/layer``."""
+    """A file that is being written. ``path`` is where it lies in the folder, such as
+    ``materialx/layer``."""
 
     path: str
     imports: dict[str, set[str]] = field(default_factory=dict)
@@ -52,7 +54,9 @@ class File:
         if self.heading:
             parts.append(self.heading)
         if self.imports:
-            parts.append("\n".join(_import(module, names) for module, names in sorted(self.imports.items())))
+            parts.append(
+                "\n".join(_import(module, names) for module, names in sorted(self.imports.items()))
+            )
         return "\n\n".join(parts + self.declarations) + "\n"
 
 
@@ -83,14 +87,19 @@ class Equation:
 
 
 def equations(rows: list[Equation], indent: int = 1) -> list[str]:
-    """The lines of equations, with their signs aligned as far as their names are of alike length."""
+    """The lines of equations, with their signs aligned as far as
+    their names are of alike length."""
     heads = [f"{row.prefix}{row.name}" for row in rows]
     shortest = min(map(len, heads), default=0)
     width = max((len(head) for head in heads if len(head) <= shortest + _WIDE), default=0)
     space = "    " * indent
     lines = []
     for head, row in zip(heads, rows, strict=True):
-        line = f"{space}{head:{width}} : {row.type}{row.suffix}" if row.type else f"{space}{head:{width}}"
+        line = (
+            f"{space}{head:{width}} : {row.type}{row.suffix}"
+            if row.type
+            else f"{space}{head:{width}}"
+        )
         if row.value is not None:
             line += " = "
             line += laid_out(row.value, len(line), indent)
@@ -110,7 +119,9 @@ def _documented(line: str, doc: str, space: str, column: int) -> str:
     if _fits(line, doc):
         at = column + 4 if column + 8 + len(doc) <= _WIDTH else len(line) + 4
         return f"{line:{at}}/// {doc}"
-    return "\n".join([*(f"{space}/// {part}" for part in wrapped(doc, _WIDTH - len(space) - 4)), line])
+    return "\n".join(
+        [*(f"{space}/// {part}" for part in wrapped(doc, _WIDTH - len(space) - 4)), line]
+    )
 
 
 def wrapped(text: str, width: int) -> list[str]:
@@ -123,4 +134,3 @@ def wrapped(text: str, width: int) -> list[str]:
 def one_line(text: str) -> str:
     """A text from a document as part of a comment: one line, and nothing that ends it."""
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())
-

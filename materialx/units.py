@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .model import Port
-from .problems import Unsupported
+from .problems import UnsupportedError
 from .values import numbers_of
 
 _UNITS = {
@@ -12,7 +12,10 @@ _UNITS = {
         "foot": 0.3048, "yard": 0.9144, "meter": 1.0, "kilometer": 1000.0, "mile": 1609.344,
     },
     "angle": {"degree": 1.0, "radian": 180 / 3.141592653589793},
-    "time": {"second": 1.0, "millisecond": 0.001, "microsecond": 1e-6, "minute": 60.0, "hour": 3600.0, "day": 86400.0},
+    "time": {
+        "second": 1.0, "millisecond": 0.001, "microsecond": 1e-6, "minute": 60.0, "hour": 3600.0,
+        "day": 86400.0,
+    },
 }  # fmt: skip
 """How many of the unit that shaders get each unit is: metres, degrees and seconds."""
 
@@ -29,7 +32,7 @@ def converted(port: Port) -> str:
             if factor == 1.0:
                 return port.value
             return ", ".join(repr(float(f"{number * factor:.7g}")) for number in _numbers(port))
-    raise Unsupported(f"there is no unit '{port.unit}'")
+    raise UnsupportedError(f"there is no unit '{port.unit}'")
 
 
 def _numbers(port: Port) -> list[float]:
@@ -37,4 +40,4 @@ def _numbers(port: Port) -> list[float]:
     try:
         return numbers_of(port.value)
     except ValueError:
-        raise Unsupported(f"'{port.value}' is no value of the type {port.type}") from None
+        raise UnsupportedError(f"'{port.value}' is no value of the type {port.type}") from None

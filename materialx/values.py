@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from math import isfinite
 from types import MappingProxyType
 
 from .expressions import Call, Expression, Name, Number, Unary, decimal, number, scalar
-from .problems import Unsupported
+from .problems import UnsupportedError
 
 TYPES = MappingProxyType({
     "float": "float",
@@ -26,10 +27,13 @@ TYPES = MappingProxyType({
 """The types that values have. Colours are colours; all other vectors are bare numbers."""
 
 BARE = MappingProxyType({**TYPES, "color3": "vec3", "color4": "vec4", "EDF": "vec3"})
-"""The same without meanings: what arguments of functions are, so that they take colours and vectors."""
+"""The same without meanings: what arguments of functions are, so that they take colours and
+vectors."""
 
 CLOSURES = frozenset(("BSDF", "EDF", "VDF"))
-LANES = MappingProxyType({"float": 1, "vector2": 2, "color3": 3, "vector3": 3, "color4": 4, "vector4": 4})
+LANES = MappingProxyType(
+    {"float": 1, "vector2": 2, "color3": 3, "vector3": 3, "color4": 4, "vector4": 4}
+)
 _SIDES = MappingProxyType({"matrix33": 3, "matrix44": 4})
 _ZEROS = MappingProxyType({"integer": "0", "boolean": "false"})
 
@@ -46,7 +50,8 @@ def zero(kind: str) -> Expression:
 def literal(text: str, kind: str) -> Expression:
     """The constant that ``text`` means to MaterialX.
 
-    One number stands for all lanes. Raises ``Unsupported`` if the text is no value of its type.
+    One number stands for all lanes. Raises ``UnsupportedError`` if the text is no value of its
+    type.
     """
     text = text.strip()
     try:
@@ -57,7 +62,7 @@ def literal(text: str, kind: str) -> Expression:
         numbers = numbers_of(text)
         return _vector(numbers, kind)
     except (ValueError, KeyError):
-        raise Unsupported(f"'{text}' is no value of the type {kind}") from None
+        raise UnsupportedError(f"'{text}' is no value of the type {kind}") from None
 
 
 def numbers_of(text: str) -> list[float]:
@@ -70,7 +75,7 @@ def _whole(value: int) -> Expression:
 
 
 def _vector(numbers: list[float], kind: str) -> Expression:
-    if any(number != number or number in (float("inf"), float("-inf")) for number in numbers):
+    if not all(map(isfinite, numbers)):
         raise ValueError
     if kind in _SIDES:
         return _matrix(numbers, _SIDES[kind], BARE[kind])
@@ -88,7 +93,8 @@ def _vector(numbers: list[float], kind: str) -> Expression:
 
 
 def _matrix(numbers: list[float], side: int, name: str) -> Expression:
-    """A matrix; MaterialX writes the columns that its generators give to shaders one after the other."""
+    """A matrix; MaterialX writes the columns that its generators give to shaders one after the
+    other."""
     if len(numbers) != side * side:
         raise ValueError
     if numbers == [float(row == column) for row in range(side) for column in range(side)]:

@@ -9,7 +9,12 @@ from . import arithmetic, catalogue, channels, closures, geometry, procedural, t
 from .application import Row
 
 ROWS = MappingProxyType(
-    arithmetic.ROWS | channels.ROWS | geometry.ROWS | textures.ROWS | procedural.ROWS | closures.ROWS
+    arithmetic.ROWS
+    | channels.ROWS
+    | geometry.ROWS
+    | textures.ROWS
+    | procedural.ROWS
+    | closures.ROWS
 )
 
 

@@ -74,16 +74,6 @@ def function(name: str, *inputs: str) -> Row:
     return lambda node: Call(node.library(name), node.inputs(*inputs))
 
 
-def with_lanes(name: str, *inputs: str) -> Row:
-    """The same for functions that have a name of their own for each number of lanes of the result."""
-
-    def row(node: Application) -> Expression:
-        suffix = SUFFIXES[node.type]
-        return Call(node.library(name + suffix), node.inputs(*inputs))
-
-    return row
-
-
 SUFFIXES = {
     "float": "",
     "vector2": "_vec2",

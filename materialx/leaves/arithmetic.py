@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from ..expressions import Binary, Call, Choice, Expression, Name, Number, Unary, binary, flat, splat
 from ..values import LANES, as_float
-from .application import Application, Row, builtin, function
-
+from .application import Application, Row, builtin
 
 _NEUTRAL = {"+": 0.0, "-": 0.0, "*": 1.0, "/": 1.0}
 """What leaves the other operand as it is; on the left only where operands may be exchanged."""
@@ -100,7 +99,11 @@ def _compared(operator: str, left: Expression, right: Expression) -> Expression:
 
 def _whole(expression: Expression) -> int | None:
     text = flat(expression)
-    return int(text) if text.removeprefix("-").isdigit() and not isinstance(expression, Number) else None
+    return (
+        int(text)
+        if text.removeprefix("-").isdigit() and not isinstance(expression, Number)
+        else None
+    )
 
 
 def _equal_truths(left: Expression, right: Expression) -> Expression:
@@ -189,8 +192,6 @@ ROWS: dict[str, Row] = {
     "determinant": builtin("determinant", "in"),
     "invertmatrix": builtin("inverse", "in"),
     "transformmatrix": _transform_by_matrix,
-    "rotate2d": function("rotate2d", "in", "amount"),
-    "rotate3d": function("rotate3d", "in", "amount", "axis"),
     "ifgreater": _comparison(">"),
     "ifgreatereq": _comparison(">="),
     "ifequal": _comparison("=="),

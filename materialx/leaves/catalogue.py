@@ -10,24 +10,23 @@ from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
 
-from ...compiler.diagnostics.diagnostic import Report
 from ...compiler.library import FOLDER
-from ...compiler.library_trees import parse_library
 from ...compiler.syntax import ast
-from ...compiler.syntax.load import load_source
-from ..expressions import Call, Expression, Name
+from ..expressions import Expression, Given, Name, call_with
+from ..library_files import declarations
 from ..names import slot_name
-from ..problems import Unsupported
+from ..problems import UnsupportedError
 from .application import SUFFIXES, Application
 
 PACKAGE = "mtlx"
-_SPELLED = MappingProxyType({"in": ("value", "x", "color"), "mix": ("amount",)})
+_SPELLED = MappingProxyType({"in": ("value", "x", "color", "height"), "mix": ("amount",)})
 """Inputs whose names are words of Burnish, and the names that arguments have in place of them."""
 _WORDS = MappingProxyType({
     "scatter_mode": ("R", "T", "RT"),
     "mode": ("conty_kulla", "zeltner"),
 })  # fmt: skip
-"""Inputs that are words, in the order of the numbers that functions of ``std.mtlx`` take for them."""
+"""Inputs that are words, in the order of the numbers that functions of ``std.mtlx`` take for them.
+"""
 
 
 _OF_SURFACE = MappingProxyType({
@@ -43,6 +42,8 @@ class Leaf(NamedTuple):
 
     module: str
     arguments: tuple[str, ...]
+    defaults: frozenset[str] = frozenset()
+    """The arguments that may be left out."""
 
 
 @cache
@@ -50,17 +51,22 @@ def catalogue() -> MappingProxyType[str, Leaf]:
     """All functions and terms of ``std.mtlx`` by their names; of overloads, the longest."""
     found: dict[str, Leaf] = {}
     for path in sorted((FOLDER / PACKAGE).glob("*.burnish")):
-        for declaration in parse_library(load_source(path, Report()), Report()).declarations:
-            if isinstance(declaration, ast.Import):
-                continue
-            arguments: tuple[str, ...] = ()
+        for declaration in declarations(f"{PACKAGE}/{path.name}"):
+            leaf = Leaf(f"std.{PACKAGE}.{path.stem}", ())
             if isinstance(declaration, ast.Function):
-                arguments = tuple(argument.name.text for argument in declaration.arguments)
-            leaf = Leaf(f"std.{PACKAGE}.{path.stem}", arguments)
+                leaf = _leaf(leaf.module, declaration)
             known = found.get(declaration.name.text)
-            if known is None or len(known.arguments) < len(arguments):
+            if known is None or len(known.arguments) < len(leaf.arguments):
                 found[declaration.name.text] = leaf
     return MappingProxyType(found)
+
+
+def _leaf(module: str, declaration: ast.Function) -> Leaf:
+    arguments = declaration.arguments
+    defaults = frozenset(
+        argument.name.text for argument in arguments if argument.default is not None
+    )
+    return Leaf(module, tuple(argument.name.text for argument in arguments), defaults)
 
 
 def module_of(name: str) -> str:
@@ -80,17 +86,29 @@ def application(node: Application) -> Expression:
     """A node as a call of its function, with its inputs by their names."""
     name = leaf_named(node.node.category, node.type)
     leaf = catalogue()[name]
-    arguments = tuple(_argument(node, argument) for argument in leaf.arguments)
-    call = Call(node.texts.library(name), arguments)
+    given = [
+        Given(
+            argument,
+            _argument(node, argument),
+            argument in leaf.defaults and _is_default(node, argument),
+        )
+        for argument in leaf.arguments
+    ]
+    call = call_with(node.texts.library(name), given)
     if not node.output:
         return call
     return node.network.member(call, node.node, slot_name(node.output), node.scope)
 
 
+def _is_default(node: Application, argument: str) -> bool:
+    name = _input_of(node, argument)
+    return bool(name) and node.network.is_default(node.node, name)
+
+
 def _argument(node: Application, argument: str) -> Expression:
     if argument == "asked":
         if node.network.asked is None:
-            raise Unsupported("a closure can only be part of a surface")
+            raise UnsupportedError("a closure can only be part of a surface")
         return node.network.asked
     name = _input_of(node, argument)
     if not name:
@@ -99,7 +117,8 @@ def _argument(node: Application, argument: str) -> Expression:
         return _word(node, name)
     if node.input_type(name) == "filename":
         texture = node.texture(name)
-        return texture if texture is not None else Name("nothing")
+        assert texture is not None, "nodes without their files have their defaults"
+        return texture
     return node.input(name)
 
 
@@ -109,6 +128,9 @@ def _input_of(node: Application, argument: str) -> str:
     inputs = node.node.definition.inputs
     if argument in inputs:
         return argument
+    for name in inputs:
+        if slot_name(name) == argument:
+            return name
     for name, others in _SPELLED.items():
         if argument in others and name in inputs:
             return name
@@ -121,7 +143,7 @@ def _word(node: Application, name: str) -> Expression:
     words = _WORDS[name]
     word = node.static(name) or words[0]
     if word not in words:
-        raise Unsupported(f"'{word}' is none of {', '.join(words)}")
+        raise UnsupportedError(f"'{word}' is none of {', '.join(words)}")
     if name == "scatter_mode" and word != words[0]:
         node.network.transmits = True
     return Name(str(words.index(word)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..expressions import Call, Expression, Member, Name, Number, flat, is_literal
-from ..problems import Unsupported
+from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
 from .application import Application, Row
 
@@ -32,7 +32,7 @@ def _extract(node: Application) -> Expression:
     if kind.startswith("matrix"):
         return Member(value, str(place))
     if place >= LANES[kind]:
-        raise Unsupported(f"the index {place} is outside of a {kind}")
+        raise UnsupportedError(f"the index {place} is outside of a {kind}")
     return _lane(value, place)
 
 
@@ -44,7 +44,11 @@ def _separated(node: Application) -> Expression:
 
 def _combined(node: Application) -> Expression:
     parts = [node.input(f"in{place + 1}") for place in range(_count(node))]
-    lanes = [part for place, part in enumerate(parts) for part in _apart(part, node.input_type(f"in{place + 1}"))]
+    lanes = [
+        part
+        for place, part in enumerate(parts)
+        for part in _apart(part, node.input_type(f"in{place + 1}"))
+    ]
     return Call(BARE[node.type], tuple(_joined(lanes)))
 
 
@@ -115,7 +119,11 @@ def _spread(value: Expression, result: str) -> Expression:
 def _resized(value: Expression, kind: str, result: str) -> Expression:
     have, want = LANES[kind], LANES[result]
     if have == want:
-        return value if isinstance(value, Call) and value.name == BARE[result] else Call(BARE[result], (value,))
+        return (
+            value
+            if isinstance(value, Call) and value.name == BARE[result]
+            else Call(BARE[result], (value,))
+        )
     if have > want:
         lanes = _LANE_NAMES[:want]
         return Member(value, lanes)
@@ -132,8 +140,6 @@ def _matrix(node: Application) -> Expression:
             column = Call("vec4", (column, Number(float(place == side - 1))))
         columns.append(column)
     return Call(TYPES[node.type], tuple(columns))
-
-
 
 
 ROWS: dict[str, Row] = {

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from ..expressions import Call, Expression, Name
-from ..problems import Unsupported
+from ..problems import UnsupportedError
 from ..values import CLOSURES
 from .application import Application, Row
 from .arithmetic import ROWS as ARITHMETIC
 
 
 def _by_type(name: str, *inputs: str) -> Row:
-    """A row for closures of light that is scattered; what is sent out adds up as other colours do."""
+    """A row for closures of light that is scattered; what is sent
+    out adds up as other colours do."""
     other = ARITHMETIC[{"added": "add", "scaled": "multiply", "mixed": "mix"}[name]]
 
     def row(node: Application) -> Expression:
@@ -28,7 +29,7 @@ def _layer(node: Application) -> Expression:
 
 def _volume(node: Application) -> Expression:
     if node.network.asked is None:
-        raise Unsupported("a volume can only be part of a surface")
+        raise UnsupportedError("a volume can only be part of a surface")
     return Call(node.library("absorbing_volume"), (node.network.asked, node.input("absorption")))
 
 
@@ -39,8 +40,6 @@ def nothing(node: Application) -> Expression:
 
 def _uniform(node: Application) -> Expression:
     return node.input("color")
-
-
 
 
 ROWS: dict[str, Row] = {

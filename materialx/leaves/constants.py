@@ -6,14 +6,24 @@ from typing import TYPE_CHECKING
 
 from ..expressions import Call, Expression
 from ..model import Port
-from ..problems import Unsupported
+from ..problems import UnsupportedError
 from ..units import converted
 from ..values import literal
 
 if TYPE_CHECKING:
     from ..networks import Texts
 
-LINEAR = ("", "lin_rec709", "none", "raw", "data", "utility - raw", "scene_linear", "lin_srgb", "lin_rec709_scene")
+LINEAR = (
+    "",
+    "lin_rec709",
+    "none",
+    "raw",
+    "data",
+    "utility - raw",
+    "scene_linear",
+    "lin_srgb",
+    "lin_rec709_scene",
+)
 """Names of colour spaces whose numbers stay as they are."""
 FROM = {
     "srgb_texture": "from_srgb_texture",
@@ -39,7 +49,7 @@ def constant(texts: Texts, port: Port, kind: str) -> Expression:
     """The value that stands at an input, as linear light of Rec. 709 if it is a colour."""
     assert port.value is not None
     if port.value == "" and kind not in ("string", "filename"):
-        raise Unsupported("the input has neither a value nor a connection")
+        raise UnsupportedError("the input has neither a value nor a connection")
     value = literal(converted(port), kind)
     return decoded(texts, value, port.color_space) if kind.startswith("color") else value
 
@@ -49,5 +59,5 @@ def decoded(texts: Texts, value: Expression, space: str) -> Expression:
     if space.lower() in LINEAR:
         return value
     if space.lower() not in FROM:
-        raise Unsupported(f"there is no colour space '{space}'")
+        raise UnsupportedError(f"there is no colour space '{space}'")
     return Call(texts.library(FROM[space.lower()]), (value,))

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from ..expressions import Binary, Call, Expression, Member, Name, Number
 from ..names import slot_name
-from ..problems import Unsupported
+from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
-from .application import Application, Row, function
+from .application import Application, Row
 
 if TYPE_CHECKING:
     from ..networks import Texts
@@ -31,7 +31,7 @@ _PROPERTIES = {
 def property_named(texts: Texts, name: str) -> Expression:
     """The value of an unconnected input with a geometric default."""
     if name not in _PROPERTIES:
-        raise Unsupported(f"there is no geometric property '{name}'")
+        raise UnsupportedError(f"there is no geometric property '{name}'")
     return texts.surface(_PROPERTIES[name])
 
 
@@ -43,9 +43,9 @@ def _in_space(letter: str) -> Row:
         # MaterialX's generators know model space as that of the object.
         space = {"model": "object"}.get(space, space)
         if space not in ("object", "world"):
-            raise Unsupported(f"there is no space '{space}'")
+            raise UnsupportedError(f"there is no space '{space}'")
         if node.has("index") and _index(node):
-            raise Unsupported("only the first tangents of a mesh are read")
+            raise UnsupportedError("only the first tangents of a mesh are read")
         return node.texts.surface(f"{names[letter]}_{space}")
 
     return row
@@ -54,20 +54,24 @@ def _in_space(letter: str) -> Row:
 def _index(node: Application) -> int:
     index = node.input("index")
     if not isinstance(index, Name) or not index.text.isdigit():
-        raise Unsupported("the index of a set has to be a number")
+        raise UnsupportedError("the index of a set has to be a number")
     return int(index.text)
 
 
 def _view_direction(node: Application) -> Expression:
     space = node.static("space") or "world"
     if space not in ("world", "object", "model"):
-        raise Unsupported(f"there is no space '{space}'")
+        raise UnsupportedError(f"there is no space '{space}'")
     return node.texts.surface("view_world" if space == "world" else "view_object")
 
 
 def _coordinates(node: Application) -> Expression:
     index = _index(node)
-    name = "st" if index == 0 else node.texts.attribute(f"st{index + 1}", "vec2", "Texture coordinates, v upwards")
+    name = (
+        "st"
+        if index == 0
+        else node.texts.attribute(f"st{index + 1}", "vec2", "Texture coordinates, v upwards")
+    )
     found = node.texts.surface(name) if index == 0 else Name(name)
     return Call("vec3", (found, Number(0.0))) if LANES[node.type] == 3 else found
 
@@ -83,19 +87,19 @@ def _vertex_color(node: Application) -> Expression:
 def _property(node: Application) -> Expression:
     name = node.static("geomprop")
     if not name:
-        raise Unsupported("a geometric property has to have a name")
+        raise UnsupportedError("a geometric property has to have a name")
     if name in _PROPERTIES and BARE[node.type] in ("vec2", "vec3"):
         return node.texts.surface(_PROPERTIES[name])
     if node.type not in LANES and node.type not in ("integer", "boolean"):
-        raise Unsupported(f"a property of the type {node.type} cannot be read from a mesh")
+        raise UnsupportedError(f"a property of the type {node.type} cannot be read from a mesh")
     kind = {"boolean": "int"}.get(TYPES[node.type], TYPES[node.type])
     kind = BARE.get(node.type, kind) if node.type != "boolean" else "int"
     found = Name(node.texts.attribute(slot_name(name), kind, f"`{name}` of the mesh"))
     return Binary("!=", found, Name("0")) if node.type == "boolean" else found
 
 
-def _of_file(node: Application) -> Expression:
-    raise Unsupported("texts of the mesh are known to no shader")
+def _of_file(_node: Application) -> Expression:
+    raise UnsupportedError("texts of the mesh are known to no shader")
 
 
 def _time(node: Application) -> Expression:
@@ -109,11 +113,14 @@ def _frame(node: Application) -> Expression:
 def _transformed(kind: str) -> Row:
     def row(node: Application) -> Expression:
         value = node.input("in")
-        spaces = [{"model": "object"}.get(space, space) for space in (node.static("fromspace"), node.static("tospace"))]
+        spaces = [
+            {"model": "object"}.get(space, space)
+            for space in (node.static("fromspace"), node.static("tospace"))
+        ]
         if spaces[0] == spaces[1]:
             return Call("normalize", (value,)) if kind == "normal" else value
         if sorted(spaces) != ["object", "world"]:
-            raise Unsupported(f"there is no way from the space '{spaces[0]}' to '{spaces[1]}'")
+            raise UnsupportedError(f"there is no way from the space '{spaces[0]}' to '{spaces[1]}'")
         name = node.library(f"{kind}_to_{spaces[1]}")
         return Call(name, (value,))
 
@@ -135,6 +142,4 @@ ROWS: dict[str, Row] = {
     "transformpoint": _transformed("point"),
     "transformvector": _transformed("vector"),
     "transformnormal": _transformed("normal"),
-    "normalmap": function("normalmap", "in", "scale", "normal", "tangent", "bitangent"),
-    "heighttonormal": function("heighttonormal", "in", "scale", "texcoord"),
 }
