@@ -309,3 +309,42 @@ def test_questions() -> None:
             expression = f"vec3({call}.{part}) + 0 * (l + e + c)"
             lanes += list(called(IMPORTS, expression, 3, e=eye, l=light, c=colors)[0])
         assert lanes == pytest.approx(wanted)
+
+
+WHITE, ALL_LIGHT, UP = (
+    "rgb(1, 1, 1)",
+    "from_everywhere(normalize(e), rgb(1, 1, 1))",
+    "vec3(0, 0, 1)",
+)
+GREY = "rgb(0.3, 0.3, 0.3)"
+
+
+@truth(*of("closures", "dielectric_bsdf generalized_schlick_bsdf sheen_bsdf"))
+@pytest.mark.parametrize(
+    "closure",
+    [
+        f"dielectric_bsdf({ALL_LIGHT}, w, {WHITE}, 1.5, vec2(a), false, 0, 1, {UP}, {UP}, 0)",
+        f"generalized_schlick_bsdf({ALL_LIGHT}, w, {GREY}, {WHITE}, {WHITE}, 5, vec2(a), false, 0, "
+        f"1, {UP}, {UP}, 0)",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 0)",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 1)",
+    ],
+)
+def test_all_light_is_sent_or_reaches_what_lies_below(closure: str) -> None:
+    chance = np.random.default_rng(3).uniform(0.02, 1, (64, 5))
+    found = called(
+        IMPORTS, f"vec3({closure}.response + {closure}.throughput)", 3,
+        e=chance[:, :3] - [0.5, 0.5, 0], w=chance[:, 3], a=chance[:, 4],
+    )  # fmt: skip
+    assert found == pytest.approx(np.ones((64, 3)))
+
+
+@truth(*of("matt", "compensated_even compensated_share"))
+def test_white_plaster_sends_all_light() -> None:
+    chance = np.random.default_rng(4).uniform(0.02, 1, (64, 4))
+    response = f"oren_nayar_diffuse_bsdf({ALL_LIGHT}, 1, {WHITE}, a, {UP}, true).response"
+    found = called(
+        IMPORTS, f"vec3({response})", 3,
+        e=chance[:, :3] - [0.5, 0.5, 0], a=chance[:, 3],
+    )  # fmt: skip
+    assert found == pytest.approx(np.ones((64, 3)))
