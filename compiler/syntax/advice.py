@@ -70,15 +70,17 @@ class Advice(TokenView):
 
         What cannot be read starts at ``start``, and the declaration around it at ``begin``.
         """
+        # Within parentheses `=` does not make an equation of a name, but an argument.
+        outer = expected - {"="} if ")" in expected else expected
         ways: tuple[Callable[[], Hint], ...] = (
             lambda: self._of_body(index, begin),
             lambda: self._expressions.of_decimals(index),
             lambda: self._expressions.of_array(index),
             lambda: self._of_marks(index, expected),
             lambda: self._of_header(index, expected),
-            lambda: self._equations.of_type(index, expected, start, begin),
-            lambda: self._of_typed(index, expected, start, begin),
-            lambda: self._of_name(index, expected, start, start == begin),
+            lambda: self._equations.of_type(index, outer, start, begin),
+            lambda: self._of_typed(index, outer, start, begin),
+            lambda: self._of_name(index, outer, start, start == begin),
             lambda: self._expressions.at(index, expected, self.text(start)),
             lambda: MEMBERS[word].form if (word := self.text(start)) in MEMBERS else "",
             lambda: self._of_declaration(start, begin),

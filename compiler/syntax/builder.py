@@ -20,6 +20,7 @@ from .tokens import Docs, Token
 _EDITION = 1
 
 Replacement = tuple[Name, Expression]
+NamedArgument = tuple[Name, Expression]
 Count = tuple[Expression | None, ast.LightNumber]
 Range = tuple[Expression, Expression]
 Path = tuple[tuple[str, ...], bool]
@@ -200,8 +201,10 @@ class Builder:
     def formals(self, _: Span, *formals: ast.Argument) -> tuple[ast.Argument, ...]:
         return formals
 
-    def formal(self, span: Span, name: Name, kind: ast.TypeName) -> ast.Argument:
-        return ast.Argument(span, name, kind)
+    def formal(
+        self, span: Span, name: Name, kind: ast.TypeName, default: Expression | None
+    ) -> ast.Argument:
+        return ast.Argument(span, name, kind, default)
 
     # --- rigs and structures ---
 
@@ -347,6 +350,16 @@ class Builder:
 
     def call(self, span: Span, callee: Expression, *arguments: Expression) -> ast.Call:
         return ast.Call(span, callee, arguments)
+
+    def named_call(
+        self, span: Span, callee: Expression, *arguments: Expression | NamedArgument
+    ) -> ast.Call:
+        pairs = [given if isinstance(given, tuple) else (None, given) for given in arguments]
+        names, values = zip(*pairs, strict=True)
+        return ast.Call(span, callee, values, names)
+
+    def argument(self, _: Span, name: Name, value: Expression) -> NamedArgument:
+        return name, value
 
     def member(self, span: Span, operand: Expression, name: Name) -> ast.Field:
         return ast.Field(span, operand, name)

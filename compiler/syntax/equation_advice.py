@@ -122,7 +122,7 @@ class EquationAdvice(TokenView):
             return self.replace("the type of a result follows `->`", index, index, " ->")
         if expected != {":"} or self.outline.begins_line(index - 1):
             return ""
-        if self.text(begin) == "fn" and found.kind in (",", ")") and previous.kind == "NAME":
+        if self.text(begin) == "fn" and found.kind in (",", ")", "=") and previous.kind == "NAME":
             written = f"{previous.text}: float"
             said = f"an argument has a type: `{written}`"
             return self.replace(said, index - 1, index - 1, written)

@@ -125,6 +125,8 @@ class ExpressionAdvice(TokenView):
         found = self.token(index)
         if self.is_cast(index) or elsewhere(found.text) or found.text in ("as", "while"):
             return ""
+        if self.text(index - 1) in (*FOLDS, "iterate", "while"):
+            return ""
         return f"a comma or an operator is missing before `{found.text}`"
 
     def at(self, index: int, expected: set[str], member: str) -> Hint:
@@ -164,14 +166,15 @@ class ExpressionAdvice(TokenView):
             return f"the body of a loop follows a colon: {fold_form('sum')}"
         return ""
 
-    def _of_argument(self, index: int, expected: set[str]) -> str:
-        """About arguments that are given by name."""
-        found = self.token(index)
-        if found.kind == "=" and expected & {")", "+"}:
-            return "arguments are given by position, without names and without defaults"
-        if found.kind == ":" and "," in expected and ")" in expected:
-            return "arguments are given by position, without names"
-        return ""
+    def _of_argument(self, index: int, expected: set[str]) -> Hint:
+        """About arguments that are given by name in another way."""
+        found, name = self.token(index), self.token(index - 1)
+        if found.kind not in ("=", ":") or not {")", ","} <= expected:
+            return ""
+        if found.kind == ":" and "=" in expected:
+            said = f"an argument is given by name with `=`: `{name.text} = …`"
+            return self.replace(said, index - 1, index, f"{name.text} =")
+        return "only an argument has a name in a call: `f(x, width = 2)`"
 
     def _of_cast(self, index: int) -> Hint:
         """About ``(float)x``, which can be rewritten where the operand is one token."""

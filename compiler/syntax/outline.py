@@ -183,11 +183,19 @@ class Outline:
         starts_member = following == "NAME" and self.tokens[index].text in MEMBERS
         if not (following == "=" or starts_member) or self.tokens[self._open[-1]].kind == "{":
             return False
-        if self._text_of(index - 1) in ("(", ",") and not self.begins_line(index):
-            return False  # An argument that is given by its name, as elsewhere.
+        if self._text_of(index - 1) in ("(", ","):
+            return False  # An argument that is given by its name.
+        if self._is_in_formals() and not self.begins_line(index):
+            return False  # The type of an argument with a default.
         if self._text_of(self._open[-1] - 1) == "for" and not self.begins_line(index):
             return False  # A loop's head, as elsewhere.
         return following == "=" or self._may_follow(index)
+
+    def _is_in_formals(self) -> bool:
+        """True in the parentheses behind the name of a function, or behind its type parameters."""
+        start, opener = self.chunks[-1].start, self._open[-1]
+        is_first = opener == start + 2 or self._text_of(opener - 1) == ">"
+        return is_first and self._text_of(start) in ("fn", "term")
 
     def _begin(self, index: int) -> None:
         """Begin a declaration here, even if brackets are still open."""

@@ -189,10 +189,14 @@ class SyntaxErrors:
         return chunk.unclosed.pop(position)
 
     def _same_member(self, opener: int, index: int) -> bool:
-        """True if no other member begins between a parenthesis and an error."""
+        """True if no other member begins between a parenthesis and an error.
+
+        What stands behind a comma may also be an argument that is given by name.
+        """
         begins = self._outline.begins_member
         return self._tokens[opener].kind != "{" and not any(
-            map(begins, range(opener + 1, index - 1))
+            begins(between) and self._tokens[between - 1].kind != ","
+            for between in range(opener + 1, index - 1)
         )
 
     def _fold_before(self, index: int) -> bool:

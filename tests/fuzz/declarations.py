@@ -68,18 +68,38 @@ def _function(writer: Writer, outside: Scope, known: Callables) -> tuple[Signatu
     types = tuple(writer.chance.choices(choices, k=writer.chance.randint(1, 3)))
     result = writer.chance.choice(("float", "vec3", "int", "vec2", "bool", "rgb", "vec4",
                                    *writer.structures))  # fmt: skip
-    name = writer.fresh("f")
+    name, optional = writer.fresh("f"), 0
     if known and writer.maybe(0.2) and all(types != other.formals for other in known):
         name = known[-1].name
+    elif writer.maybe(0.3):
+        optional = writer.chance.randint(1, len(types))
     formals = [local(writer.fresh("a"), type_) for type_ in types]
-    shown = ", ".join(f"{formal.name}: {formal.type}" for formal in formals)
+    defaults = _defaults(writer, outside, formals, optional)
+    shown = ", ".join(
+        f"{formal.name}: {formal.type}{default}"
+        for formal, default in zip(formals, _places(len(formals), optional), strict=True)
+    )
     scope, parts = _parts(writer, outside.having(*formals))
     body = writer.expression(result, scope, FUEL // 2)
     where = listed(" where {{ {} }}", parts, "; ", "parts") if parts else Node("")
-    form = f"fn {name}({shown}) -> {result} = {{}}{{}}"
-    formal_nodes = tuple(formals)
-    node = Node(form, (body, where), role="function", optional=True, name=name)
-    return Signature(name, tuple(f.type for f in formal_nodes), result), node
+    form = f"fn {name}({shown}) -> {result} = {{0}}{{1}}"
+    node = Node(form, (body, where, *defaults), role="function", optional=True, name=name)
+    names = tuple(formal.name for formal in formals)
+    return Signature(name, types, result, names=names, optional=optional), node
+
+
+def _places(count: int, optional: int) -> list[str]:
+    """The text behind the type of each argument: for the last ones, the place of a default."""
+    return [""] * (count - optional) + [f" = {{{number}}}" for number in range(2, 2 + optional)]
+
+
+def _defaults(writer: Writer, outside: Scope, formals: list[Node], optional: int) -> list[Node]:
+    """Defaults of the last arguments, which may read those before them."""
+    first = len(formals) - optional
+    return [
+        writer.pinned(writer.expression(formal.type, outside.having(*formals[:number]), FUEL // 4))
+        for number, formal in enumerate(formals[first:], first)
+    ]
 
 
 def _parts(writer: Writer, scope: Scope) -> tuple[Scope, list[Node]]:
@@ -107,9 +127,11 @@ def _generic(writer: Writer, _outside: Scope, _known: Callables) -> tuple[Signat
     body = writer.chance.choice(bodies)
     if "all(" in body:
         body = "max(min(a, b), b)"
-    text = f"fn {name}<T: {family}>(a: T, b: T) -> T = {body}"
+    default = writer.chance.choice(("", " = a"))
+    text = f"fn {name}<T: {family}>(a: T, b: T{default}) -> T = {body}"
     node = Node(text, role="function", optional=True, name=name)
-    return Signature(name, (type_, type_), type_), node
+    optional = int(bool(default))
+    return Signature(name, (type_, type_), type_, names=("a", "b"), optional=optional), node
 
 
 def _reading(writer: Writer, outside: Scope, _known: Callables) -> tuple[Signature, Node]:

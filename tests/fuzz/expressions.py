@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from random import Random
 
 from .rules import BOOLS, FLOATS, GEOMETRIC, INTS, MATRICES, NUMBERS, UINTS, Rule, rules_of
-from .scope import CROSSING, Map, Scope, element_of, local
+from .scope import CROSSING, Map, Scope, Signature, element_of, local
 from .textures import KINDS, Read, reads_of
 from .tree import Node, expression, walk
 
@@ -210,8 +210,25 @@ class Writer:
         parts = [part for part in given if part is not None]
         if len(parts) < len(given):
             return self.leaf(type_, scope)
-        made = _called(type_, chosen.name, parts, "call")
+        by_name = chosen.names and self.maybe(0.3)
+        made = (
+            self._called_by_name(chosen, parts)
+            if by_name
+            else _called(type_, chosen.name, parts, "call")
+        )
         return replace(made, needs=made.needs | chosen.needs, name=chosen.name)
+
+    def _called_by_name(self, chosen: Signature, given: Sequence[Node]) -> Node:
+        """A call that names its last arguments, and leaves out some of those with a default."""
+        first = self.chance.randint(0, len(given))
+        named = list(range(first, len(given)))
+        self.chance.shuffle(named)
+        needed = len(given) - chosen.optional
+        named = [number for number in named if number < needed or self.maybe(0.5)]
+        places = [*range(first), *named]
+        texts = ["{}"] * first + [f"{chosen.names[number]} = {{}}" for number in named]
+        form = f"{chosen.name}({', '.join(texts)})"
+        return expression(chosen.result, form, [given[n] for n in places], "call by name")
 
     def _argument(self, type_: str, scope: Scope, fuel: int) -> Node | None:
         """An argument of a function; ``None`` if it has to be a texture, and there is none."""

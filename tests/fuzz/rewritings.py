@@ -234,12 +234,18 @@ def _with_leaves(node: Node, values: Mapping[str, Node]) -> Node:
     return replace(node, parts=tuple(_with_leaves(part, values) for part in node.parts))
 
 
-def _inline_function(tree: Node, chance: Random) -> Node | None:
-    """A call becomes the body of the function, with the arguments in it."""
+def _functions(tree: Node) -> dict[str, Node | None]:
+    """The functions by name; an overload is not told from its namesakes."""
     functions: dict[str, Node | None] = {}
     for part in tree.parts:
-        if part.role == "function":  # an overload is not told from its namesakes
+        if part.role == "function":
             functions[part.name] = None if part.name in functions else part
+    return functions
+
+
+def _inline_function(tree: Node, chance: Random) -> Node | None:
+    """A call becomes the body of the function, with the arguments in it."""
+    functions = _functions(tree)
 
     def fits(node: Node) -> bool:
         function = functions.get(node.name) if node.role == "call" else None
@@ -248,11 +254,35 @@ def _inline_function(tree: Node, chance: Random) -> Node | None:
     def change(node: Node) -> Node:
         function = functions[node.name]
         assert function is not None
-        header = function.form.partition(")")[0].partition("(")[2]
-        names = [formal.partition(":")[0].strip() for formal in header.split(", ")]
-        values = {n: _typed(p) for n, p in zip(names, node.parts, strict=True)}
+        values = {n: _typed(p) for n, p in zip(_formals(function), node.parts, strict=True)}
         body = substituted(function.parts[0], "local", values)
         return replace(_typed(body), needs=node.needs)
+
+    return _at(tree, chance, fits, change)
+
+
+def _formals(function: Node) -> list[str]:
+    """The names of a function's arguments."""
+    header = function.form.partition(")")[0].partition("(")[2]
+    return [formal.partition(":")[0].strip() for formal in header.split(", ")]
+
+
+def _name_arguments(tree: Node, chance: Random) -> Node | None:
+    """The arguments of a call are given by name, in another order."""
+    functions = _functions(tree)
+
+    def fits(node: Node) -> bool:
+        return node.role == "call" and functions.get(node.name) is not None
+
+    def change(node: Node) -> Node:
+        function = functions[node.name]
+        assert function is not None
+        names = _formals(function)
+        order = list(range(len(node.parts)))
+        chance.shuffle(order)
+        form = f"{node.name}({', '.join(f'{names[number]} = {{}}' for number in order)})"
+        parts = tuple(node.parts[number] for number in order)
+        return replace(node, form=form, parts=parts, role="call by name")
 
     return _at(tree, chance, fits, change)
 
@@ -342,6 +372,7 @@ REWRITINGS: Mapping[str, Rewriting] = {
     "name a value": _name_value,
     "extract a function": _extract_function,
     "inline a function": _inline_function,
+    "name the arguments": _name_arguments,
     "rename": _rename,
     "declare more": _declare_more,
     "turn the file": _turn_file,

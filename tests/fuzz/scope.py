@@ -41,6 +41,10 @@ class Signature:
     formals: tuple[str, ...]
     result: str
     needs: frozenset[str] = ANYWHERE
+    names: tuple[str, ...] = ()
+    """The names by which arguments may be given; empty if none may."""
+    optional: int = 0
+    """The number of the last arguments that may be left out."""
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ NO_OVERLOAD = error(
 WRONG_COUNT = error(
     "B0303",
     "`{name}` takes {expected}, found {found}",
-    "Arguments are given by position; none has a default.",
+    "Arguments are given by position or by name. Only those with a default can be left out.",
 )
 NO_MEMBER = error(
     "B0304",
@@ -126,13 +126,49 @@ UNINFERABLE_PARAMETER = error(
     "B0328",
     "no argument of `{function}` determines `{name}`",
     "The compiler finds out from the arguments what a type parameter stands for, so the type of "
-    "at least one argument has to name it.",
+    "at least one argument without a default has to name it.",
 )
 AMBIGUOUS_CALL = error(
     "B0329",
     "several functions `{name}` take ({arguments}) equally well",
     "None of them takes the arguments better than the others. Say what is meant: of which type a "
-    "number is, as in `float(1)` or `vec3(1)`, or what numbers mean, as in `(v as rgb)`.",
+    "number is, as in `float(1)` or `vec3(1)`, what numbers mean, as in `(v as rgb)`, or the name "
+    "of an argument that only one of them has.",
+)
+UNKNOWN_ARGUMENT = error(
+    "B0330",
+    "`{function}` has no argument `{name}`",
+    "An argument that is given by name has the name that the declaration gives it, as in "
+    "`ring(p, width = 2)`.",
+)
+ARGUMENT_TWICE = error(
+    "B0331",
+    "the argument `{name}` is given twice",
+    "Each argument is given once: by its position, or by its name.",
+)
+POSITION_AFTER_NAME = error(
+    "B0332",
+    "an argument without a name stands behind one with a name",
+    "Arguments that are given by position come first, and then those that are given by name, in "
+    "any order.",
+)
+MISSING_ARGUMENT = error(
+    "B0333",
+    "`{name}` needs {missing}",
+    "Only arguments with a default can be left out of a call.",
+)
+NOT_BY_NAME = error(
+    "B0334",
+    "`{name}` takes its arguments by position, without names",
+    "The arguments of functions, terms, structures and reads of textures have names. Those of "
+    "builtins, of constructors such as `vec3`, and of the steps of a frame have none.",
+)
+LATER_ARGUMENT = error(
+    "B0335",
+    "the default of `{argument}` reads `{name}`, which has no value before it",
+    "A default can read the arguments that are declared before its own, and what the function "
+    "itself can read: constants of the file and, in a term, slots of the surface. `light` has no "
+    "value there, as arguments are the same for all lights.",
 )
 TEXTURE_LACKS_READ = error(
     "B0350",

@@ -17,32 +17,54 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope, Value
 from ..types.coercion import coerce
+from ..types.typenames import Declared
 from .combinations import checked
 
 
 def structure(ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call) -> Value:
-    """A structure from its members, in the order of their declaration."""
+    """A structure from its members, in the order of their declaration or by their names."""
     declared = struct_of(ctx, symbol)
     if declared is None:
         return FAILURE
     members = declared.members
-    if len(arguments) != len(members):
+    numbers: Sequence[int] = range(len(arguments))
+    if e.names:
+        found = _placed(ctx, symbol, declared, e)
+        if found is None:
+            return FAILURE
+        numbers = found
+    elif len(arguments) != len(members):
         ctx.report.add(
             rules.MEMBER_COUNT, e.span, name=symbol.name, found=counted(len(arguments), "value"),
             members=", ".join(f"{name}: {member.text}" for name, member in members),
             labels=[Label(symbol.declaration.name.span, "declared here")],
         )  # fmt: skip
         return FAILURE
-    parts: list[Node] = []
+    parts: dict[int, Node] = {}
     failed = False
-    for (name, member), given, written in zip(members, arguments, e.arguments, strict=True):
+    for number, given, written in zip(numbers, arguments, e.arguments, strict=True):
+        name, member = members[number]
         wanted = changed(member, text=f"{member.text} for `{name}`")
         part = as_declared(ctx, given, wanted, written)
         if isinstance(part, Failure):
             failed = True
         else:
-            parts.append(part)
-    return FAILURE if failed else ctx.tree.node("struct", declared.type, tuple(parts))
+            parts[number] = part
+    if failed:
+        return FAILURE
+    values = tuple([parts[number] for number in range(len(members))])
+    return ctx.tree.node("struct", declared.type, values)
+
+
+def _placed(ctx: Context, symbol: Symbol, declared: Declared, e: ast.Call) -> list[int] | None:
+    """The number of the member for each value of a call with names."""
+    from .arguments import Head, placed
+
+    names = tuple([name for name, _ in declared.members])
+    listed = ", ".join(f"{name}: {member.text}" for name, member in declared.members)
+    label = Label(symbol.declaration.name.span, "declared here")
+    head = Head(symbol.name, names, frozenset(), f"{symbol.name}({listed})", (label,))
+    return placed(ctx, e, head)
 
 
 def array(ctx: Context, e: ast.Array, elements: Sequence[Node], scope: Scope) -> Value:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import chain
+from typing import TYPE_CHECKING
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
@@ -12,7 +14,7 @@ from ...diagnostics.fixes import fix_it
 from ...diagnostics.source import Span
 from ...ir.node import Formals, Node
 from ...syntax import ast
-from ...syntax.quoting import counted, spanned
+from ...syntax.quoting import spanned
 from ..declarations.contracts import as_declared, change
 from ..declarations.written_types import declared_type
 from ..names.modules import Symbol
@@ -29,6 +31,9 @@ from .functions import bound, fit_result, may_enter, scope_of_body, usage, used
 from .operands import listed
 from .signatures import SharedCall, applied, failed, shared_call, stand_ins
 
+if TYPE_CHECKING:
+    from .arguments import Head
+
 
 def apply_best(
     ctx: Context,
@@ -38,15 +43,32 @@ def apply_best(
     scope: Scope,
 ) -> Value:
     """The value of a call of whichever of these functions takes the arguments best."""
-    found = overloaded if len(overloaded) == 1 else best(ctx, overloaded, arguments)
+    found = overloaded if len(overloaded) == 1 else best(ctx, overloaded, arguments, e.names)
     if len(found) == 1:
         return _apply(ctx, found[0], arguments, e, scope)
+    labels = [Label(s.declaration.name.span, "a candidate") for s in found or overloaded]
+    if not found and (name := _unknown_to_all(overloaded, e)) is not None:
+        from .arguments import unknown_argument
+
+        heads = [_head_of(s) for s in overloaded]
+        known = chain.from_iterable(head.parameters for head in heads)
+        usages = [head.usage for head in heads]
+        unknown_argument(ctx, name, overloaded[0].name, known, usages, labels)
+        return FAILURE
     ctx.report.add(
         rules.AMBIGUOUS_CALL if found else rules.NO_OVERLOAD, e.span,
-        name=overloaded[0].name, arguments=listed(arguments),
-        labels=[Label(s.declaration.name.span, "a candidate") for s in found or overloaded],
+        name=overloaded[0].name, arguments=listed(arguments, e.names), labels=labels,
     )  # fmt: skip
     return FAILURE
+
+
+def _unknown_to_all(overloaded: Sequence[Symbol], e: ast.Call) -> ast.Name | None:
+    """The first name of an argument that none of several functions has."""
+    heads = [_head_of(symbol) for symbol in overloaded] if e.names else []
+    for name in e.names:
+        if name is not None and all(name.text not in head.parameters for head in heads):
+            return name
+    return None
 
 
 def _apply(
@@ -71,24 +93,22 @@ def _fit_arguments(
 ) -> tuple[Node, ...] | None:
     function = symbol.declaration
     assert isinstance(function, ast.Function)
-    if len(arguments) != len(function.arguments):
-        ctx.report.add(
-            rules.WRONG_COUNT, e.span, name=symbol.name,
-            expected=counted(len(function.arguments), "argument"), found=len(arguments),
-            labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
-        )  # fmt: skip
+    written: Sequence[ast.Argument] | None = function.arguments
+    if e.names or len(arguments) != len(function.arguments):
+        written = _taken(ctx, symbol, e)
+    if written is None:
         return None
-    variables = bound(ctx, function, arguments)
+    variables = bound(ctx, function, arguments, written)
     if variables is None and (uninferable(function) or of_unknown_family(function)):
         return None  # The declaration's mistake has been reported.
     if variables is None:
         ctx.report.add(
-            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments),
+            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments, e.names),
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None
     formals: list[_Formal] = []
-    for formal in function.arguments:
+    for formal in written:
         wanted = declared_type(ctx, formal.type, symbol.module, variables)
         if wanted is None:
             return None
@@ -99,10 +119,39 @@ def _fit_arguments(
         found = ctx.report.count
         node = _fit_argument(ctx, formal_, argument, e.arguments[index], scope)
         if isinstance(node, Failure):
-            _tell_of_order(ctx, function, formals, arguments, e, index, found)
+            if not e.names:
+                _tell_of_order(ctx, function, formals, arguments, e, index, found)
             return None
         fitted.append(node)
-    return tuple(fitted)
+    if written is function.arguments:
+        return tuple(fitted)
+    from .defaults import completed
+
+    given = {formal.name.text: node for formal, node in zip(written, fitted, strict=True)}
+    surface = scope.surface if function.kind == "term" else None
+    return completed(ctx, symbol, given, variables, surface, e.span)
+
+
+def _taken(ctx: Context, symbol: Symbol, e: ast.Call) -> list[ast.Argument] | None:
+    """The declared argument for each one of a call; ``None`` if they do not fit together."""
+    from .arguments import placed
+
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    numbers = placed(ctx, e, _head_of(symbol))
+    return None if numbers is None else [function.arguments[number] for number in numbers]
+
+
+def _head_of(symbol: Symbol) -> Head:
+    """A function as it is called."""
+    from .arguments import Head
+
+    function = symbol.declaration
+    assert isinstance(function, ast.Function)
+    names = tuple([argument.name.text for argument in function.arguments])
+    optional = (a.name.text for a in function.arguments if a.default is not None)
+    label = Label(function.name.span, "declared here")
+    return Head(symbol.name, names, frozenset(optional), usage(function), (label,))
 
 
 @frozen

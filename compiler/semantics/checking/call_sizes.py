@@ -34,7 +34,7 @@ def bodies_of(ctx: Context, symbol: Symbol) -> int:
 
 
 def _calls(symbol: Symbol) -> Counter[Symbol]:
-    """The functions that are called in a body, with the number of their calls.
+    """The functions that are called in a body or a default, with the number of their calls.
 
     Each overload counts, as the types of the arguments are not known here.
     """
@@ -50,9 +50,10 @@ def _calls(symbol: Symbol) -> Counter[Symbol]:
 
 @lru_cache(maxsize=1024)
 def _called_names(function: ast.Function) -> tuple[tuple[str, int], ...]:
-    """The names that are called in a body; syntax trees of the library stay the same."""
+    """The names that are called in a function; syntax trees of the library stay the same."""
     found: Counter[str] = Counter()
     waiting: list[object] = [function.body, *(part.value for part in function.parts)]
+    waiting += [formal.default for formal in function.arguments]
     while waiting:
         part = waiting.pop()
         waiting.extend(ast.parts(part))

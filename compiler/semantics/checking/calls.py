@@ -54,6 +54,8 @@ def operands_of_call(e: ast.Call, scope: Scope) -> list[ast.Expression]:
 
 def call(ctx: Context, e: ast.Call, operands: Sequence[Value], scope: Scope) -> Value:
     """``f(…)`` for every kind of f."""
+    if e.names and not _is_ordered(ctx, e):
+        return FAILURE
     callee = e.callee
     if isinstance(callee, ast.Reference):
         arguments, failed = _arguments(ctx, e, operands, scope)
@@ -64,6 +66,13 @@ def call(ctx: Context, e: ast.Call, operands: Sequence[Value], scope: Scope) -> 
         texture = plain(ctx, owner, callee)
         return FAILURE if failed else textures.read(ctx, texture, arguments, e)
     return _of_value(ctx, e, owner, callee, arguments, failed)
+
+
+def _is_ordered(ctx: Context, e: ast.Call) -> bool:
+    """True if the names in a call are behind other arguments; few calls have names."""
+    from .arguments import is_ordered
+
+    return is_ordered(ctx, e)
 
 
 def _of_value(
@@ -87,7 +96,9 @@ def _arguments(
     ctx: Context, e: ast.Call, values: Sequence[Value], scope: Scope
 ) -> tuple[tuple[Node, ...], bool]:
     """The values of a call's arguments as plain ones, and whether one of them failed."""
-    written = [a for a in e.arguments if not _has_no_value(e, a, scope)]
+    written: Sequence[ast.Expression] = e.arguments
+    if len(values) < len(written):
+        written = [a for a in written if not _has_no_value(e, a, scope)]
     nodes = [plain(ctx, value, a) for value, a in zip(values, written, strict=True)]
     arguments = tuple(node for node in nodes if isinstance(node, Node))
     return arguments, len(arguments) < len(e.arguments)
@@ -177,6 +188,11 @@ def _is_built_in(name: str) -> bool:
 def _built_in(
     ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Value:
+    if e.names:
+        from .arguments import refuse_names
+
+        refuse_names(ctx, e)
+        return FAILURE
     if name == "unguarded":
         return _unguarded(ctx, arguments, e)
     if is_constructor(name):

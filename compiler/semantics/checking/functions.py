@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ....support.frozen import EMPTY
 from ...diagnostics import rules
@@ -10,6 +10,7 @@ from ...diagnostics.diagnostic import Label
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
+from ...syntax.quoting import spanned
 from ..declarations.contracts import as_declared
 from ..declarations.written_types import declared_type, numbers_of
 from ..names.modules import Symbol
@@ -25,8 +26,15 @@ def may_enter(ctx: Context, symbol: Symbol, span: Span) -> bool:
     if symbol in ctx.progress.recursive:
         return False
     ctx.entered.add(symbol)
-    if symbol not in ctx.progress.active:
+    return not is_recursive(ctx, symbol, span)
+
+
+def is_recursive(ctx: Context, symbol: Symbol, span: Span) -> bool:
+    """True if a function is called by itself here; reported once for each cycle."""
+    if symbol in ctx.progress.recursive:
         return True
+    if symbol not in ctx.progress.active:
+        return False
     pending = list(ctx.progress.active)
     start = pending.index(symbol)
     names = [name for name, _ in list(ctx.progress.active.values())[start:] if name]
@@ -35,7 +43,7 @@ def may_enter(ctx: Context, symbol: Symbol, span: Span) -> bool:
         cycle=" → ".join([*names, symbol.name]),
     )  # fmt: skip
     ctx.progress.recursive.update(step for step in pending[start:] if isinstance(step, Symbol))
-    return False
+    return True
 
 
 def scope_of_body(
@@ -73,8 +81,14 @@ def fit_result(
 def usage(function: ast.Function) -> str:
     """A function as it is declared, up to its arguments: ``f<T: floats>(a: T, b: float)``."""
     parameters = ", ".join(f"{p.name.text}: {p.family.text}" for p in function.type_parameters)
-    arguments = ", ".join(f"{a.name.text}: {described(a.type)}" for a in function.arguments)
+    arguments = ", ".join(map(_formal, function.arguments))
     return f"{function.name.text}{parameters and f'<{parameters}>'}({arguments})"
+
+
+def _formal(argument: ast.Argument) -> str:
+    """An argument as it is declared, with its default."""
+    default = "" if argument.default is None else f" = {spanned(argument.default.span)}"
+    return f"{argument.name.text}: {described(argument.type)}{default}"
 
 
 def used(symbol: Symbol, scope: Scope, span: Span, use: str = "called here") -> Label:
@@ -82,9 +96,17 @@ def used(symbol: Symbol, scope: Scope, span: Span, use: str = "called here") -> 
     return Label(span, f"in `{shown(symbol.name, scope.variables)}`, {use}")
 
 
-def bound(ctx: Context, function: ast.Function, arguments: tuple[Node, ...]) -> Variables | None:
-    """The value of each type parameter, given the arguments; ``None`` if there is none."""
+def bound(
+    ctx: Context,
+    function: ast.Function,
+    arguments: tuple[Node, ...],
+    formals: Sequence[ast.Argument] | None = None,
+) -> Variables | None:
+    """The value of each type parameter, given the arguments; ``None`` if there is none.
+
+    ``formals`` are what the arguments are for, if they are not for all in order.
+    """
     if not function.type_parameters:
         return {}
     uses = [Use(overloads.operand(node), ctx.meanings.of(node)) for node in arguments]
-    return bind(function, uses)
+    return bind(function, function.arguments if formals is None else formals, uses)

@@ -45,9 +45,11 @@ Edited = tuple[Operand, FixIt | None]
 """An operand as it would be, and how that is written; ``None`` where nothing changes."""
 
 
-def listed(operands: Sequence[Node]) -> str:
-    """The operands' types for a message."""
-    return ", ".join(str(node.type) for node in operands)
+def listed(operands: Sequence[Node], names: Sequence[ast.Name | None] = ()) -> str:
+    """The operands' types for a message, with the names that they are given by."""
+    types = [str(node.type) for node in operands]
+    pairs = zip(types, names or [None] * len(types), strict=True)
+    return ", ".join(type_ if name is None else f"{name.text} = {type_}" for type_, name in pairs)
 
 
 def no_signature(

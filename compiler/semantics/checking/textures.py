@@ -5,7 +5,7 @@ Each is a row of ``stdlib/builtins/texture.py``, found by how it is written and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.row import Builtin
@@ -19,7 +19,7 @@ from ...ir.node import Node
 from ...ir.signatures import FIXED, TEXTURE_FAMILIES, dependent, meaning, parsed
 from ...ir.types import INT, TextureType, Type
 from ...syntax import ast
-from ...syntax.quoting import counted, shortened, spanned
+from ...syntax.quoting import shortened, spanned
 from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Value
@@ -40,8 +40,10 @@ class _Way:
 
     def usage(self, callee: str) -> str:
         """The form in which it is written, with types."""
-        pairs = zip(self.names, self.operands, strict=True)
-        return f"{callee}({', '.join(f'{name}: {type_}' for name, type_ in pairs)})"
+        given = len(self.operands) - len(self.row.optional)
+        defaults = ("",) * given + tuple(f" = {value}" for value in self.row.optional)
+        rows = zip(self.names, self.operands, defaults, strict=True)
+        return f"{callee}({', '.join(f'{name}: {type_}{value}' for name, type_, value in rows)})"
 
 
 def read(
@@ -139,32 +141,40 @@ def _operands(
     ctx: Context, way: _Way, arguments: tuple[Node, ...], e: ast.Call
 ) -> tuple[Node, ...] | None:
     """The operands behind the texture as the read takes them."""
+    numbers: Sequence[int] | None = range(len(arguments))
     least = len(way.operands) - len(way.row.optional)
-    if not least <= len(arguments) <= len(way.operands):
-        span = e.callee.span
-        written = span.source.text[span.start : span.end]
-        ctx.report.add(
-            rules.WRONG_COUNT, e.span, name=written,
-            expected=counted(
-                f"{least} or {len(way.operands)}" if way.row.optional else least, "argument"
-            ),
-            found=len(arguments), hint=f"it is `{way.usage(written)}`",
-        )  # fmt: skip
+    if e.names or not least <= len(arguments) <= len(way.operands):
+        numbers = _placed(ctx, way, e)
+    if numbers is None:
         return None
-    left_out = way.row.optional[len(arguments) - least :]
-    fitted = [build.constant(ctx.tree, INT, value) for value in left_out]
-    given = []
-    for node, type_, argument in zip(arguments, way.operands, e.arguments, strict=False):
+    given: dict[int, Node] = {}
+    for node, number, argument in zip(arguments, numbers, e.arguments, strict=True):
+        type_ = way.operands[number]
         operand = fit(ctx, node, type_, str(type_), argument.span)
         if isinstance(operand, Failure):
             return None
-        given.append(operand)
-    operands = (*given, *fitted)
+        given[number] = operand
+    for number, value in enumerate(way.row.optional, least):
+        if number not in given:  # It is left out.
+            given[number] = build.constant(ctx.tree, INT, value)
+    operands = tuple([given[number] for number in range(len(way.operands))])
     for place in way.row.constants:
         lane = ctx.constants.known_integer(operands[place])
         if lane is None and ctx.is_left_to_a_use(operands[place]):
             continue
         if lane is None or not 0 <= lane <= 3:
-            ctx.report.add(rules.NOT_A_LANE, e.arguments[place].span)
+            written = e.arguments[numbers.index(len(operands) + place)]
+            ctx.report.add(rules.NOT_A_LANE, written.span)
             return None
     return operands
+
+
+def _placed(ctx: Context, way: _Way, e: ast.Call) -> list[int] | None:
+    """The number of the operand for each argument of a read, with names or a wrong number."""
+    from .arguments import Head, placed
+
+    span = e.callee.span
+    written = span.source.text[span.start : span.end]
+    least = len(way.operands) - len(way.row.optional)
+    head = Head(written, way.names, frozenset(way.names[least:]), way.usage(written))
+    return placed(ctx, e, head)

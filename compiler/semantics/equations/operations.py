@@ -15,12 +15,13 @@ from ....support.frozen import changed, frozen
 from ...diagnostics.source import Span
 from ...ir.types import Matrix, TextureType, Vector
 from ...syntax import ast
+from ..checking.arguments import takers
 from ..checking.constructors import is_constructor
 from ..checking.textures import operand_names
 from ..names.modules import Symbol
 from ..types.typenames import NAMED
 from .model import NodeKind
-from .reads import Key, MeantSlot, Reads, Where, called, inherited, meant, reads_of
+from .reads import Key, MeantSlot, Reads, Where, called, inherited, meant, reads_of, reads_of_callee
 
 Operands = tuple[tuple[str, ast.Expression], ...]
 
@@ -185,10 +186,10 @@ def _call(e: ast.Call, where: Where) -> Form:
     for symbol in found or ():
         if isinstance(symbol.declaration, ast.StructDeclaration):
             names = [member.name.text for member in symbol.declaration.members]
-            return Operation(name, _labelled(names, e.arguments))
+            return Operation(name, _labelled(names, e))
     if found:
         return _function(name, found, e, where)
-    return Operation(name, _labelled(_letters(name, len(e.arguments)), e.arguments))
+    return Operation(name, _labelled(_letters(name, len(e.arguments)), e))
 
 
 def _letters(name: str, count: int) -> Sequence[str]:
@@ -209,13 +210,22 @@ def _letters(name: str, count: int) -> Sequence[str]:
 def _function(name: str, symbols: Sequence[Symbol], e: ast.Call, where: Where) -> Form:
     """The call of a function or term of some file."""
     declared = [s.declaration for s in symbols if isinstance(s.declaration, ast.Function)]
-    fitting = [f for f in declared if len(f.arguments) == len(e.arguments)] or declared
+    fitting = [f for f in declared if _takes(f, e)] or declared
     names = [argument.name.text for argument in fitting[0].arguments]
     is_term = fitting[0].kind == "term"
     return Operation(
-        name, _labelled(names, e.arguments), "term" if is_term else "function",
-        doc=fitting[0].doc, reads=reads_of((changed(e, arguments=()),), where), is_called=True,
+        name, _labelled(names, e), "term" if is_term else "function",
+        doc=fitting[0].doc, reads=reads_of_callee(e, where), is_called=True,
     )  # fmt: skip
+
+
+def _takes(function: ast.Function, e: ast.Call) -> bool:
+    """True if a function has an argument for each one of a call, and defaults for all others."""
+    formals = function.arguments
+    numbers = takers([formal.name.text for formal in formals], e.names, len(e.arguments))
+    if numbers is None:
+        return False
+    return all(f.default is not None for n, f in enumerate(formals) if n not in numbers)
 
 
 def _method(e: ast.Call, where: Where) -> Form:
@@ -232,7 +242,7 @@ def _method(e: ast.Call, where: Where) -> Form:
 def _read(name: str, e: ast.Call, texture: ast.Expression, method: str, where: Where) -> Form:
     type_ = _texture_type(texture, where)
     names = () if type_ is None else operand_names(type_, method)
-    return Operation(name, (("map", texture), *_labelled(names, e.arguments)))
+    return Operation(name, (("map", texture), *_labelled(names, e)))
 
 
 def _texture_type(texture: ast.Expression, where: Where) -> TextureType | None:
@@ -252,9 +262,14 @@ def _texture_type(texture: ast.Expression, where: Where) -> TextureType | None:
     return type_ if isinstance(type_, TextureType) else None
 
 
-def _labelled(names: Iterable[str], operands: Sequence[ast.Expression]) -> Operands:
-    labels = chain(names, ("" for _ in operands))
-    return tuple(zip(labels, operands, strict=False))
+def _labelled(names: Iterable[str], e: ast.Call) -> Operands:
+    """The arguments of a call with names: those that it gives, or those at their places."""
+    labels = chain(names, ("" for _ in e.arguments))
+    given = e.names or (None,) * len(e.arguments)
+    return tuple(
+        (label if name is None else name.text, value)
+        for label, name, value in zip(labels, given, e.arguments, strict=False)
+    )
 
 
 _FORMS: Mapping[type, Callable[[Any, Where], Form]] = {

@@ -104,11 +104,15 @@ def reads_of(texts: Iterable[object], where: Where) -> Reads:
     """The slots of the surface that syntax trees read, and if they are summed over lights."""
     walk = _Walk(where.surface)
     walk.run([(text, where) for text in texts])
-    slots = list(walk.slots)
-    if len(slots) > 1:
-        order = {name: number for number, name in enumerate(where.surface.record.definitions)}
-        slots.sort(key=lambda key: (order[key[0]], key[1]))
-    return Reads(tuple(slots), walk.lights)
+    return walk.found()
+
+
+def reads_of_callee(e: ast.Call, where: Where) -> Reads:
+    """What a function, or a term, that a call names reads besides the arguments."""
+    assert isinstance(e.callee, ast.Reference)
+    walk = _Walk(where.surface)
+    walk.run(list(walk.called(e, called(e.callee.name, where), where)))
+    return walk.found()
 
 
 class _Walk:
@@ -120,6 +124,14 @@ class _Walk:
         self._surface = surface
         self._known: set[object] = set()
 
+    def found(self) -> Reads:
+        """What was read, the slots in the order of the surface."""
+        slots = list(self.slots)
+        if len(slots) > 1:
+            order = {name: number for number, name in enumerate(self._surface.record.definitions)}
+            slots.sort(key=lambda key: (order[key[0]], key[1]))
+        return Reads(tuple(slots), self.lights)
+
     def run(self, pending: list[tuple[object, Where]]) -> None:
         while pending:
             node, where = pending.pop()
@@ -127,7 +139,7 @@ class _Walk:
                 case ast.Reference():
                     pending += self._read(meant(node.name, where), where)
                 case ast.Call(callee=ast.Reference(name=name)):
-                    pending += self._called(called(name, where), where)
+                    pending += self.called(node, called(name, where), where)
                     pending += ((argument, where) for argument in node.arguments)
                 case ast.Field() if (slot := inherited(node, where)) is not None:
                     pending += self._read(slot, where)
@@ -151,7 +163,8 @@ class _Walk:
                 Where(module, self._surface, found.instance, definition.level),
             )
 
-    def _called(self, found: Called, where: Where) -> Iterator[tuple[object, Where]]:
+    def called(self, e: ast.Call, found: Called, where: Where) -> Iterator[tuple[object, Where]]:
+        """What a call reads: a texture, or what stands in a function."""
         if found is None or isinstance(found, MeantSlot):
             yield from self._read(found, where)
             return
@@ -160,10 +173,11 @@ class _Walk:
             if not isinstance(function, ast.Function):
                 continue
             self.lights = self.lights or function.per is not None
+            names = [each.name for each in function.arguments]
+            around = Where(symbol.module, self._surface, replaced=where.replaced)
+            yield from ((f.default, around.inside(names)) for f in _left_out(function, e))
             if self._is_new((symbol, where.replaced)):
-                names = [each.name for each in function.arguments]
                 names += [each.name for each in function.parts]
-                around = Where(symbol.module, self._surface, replaced=where.replaced)
                 inside = around.inside([*names, function.per])
                 yield function.body, inside
                 yield from ((part.value, inside) for part in function.parts)
@@ -172,6 +186,14 @@ class _Walk:
         is_new = key not in self._known
         self._known.add(key)
         return is_new
+
+
+def _left_out(function: ast.Function, e: ast.Call) -> Iterator[ast.Argument]:
+    """The arguments with a default that a call does not give."""
+    named = {name.text for name in e.names if name is not None}
+    for formal in function.arguments[len(e.arguments) - len(named) :]:
+        if formal.default is not None and formal.name.text not in named:
+            yield formal
 
 
 def _parts(node: object, where: Where) -> Iterator[tuple[object, Where]]:

@@ -35,6 +35,7 @@ from ...ir.shader import RenderTarget, Result
 from ...ir.stages import EXTENT, IMAGE, TARGET
 from ...ir.types import INT, IVEC2
 from ...syntax import ast
+from ..checking.arguments import refuse_names
 from ..checking.slots import slot
 from ..checking.step_needs import PREVIOUS, SCREEN, Key, Need, applied, is_previous
 from ..checking.unknown_names import unknown
@@ -196,6 +197,8 @@ class Steps:
 
     def _previously(self, e: ast.Call, around: StepContext) -> Made:
         """``previous(step.target)``, which may be made later: it is looked up at the end."""
+        if refuse_names(self._ctx, e):
+            return FAILURE
         if not 1 <= len(e.arguments) <= 2:
             self._ctx.report.add(
                 rules.STEP_ARGUMENTS, e.span, name=PREVIOUS, expected="one or two arguments",
@@ -247,7 +250,7 @@ class Steps:
     ) -> Made:
         declaration = symbol.declaration
         assert isinstance(declaration, ast.Record)
-        if not self._has_room():
+        if not self._has_room() or refuse_names(self._ctx, e):
             return FAILURE
         if declaration.abstract:
             self._ctx.report.add(rules.ABSTRACT_USE, e.callee.span, name=symbol.name)

@@ -256,7 +256,7 @@ def of_a_record(name: str, scope: Scope) -> str:
         return ""
     return (
         f"`{name}` belongs to a record: functions see their arguments and constants, terms also "
-        "the surface, and constants and defaults see constants only"
+        "the surface, and constants and defaults of parameters see constants only"
     )
 
 

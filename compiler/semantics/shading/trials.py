@@ -42,6 +42,9 @@ from .vertices.expansion import expanded, expands
 Check = Callable[[Setting], bool]
 """A check that reports its findings, and says whether it came to values."""
 
+CheckOfFunction = Callable[[Symbol, ast.Function, Variables, Setting], bool]
+"""Such a check of a function, for values of its type parameters."""
+
 
 @frozen
 class Attempt:
@@ -171,14 +174,10 @@ def check_mixin(symbol: Symbol, mixin: ast.Mixin, setting: Setting) -> bool:
 def check_function(
     symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
 ) -> bool:
-    """Check a body for arguments of the declared types."""
+    """Check defaults, and a body for arguments of the declared types."""
     ctx, span = setting.ctx, function.name.span
-    found = [
-        some(ctx, argument.name, argument.type, symbol.module, variables)
-        for argument in function.arguments
-    ]
-    arguments = tuple(argument for argument in found if isinstance(argument, Node))
-    if len(arguments) < len(found):
+    arguments = _placeholders(symbol, function, variables, setting)
+    if arguments is None or not _check_defaults(symbol, function, variables, arguments, setting):
         return False
     if function.per is not None:
         scope = Scope(symbol.module, surface=setting.surface)
@@ -186,3 +185,49 @@ def check_function(
     within = setting.surface if function.kind == "term" else None
     value = apply_body(ctx, symbol, arguments, span, within, "for example")
     return isinstance(value, Node)
+
+
+def check_defaults(
+    symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
+) -> bool:
+    """Check the defaults of a function whose body has been checked with other arguments."""
+    arguments = _placeholders(symbol, function, variables, setting)
+    return arguments is not None and _check_defaults(
+        symbol, function, variables, arguments, setting
+    )
+
+
+def _placeholders(
+    symbol: Symbol, function: ast.Function, variables: Variables, setting: Setting
+) -> tuple[Node, ...] | None:
+    """Values for the arguments of a function; ``None`` if one has no proper type."""
+    found = [
+        some(setting.ctx, argument.name, argument.type, symbol.module, variables)
+        for argument in function.arguments
+    ]
+    arguments = tuple(argument for argument in found if isinstance(argument, Node))
+    return arguments if len(arguments) == len(found) else None
+
+
+def _check_defaults(
+    symbol: Symbol,
+    function: ast.Function,
+    variables: Variables,
+    arguments: tuple[Node, ...],
+    setting: Setting,
+) -> bool:
+    """Check each default with placeholders for the arguments before it."""
+    if all(formal.default is None for formal in function.arguments):
+        return True
+    from ..checking.defaults import default_of
+
+    surface = setting.surface if function.kind == "term" else None
+    earlier: dict[str, Node] = {}
+    right = True
+    for formal, argument in zip(function.arguments, arguments, strict=True):
+        if formal.default is not None:
+            span = function.name.span
+            value = default_of(setting.ctx, symbol, formal, earlier, variables, surface, span)
+            right = right and isinstance(value, Node)
+        earlier[formal.name.text] = argument
+    return right

@@ -7,7 +7,7 @@ the setting with the fewest errors are reported.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
@@ -15,6 +15,7 @@ from itertools import chain, islice, product
 from ....support.frozen import cached_property, changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Report
+from ...diagnostics.source import Span
 from ...syntax import ast
 from ..inheritance.flattening import Records
 from ..names.modules import Module, Symbol
@@ -30,9 +31,11 @@ from .room import has_room
 from .trials import (
     Attempt,
     Check,
+    CheckOfFunction,
     Trial,
     check_block,
     check_constant,
+    check_defaults,
     check_function,
     check_light,
     check_mixin,
@@ -124,6 +127,7 @@ class UnusedDeclarations:
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
             self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+            self._check_defaults()
         if not self._report.failed:
             self._known.keep(self._right, self._module.prelude)
 
@@ -137,6 +141,21 @@ class UnusedDeclarations:
                 self._try_readers(symbol)
                 if symbol not in self._reached:
                     self._try(symbol)
+
+    def _check_defaults(self) -> None:
+        """Report errors in the defaults of functions that are used: calls may give all arguments.
+
+        Where a call has found one in a default, those of the function are known.
+        """
+        failed = [found.span for found in self._report.diagnostics if found.severity == "error"]
+        for symbol in self._declared:
+            function = symbol.declaration
+            if not isinstance(function, ast.Function) or symbol not in self._reached:
+                continue
+            written = [each.default.span for each in function.arguments if each.default is not None]
+            if written and not any(span is not None and _is_in(span, written) for span in failed):
+                best = self._best(self._of_function(symbol, function, check_defaults))
+                self._report.extend(() if best is None else best.found)
 
     def _is_known_right(self, symbol: Symbol) -> bool:
         """True if a declaration was right before; then all is as if it had been checked now."""
@@ -274,7 +293,7 @@ class UnusedDeclarations:
             case ast.Function() as function if not (
                 of_unknown_family(function) or uninferable(function)
             ):
-                yield from self._of_function(symbol, function)
+                yield from self._of_function(symbol, function, check_function)
             case ast.Constant():
                 yield from islice(self._tried(partial(check_constant, symbol)), 1)
             case ast.StructDeclaration():
@@ -292,11 +311,13 @@ class UnusedDeclarations:
         records = (s for s in self._declared if isinstance(s.declaration, ast.Record))
         return frozenset(chain.from_iterable(map(self._chain, records)))
 
-    def _of_function(self, symbol: Symbol, function: ast.Function) -> Iterator[Attempt]:
+    def _of_function(
+        self, symbol: Symbol, function: ast.Function, checks: CheckOfFunction
+    ) -> Iterator[Attempt]:
         """A plain function is right or wrong whatever is shaded, a term only with a surface."""
         filled = examples(function)
         for variables in islice(filled, MOST_EXAMPLES):
-            check = partial(check_function, symbol, function, variables)
+            check = partial(checks, symbol, function, variables)
             yield from islice(self._tried(check), None if function.kind == "term" else 1)
         if next(filled, None) is not None:  # One of those that were not tried may be right.
             yield Attempt((), right=True)
@@ -312,6 +333,14 @@ class UnusedDeclarations:
             setting = set_up(parts, self._report.apart(), self._records)
             self._trials[parts] = Trial(setting)
         return self._trials[parts]
+
+
+def _is_in(span: Span, places: Sequence[Span]) -> bool:
+    """True if a span is part of one of some places of the same text."""
+    return any(
+        span.source is place.source and place.start <= span.start and span.end <= place.end
+        for place in places
+    )
 
 
 def _written(symbol: Symbol) -> int:

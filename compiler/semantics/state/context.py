@@ -28,7 +28,7 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .deferred import Deferred
 from .places import Places
-from .scope import Application, Failure, Instance, LoopBody, RigEntry, Scope, Value, Way
+from .scope import Application, DefaultKey, Failure, Instance, LoopBody, RigEntry, Scope, Value, Way
 from .transcripts import Transcripts
 from .tree import Tree
 
@@ -120,7 +120,7 @@ class Overloads:
     Of equal ones, this is the first; that there are others has been reported.
     """
     of_count: dict[int, list[Symbol]]
-    """All of them, by how many arguments they take."""
+    """All of them, by how many arguments they take by position."""
 
 
 class Context:
@@ -151,6 +151,8 @@ class Context:
         """The pass, whose transforms are in scope everywhere."""
         self.applied: dict[Application, Node | Failure] = {}
         """Values of functions and of the file's constants."""
+        self.defaults: dict[DefaultKey, Node | Failure] = {}
+        """Values of arguments that calls leave out."""
         self.overloads: dict[Symbol, Overloads] = {}
         """The overloads, by the first function of each name."""
         self.lights = Lights()

@@ -18,7 +18,7 @@ from ...ir.types import Opaque
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
-from ..types.typenames import Variables
+from ..types.typenames import Variable, Variables
 from .origins import Origin
 
 
@@ -237,6 +237,12 @@ Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner
 
 Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""
+
+
+DefaultKey = tuple[
+    ast.Argument, tuple[int, ...], tuple[tuple[str, Variable], ...], Instance | None
+]  # fmt: skip
+"""An argument with a default, the ids of what it reads, type parameters, and the surface."""
 
 
 @record

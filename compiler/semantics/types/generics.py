@@ -45,10 +45,15 @@ class Use:
     meaning: Meaning | None
 
 
-def bind(function: ast.Function, uses: Sequence[Use]) -> Variables | None:
-    """The value of each type parameter; ``None`` where the arguments do not say, or disagree."""
+def bind(
+    function: ast.Function, formals: Sequence[ast.Argument], uses: Sequence[Use]
+) -> Variables | None:
+    """The value of each type parameter; ``None`` where the arguments do not say, or disagree.
+
+    ``formals`` are those that a call gives, each with its use.
+    """
     binding = _Binding(function)
-    for formal, use in zip(function.arguments, uses, strict=True):
+    for formal, use in zip(formals, uses, strict=True):
         if not binding.match(formal.type, use):
             return None
     return binding.result()
@@ -83,8 +88,9 @@ def _members(family: str) -> Sequence[Variable]:
 
 
 def uninferable(function: ast.Function) -> list[ast.TypeParameter]:
-    """Type parameters that no argument mentions, so that no call can infer them."""
-    inferable = {name for argument in function.arguments for name in _names(argument.type)}
+    """Type parameters that no argument without a default mentions, so that some calls lack them."""
+    given = [argument for argument in function.arguments if argument.default is None]
+    inferable = {name for argument in given for name in _names(argument.type)}
     return [each for each in function.type_parameters if each.name.text not in inferable]
 
 

@@ -60,11 +60,13 @@ class Mixin(Late):
 
 @frozen(eq=False)
 class Argument:
-    """A formal parameter of a function or term."""
+    """A formal parameter of a function or term: ``width : float``, ``width : float = 1``."""
 
     span: Span
     name: Name
     type: TypeName
+    default: Expression | None = None
+    """Its value in calls that leave it out."""
 
 
 @frozen(eq=False)

@@ -88,11 +88,16 @@ class Conditional:
 
 @frozen(eq=False)
 class Call:
-    """``f(a, b)``: a function, builtin, term, constructor, or a texture read at a coordinate."""
+    """``f(a, b)``: a function, builtin, term, constructor, or a texture read at a coordinate.
+
+    In ``f(a, width = b)``, an argument is given by its name.
+    """
 
     span: Span
     callee: Expression
     arguments: tuple[Expression, ...]
+    names: tuple[Name | None, ...] = ()
+    """For each argument the name that it is given by, if it is; empty where no argument is."""
 
 
 @frozen(eq=False)
