@@ -61,6 +61,8 @@ class Asked(NamedTuple):
     partial: bool
     native_stages: bool
     keep_graphs: bool
+    values: tuple[tuple[str, str], ...]
+    """Values and ranges of parameters, by name, to which the texts are limited."""
 
 
 @seldom_collected
@@ -103,6 +105,8 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         shaders = [each.shader for frame in frames for each in frame.shaders]
     else:
         shaders = frontend.shaders(module, asked.material, asked.rig, asked.pass_)
+    if asked.values and not report.failed:
+        shaders, frames = _specialised(shaders, frames, asked, report)
     if report.failed:
         raise CompileError(report.diagnostics)
     if asked.emit.line_directives:
@@ -123,6 +127,18 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     if report.failed:
         raise CompileError(report.diagnostics)
     return _Computed(ResultGraphs(tuple(made), tuple(frames or ())), tuple(lacking), chosen)
+
+
+def _specialised(
+    shaders: Sequence[Shader], frames: list[Frame] | None, asked: Asked, report: Report
+) -> tuple[list[Shader], list[Frame] | None]:
+    """Shaders and frames whose texts serve no other values than asked for."""
+    from .specialising import specialised, specialised_frames
+
+    if frames is None:
+        return specialised(shaders, asked.values, report), None
+    frames = specialised_frames(frames, asked.values, report)
+    return [each.shader for frame in frames for each in frame.shaders], frames
 
 
 @seldom_collected

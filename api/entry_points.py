@@ -6,7 +6,7 @@ them too, and ``variants`` besides. ``compiling.py`` runs the compiler's phases.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from os import PathLike
@@ -20,7 +20,7 @@ from ..compiler.frontend import Frontend, current_library
 from ..compiler.passes.pipeline import Options
 from ..compiler.semantics.names.modules import Module
 from ..support.arguments import expect, expect_all
-from ..support.frozen import frozen
+from ..support.frozen import EMPTY, frozen
 from ..support.garbage import seldom_collected
 from ..targets.emit.emitter import EmitOptions
 from ..targets.selection import DEFAULT
@@ -52,6 +52,10 @@ __all__ = [
 ]
 
 
+GivenValue = str | float | Sequence[float]
+"""A value of a parameter, or a range as a text: ``"0.3..0.5"``."""
+
+
 def compile(
     source: str | Path,
     targets: str | Iterable[str] = DEFAULT,
@@ -60,6 +64,7 @@ def compile(
     rig: str | None = None,
     pass_: str | None = None,
     search_path: Sequence[str | Path] = (),
+    values: Mapping[str, GivenValue] = EMPTY,
     hoist: bool = True,
     flip_y: bool = False,
     single_file: bool = False,
@@ -97,7 +102,7 @@ def compile(
     asked = Asked(
         tuple(_names_of_targets(targets)), *_sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
-        keep_graphs,
+        keep_graphs, _texts_of(values),
     )  # fmt: skip
     library = current_library()
     result = _REMEMBERED.find(asked, library)
@@ -216,6 +221,23 @@ def _names_of_targets(targets: str | Iterable[str]) -> list[str]:
     if isinstance(targets, str):
         return targets.split(",")
     return expect_all("targets", targets, str, "names of targets")
+
+
+def _texts_of(values: Mapping[str, GivenValue]) -> tuple[tuple[str, str], ...]:
+    """Values as a command line has them."""
+    expect("values", values, Mapping, "a mapping of names to values")
+    return tuple((name, _text_of(name, value)) for name, value in values.items())
+
+
+def _text_of(name: str, value: GivenValue) -> str:
+    expect("values", name, str, "names of parameters")
+    if isinstance(value, bool):
+        return str(value).lower()
+    wanted = "numbers, sequences of numbers, and texts"
+    expect("values", value, (str, int, float, Sequence), wanted)
+    if isinstance(value, str | int | float):
+        return str(value)
+    return ",".join(map(str, expect_all("values", value, (int, float), wanted)))
 
 
 def _check_names(**names: str | None) -> None:

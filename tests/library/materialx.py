@@ -237,7 +237,7 @@ def _shader_of(nodes: Sequence[Node]) -> str:
     return _FRAGMENT.format(
         rows=ROWS,
         head=_HEAD,
-        definitions="\n".join(_defined(file, seen) for file in (_MATH, *files)),
+        definitions="\n".join(_defined(file, seen) for file in (*MATH, *files)),
         calls="".join(
             _CALL.format(
                 number=number,
@@ -251,7 +251,7 @@ def _shader_of(nodes: Sequence[Node]) -> str:
     )
 
 
-_MATH = "stdlib/genglsl/lib/mx_math.glsl"
+MATH = ("stdlib/genglsl/lib/mx_math.glsl",)
 TOKENS = {
     "$closureDataConstructor": "ClosureData(closureType, L, V, N, P, occlusion)",
     "$refractionTwoSided": "false",
@@ -272,6 +272,13 @@ everywhere. Words that others begin with come after these."""
 def libraries() -> Path:
     """The folder of the installed package in which the libraries of MaterialX are."""
     return Path(import_module("MaterialX").getDefaultDataSearchPath().asString()) / "libraries"
+
+
+def inlined(name: str, **inputs: str) -> str:
+    """The expression that MaterialX's generator writes for a node without a function."""
+    text = (libraries() / "stdlib/genglsl/stdlib_genglsl_impl.mtlx").read_text("utf-8")
+    (source,) = re.findall(rf'"IM_{name}_genglsl".* sourcecode="(.*?);?"', text)
+    return re.sub(r"{{(\w+)}}", lambda found: inputs[found[1]], source)
 
 
 def _defined(file: str, seen: set[Path]) -> str:

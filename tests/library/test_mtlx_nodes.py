@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import pytest
 
-from .materialx import RESULTS, Node, Nodes, assert_alike
+from .materialx import MATH, RESULTS, Node, Nodes, assert_alike, inlined
 from .truth import truth
 
 IMPORTS = "\n".join(
     f"import std.mtlx.{name}"
-    for name in ("color", "compositing", "geometry", "patterns", "surfaces", "textures")
+    for name in (
+        "adjustments",
+        "compositing",
+        "geometry",
+        "patterns",
+        "surfaces",
+        "textures",
+    )
 )
 LANES = {1: ".x", 2: ".xy", 3: ".xyz", 4: ""}
 KINDS = {1: "float", 2: "vector2", 3: "vector3", 4: "vector4"}
@@ -18,7 +25,7 @@ LIBRARY = "stdlib/genglsl/"
 PBR = "pbrlib/genglsl/"
 HAIR = PBR + "mx_chiang_hair_bsdf.glsl:"
 
-COLOR: Nodes = {
+ADJUSTMENTS: Nodes = {
     "rgbtohsv of 3": Node("mx_rgbtohsv_color3(r.xyz, three)", "rgbtohsv(r.xyz)", 3),
     "rgbtohsv of 4": Node("mx_rgbtohsv_color4(r, four)", "rgbtohsv(r)", 4),
     "rgbtohsv, grey": Node("mx_rgbtohsv_color3(r.xxx, three)", "rgbtohsv(r.xxx)", 3),
@@ -28,6 +35,17 @@ COLOR: Nodes = {
         "mx_luminance_color3(r.xyz, q.xyz, three)", "luminance(r.xyz, q.xyz)", 3
     ),
     "luminance of 4": Node("mx_luminance_color4(r, q.xyz, four)", "luminance(r, q.xyz)", 4),
+    "smoothstep": Node(
+        "mx_smoothstep_float(r.x, r.y, r.z, one)", "smoothstep(r.x, r.y, r.z)", near=1e-4
+    ),
+    "smoothstep of 3": Node(
+        "three = r.xyz; mx_smoothstep_float(r.x, q.x, r.w, three.x); "
+        "mx_smoothstep_float(r.y, q.y, r.w, three.y); mx_smoothstep_float(r.z, q.z, r.w, three.z)",
+        "smoothstep(r.xyz, q.xyz, r.w)",
+        3,
+        near=1e-4,
+        files=(LIBRARY + "mx_smoothstep_float.glsl",),
+    ),
 }
 
 
@@ -46,6 +64,12 @@ COMPOSITING: Nodes = {
         "mx_disjointover_color4(p, vec4(r.xyz, 0), q.x, four)",
         "disjointover(p, vec4(r.xyz, 0), q.x)",
         4,
+    ),
+    "matte": Node(
+        f"four = {inlined('matte_color4', fg='r', bg='q', mix='q.x')}",
+        "matte(r, q, q.x)",
+        4,
+        files=MATH,
     ),
     "premult": Node("mx_premult_color4(r, four)", "premult(r)", 4),
     "unpremult": Node(
@@ -76,17 +100,6 @@ PATTERNS: Nodes = {
         for name, (place, center) in SPLITS.items()
         for n in KINDS
     },
-    "smoothstep": Node(
-        "mx_smoothstep_float(r.x, r.y, r.z, one)", "smoothstep_between(r.x, r.y, r.z)", near=1e-4
-    ),
-    "smoothstep of 3": Node(
-        "three = r.xyz; mx_smoothstep_float(r.x, q.x, r.w, three.x); "
-        "mx_smoothstep_float(r.y, q.y, r.w, three.y); mx_smoothstep_float(r.z, q.z, r.w, three.z)",
-        "smoothstep_between(r.xyz, q.xyz, r.w)",
-        3,
-        near=1e-4,
-        files=(LIBRARY + "mx_smoothstep_float.glsl",),
-    ),
 }
 
 MATRIX3 = "mat3(p.xyz, q.xyz, r.xyz)"
@@ -110,11 +123,11 @@ GEOMETRY: Nodes = {
     ),
     "transformmatrix of 3": Node(
         f"three = mx_matrix_mul({MATRIX3}, r.xyz)", f"transformmatrix(r.xyz, {MATRIX3})", 3,
-        files=(LIBRARY + "lib/mx_math.glsl",),
+        files=MATH,
     ),
     "transformmatrix of 4": Node(
         f"four = mx_matrix_mul({MATRIX4}, r)", f"transformmatrix(r, {MATRIX4})", 4,
-        files=(LIBRARY + "lib/mx_math.glsl",),
+        files=MATH,
     ),
     "normalmap": Node(
         "mx_normalmap_float(q.xyz, r.w, r.xyz, p.xyz, p.yzw, three)",
@@ -210,7 +223,7 @@ TEXTURES: Nodes = {
     "hextilednormalmap": _hextiled_normal("0.5", "false"),
     "hextilednormalmap, flipped": _hextiled_normal("q.x", "true"),
 }
-NODES: Nodes = {**COLOR, **COMPOSITING, **PATTERNS, **GEOMETRY, **SURFACES, **TEXTURES}
+NODES: Nodes = {**ADJUSTMENTS, **COMPOSITING, **PATTERNS, **GEOMETRY, **SURFACES, **TEXTURES}
 
 
 def of(module: str, names: str) -> list[str]:
@@ -218,19 +231,19 @@ def of(module: str, names: str) -> list[str]:
     return [f"std.mtlx.{module}.{name}" for name in names.split()]
 
 
-@truth(*of("color", "rgbtohsv hsvtorgb luminance"))
-@pytest.mark.parametrize("name", COLOR)
-def test_color(name: str) -> None:
+@truth(*of("adjustments", "rgbtohsv hsvtorgb luminance smoothstep"))
+@pytest.mark.parametrize("name", ADJUSTMENTS)
+def test_adjustments(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 
-@truth(*of("compositing", "burn dodge disjointover premult unpremult nearest_to_zero"))
+@truth(*of("compositing", "burn dodge disjointover matte premult unpremult nearest_to_zero"))
 @pytest.mark.parametrize("name", COMPOSITING)
 def test_compositing(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 
-@truth(*of("patterns", "ramplr ramptb splitlr splittb filtered_step smoothstep_between"))
+@truth(*of("patterns", "ramplr ramptb splitlr splittb filtered_step"))
 @pytest.mark.parametrize("name", PATTERNS)
 def test_patterns(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)

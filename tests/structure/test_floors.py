@@ -119,9 +119,11 @@ FLOORS: dict[str, str] = {
         "legalise emit selection graphs runner"
     ),
     "api.remembered": "frozen locks watching compiled",
+    "api.narrowed_values": "frozen stdlib ir runner",
+    "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.compiling": (
         "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
-        "description emit legalise availability selection graphs compiled"
+        "description emit legalise availability selection graphs compiled specialising"
     ),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "

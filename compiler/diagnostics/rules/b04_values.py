@@ -163,6 +163,14 @@ TOO_LARGE_TO_DRAW = error(
     "`--program`, without `--all`, shows only values that have names.",
 )
 
+NOT_SPECIALISED = error(
+    "B0452",
+    "{problem}",
+    "`compile --set NAME=VALUE` and `NAME=LOW..HIGH` narrow what the host may set, so they name "
+    "parameters and keep to their declared ranges. Slots are set in the text, by a material that "
+    "extends another.",
+)
+
 # Structures
 
 STRUCT_TOO_LARGE = error(
