@@ -11,6 +11,7 @@ import pytest
 from burnish.materialx.fidelity import worker
 from burnish.materialx.fidelity.checker import Checker
 from burnish.materialx.fidelity.checking import Claim, check
+from burnish.materialx.fidelity.comparing import drawn
 from burnish.materialx.fidelity.images import Images
 from burnish.materialx.fidelity.records import FidelityError
 from burnish.targets.toolchain.pipe import Packet
@@ -30,6 +31,11 @@ def test_what_a_document_renders_is_named(checker: Checker) -> None:
 def test_an_unknown_renderable_is_told(checker: Checker) -> None:
     with pytest.raises(FidelityError, match="there is no `Lam` to render; there is Lamp"):
         checker.draw(document("unlit_constant"), "Lam")
+
+
+def test_any_element_is_drawn(checker: Checker) -> None:
+    assert checker.renderables(document("upgraded_1_38")) == ["Before"]
+    assert drawn(checker.draw(document("upgraded_1_38"), "before/out").picture).sum() > 100
 
 
 def test_a_file_that_is_no_document_is_told(checker: Checker, tmp_path: Path) -> None:
