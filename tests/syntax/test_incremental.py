@@ -33,14 +33,16 @@ PROGRAMS = [
 PIECES = [
     *sorted(load_tables().literals), "a", "output", "1", "2%", "5.", "#fff", "#1", '"', '"x"', "'",
     "/*", "*/", "// note", "/// doc", "//! doc", "\n", "\r\n", "\r", " ", "\t", "\ufeff", "ä", "π",
-    "\u2028", "\x0c", "\0", "<<<<<<< a", "=======", "\n=======", ">>>>>>> b", "#define X", "&&",
-    "burnish 1", "\nabstract material A {", "\nfn f(", "\nfn", "\nterm t(x: float) per", "\nx = y",
+    "\u2028", "\x0c", "\0", "    "burnish 1", "\nabstract material A {", "\nfn f(", "\nfn", "\nterm t(x: float) per", "\nx = y",
     "\nspace output", "\nextern block", "\nmixin M for", "\nmaterial\n", "\nimport", "\nrig R : ",
     "\nstruct S <", "from", "\nfn f() = 1 as output\n", "\n/// doc\n/* note */\n",
+<<<<<<< HEAD
     "sum i in 0..n : ", "::", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)",
     "\n\u2028\n",
     "\n/*\n", "\n// */\n", "\n// */ a\n",
     "\n/// doc\n\n// note\n",
+    "sum i in 0..n : ", "::", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
+    "\n/// doc\n\n// note\n", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)",
 ]  # fmt: skip
 """Texts that edits insert: all words and marks, broken ones, and beginnings of declarations."""
 
