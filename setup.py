@@ -15,7 +15,7 @@ from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent.resolve()
-ROOTS = ("api", "commands", "compiler", "stdlib", "support", "targets")
+ROOTS = ("api", "commands", "compiler", "materialx", "stdlib", "support", "targets")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = (
@@ -75,7 +75,7 @@ setup(
             *(f"docs/**/*.{ending}" for ending in ("md", "png")),
             *(f"examples/**/*.{ending}" for ending in ("burnish", "md", "said", "png", "hdr")),
         ],
-        "burnish.stdlib": ["*.burnish", "*.toml", "*.txt"],
+        "burnish.stdlib": ["**/*.burnish", "*.toml", "*.txt"],
         # Not every folder below these is a package.
         **{
             f"burnish.{root}": [f"**/*.{ending}" for ending in DATA]

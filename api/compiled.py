@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 from ..compiler.diagnostics.diagnostic import Diagnostic
 from ..compiler.diagnostics.source import Source, Span
 from ..compiler.inputs import Inputs
+from ..compiler.ir.leaves import Leaf
+from ..compiler.ir.node import reachable
 from ..compiler.ir.shader import Shader
 from ..compiler.passes.guard import Guard
 from ..compiler.passes.pipeline import Staged
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from ..compiler.ir.frame import Frame
     from ..compiler.ir.program import StageName
     from ..compiler.passes.proofs import Proof
+    from ..compiler.passes.removals import Removal
     from ..targets.runner.instances.instance import Instance
 
 FileStage = str
@@ -132,6 +135,17 @@ class CompiledMaterial:
 
         evidence = self.staged.evidence
         return tuple(Proofs(evidence.ranges, evidence.notes).explain(evidence.remarks))
+
+    @cached_property
+    def removals(self) -> tuple[Removal, ...]:
+        """What the shader does not compute, as values of parameters make it dead; and why."""
+        from ..compiler.passes.removals import Removals
+
+        staged = self.staged
+        evidence = staged.evidence
+        outside = [*staged.program.shader.roots, *(each.expression for each in staged.derived)]
+        read = {node.data.name for node in reachable(outside) if isinstance(node.data, Leaf)}
+        return tuple(Removals(evidence.ranges, evidence.first_notes, evidence.before, read).told())
 
     def emitted(self, profile: str) -> Shader:
         """The graph that the texts for a profile (``glsl:es300``) compute, as a shader.

@@ -9,7 +9,7 @@ import click
 
 from .compilation import succeeds
 from .compile_options import OPTIONS, CompileRequest
-from .options import option
+from .options import each_once, option
 from .results import Question
 from .terminal import FAILED
 
@@ -37,8 +37,12 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
         burnish compile materials/*.burnish -o build/
+        burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
     """
+    each_once(chosen["values"])
     request = CompileRequest(**chosen)
+    if request.why and request.prints:
+        raise click.UsageError("--why prints reasons: it goes with a folder, not with -o -")
     context = click.get_current_context()
     if watch:
         from .watch import watch as repeat

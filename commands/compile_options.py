@@ -67,6 +67,15 @@ INCLUDE = Option(
     many=True,
     is_path=True,
 )
+SET = Option(
+    "values",
+    ("--set",),
+    "Serve one value of a parameter only, or a part of its range, and leave out what is dead then; "
+    "may be given many times.",
+    metavar="NAME=VALUE|LOW..HIGH",
+    many=True,
+)
+WHY = Option("why", ("--why",), "Say what values of parameters make dead, and why.")
 VALIDATE = Option("validate", ("--validate",), "Have the real compilers check the texts.")
 SINGLE_FILE = Option(
     "single_file", ("--single-file",), "All stages in one text: vs_main and fs_main."
@@ -96,8 +105,8 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES,
-    HOIST, NATIVE_STAGES, CACHE,
+    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
+    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -116,6 +125,9 @@ class CompileRequest:
     rig: str | None = None
     pass_: str | None = None
     search_path: tuple[Path, ...] = ()
+    values: tuple[str, ...] = ()
+    """What is said of parameters, each as ``NAME=VALUE`` or ``NAME=LOW..HIGH``."""
+    why: bool = False
     validate: bool = False
     single_file: bool = False
     flip_y: bool = False
@@ -166,9 +178,25 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
     paths = (*chosen.get("search_path", ()), *chosen.get("files", ()))
     if not chosen.keys() >= {"files", "output"} or not all(map(_may_be_read, paths)):
         return None
+    if not _are_named_once(chosen.get("values", ())):
+        return None
+    if chosen.get("why") and chosen["output"] == STDOUT:
+        return None
     return CompileRequest(**chosen)
 
 
 def _may_be_read(path: Path) -> bool:
     """True if nothing forbids to read a file or folder. It need not exist."""
     return os.access(path, os.R_OK) or not os.path.lexists(path)
+
+
+def _are_named_once(values: Sequence[str]) -> bool:
+    """True if all values are like ``power=32``, each with another name."""
+    pairs = [name_and_value(text) for text in values]
+    return all(name and value for name, value in pairs) and len(dict(pairs)) == len(pairs)
+
+
+def name_and_value(text: str) -> tuple[str, str]:
+    """The parts of a value of ``--set``: ``power=32``."""
+    name, _, value = (part.strip() for part in text.partition("="))
+    return name, value

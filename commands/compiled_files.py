@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..support.frozen import frozen
-from .compile_options import CompileRequest
+from .compile_options import CompileRequest, name_and_value
 
 if TYPE_CHECKING:
-    from ..api.compiled import CompileResult
+    from ..api.compiled import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.inputs import Inputs
 
@@ -62,6 +62,7 @@ def _result(request: CompileRequest, file: Path) -> CompileResult:
         rig=request.rig,
         pass_=request.pass_,
         search_path=request.search_path,
+        values=dict(map(name_and_value, request.values)),
         hoist=request.hoist,
         flip_y=request.flip_y,
         single_file=request.single_file,
@@ -97,6 +98,7 @@ def _written(
         reflections[reflection] = to_text(material.reflection)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
+        lines += _reasons(material) if request.why else ()
     for frame in result.frames:
         plan = f"{frame.name}.plan.json"
         plans[plan] = to_text(frame.plan)
@@ -105,6 +107,15 @@ def _written(
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     remarks = (*_remarks_on_passes(request, result), *_remarks_on_languages(result))
     return Compiled(texts, reflections, plans, tuple(lines), remarks, warnings, result.inputs)
+
+
+def _reasons(material: CompiledMaterial) -> Iterator[str]:
+    """A line for each value that a shader does not compute, with its place in the source."""
+    for removal in material.removals:
+        place = "" if removal.span is None else f"{removal.span}: "
+        yield f"  {place}{removal.sentence}\n"
+    if not material.removals:
+        yield "  No value of a parameter makes anything dead.\n"
 
 
 def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterator[str]:

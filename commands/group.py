@@ -18,9 +18,11 @@ COMMANDS = (
     "compile",
     "check",
     "graph",
+    "import",
     "render",
     "view",
     "conform",
+    "same",
     "judge",
     "gallery",
     "corpus",
@@ -33,10 +35,10 @@ COMMANDS = (
 )
 """The commands; each has the name of its module. Only the requested one is loaded; for an unknown
 name, all are, because click suggests a command from those it knows."""
-FUNCTIONS = {"compile": "compile_"}
+FUNCTIONS = {"compile": "compile_", "import": "import_"}
 """The functions of commands whose names mean something else in Python."""
-MODULES = {"judge": "judge_picture"}
-"""The modules of commands whose names other modules have."""
+MODULES = {"import": "import_document", "judge": "judge_picture"}
+"""The modules of commands whose names other modules have, or are words of Python."""
 
 
 class _QuietGroup(click.Group):

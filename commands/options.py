@@ -61,6 +61,10 @@ scene_option = click.option(
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
 )  # fmt: skip
+variant_option = click.option(
+    "--variant", metavar="NAME",
+    help="The variant in which the materials of --scene are shown, of those that the file has.",
+)  # fmt: skip
 environment_option = click.option(
     "--environment", metavar="WHAT", default=STUDIO, show_default=True,
     help="The light from all around: `studio`, `sky`, `none`, or the file of a panorama "
@@ -157,6 +161,11 @@ def pairs(
     _context: click.Context, _option: click.Parameter, given: Sequence[str]
 ) -> tuple[tuple[str, str], ...]:
     """The callback of an option whose values are like ``power=32``."""
+    return _pairs(given)
+
+
+def _pairs(given: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """The values of an option that are like ``power=32``. Raises ``BadParameter`` for others."""
     found = []
     for text in given:
         name, _, value = (part.strip() for part in text.partition("="))
@@ -166,11 +175,9 @@ def pairs(
     return tuple(found)
 
 
-def _each_once(
-    context: click.Context, option_: click.Parameter, given: Sequence[str]
-) -> tuple[tuple[str, str], ...]:
-    """The callback of ``--set``: of two values for one name, neither is certainly meant."""
-    found = pairs(context, option_, given)
+def each_once(given: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """The values of ``--set``: of two values for one name, neither is certainly meant."""
+    found = _pairs(given)
     known: dict[str, str] = {}
     for name, value in found:
         if name in known:
@@ -180,7 +187,8 @@ def _each_once(
 
 
 values_option = click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=_each_once,
+    "--set", "values", metavar="NAME=VALUE", multiple=True,
+    callback=lambda _context, _option, given: each_once(given),
     help="A parameter or a texture, or that of one material, as Clay.base; may be given many "
     "times.",
 )  # fmt: skip
@@ -191,7 +199,7 @@ def _raise_limits(context: click.Context, _option: click.Parameter, given: Seque
     from ..compiler.budget import LIMITS, amount_of, raised
 
     limits = {}
-    for name, text in pairs(context, _option, given):
+    for name, text in _pairs(given):
         if name not in LIMITS:
             from ..compiler.diagnostics.nearest import suggestion
 

@@ -186,14 +186,18 @@ def installation() -> str:
 
 
 def _stamps(folder: str) -> Iterator[str]:
-    """The stamps of each module, and of everything beside the modules of a sub-package."""
+    """The stamps of each module, and of everything else in the folders of sub-packages."""
     with os.scandir(folder) as entries:
         for entry in entries:
             if entry.is_dir():
-                if os.path.exists(os.path.join(entry.path, "__init__.py")):  # noqa: PTH110, PTH118
+                if (folder != _ROOT and entry.name != "__pycache__") or _is_package(entry.path):
                     yield from _stamps(entry.path)
             elif folder != _ROOT or entry.name.endswith(".py"):
                 yield _stamp(entry.path, entry.stat())
+
+
+def _is_package(folder: str) -> bool:
+    return os.path.exists(os.path.join(folder, "__init__.py"))  # noqa: PTH110, PTH118
 
 
 def _stamp(path: str, status: os.stat_result) -> str:

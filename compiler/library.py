@@ -23,7 +23,7 @@ from .library_trees import (
 )
 from .precomputed import Precomputations
 from .semantics.names.modules import Module, Named, Symbol
-from .semantics.names.standard_library import StandardLibrary
+from .semantics.names.standard_library import StandardLibrary, files_of
 from .syntax import ast
 from .syntax.load import load_source
 from .syntax.stored import loaded
@@ -69,7 +69,7 @@ def standard_library(folder: Path) -> StandardLibrary:
 def trees_to_generate() -> Precomputations:
     """The trees that are made when the package is built: those of all files."""
     made: dict[str, Callable[[], object]] = {}
-    for path in sorted(FOLDER.glob("*.burnish")):
+    for path in files_of(FOLDER):
         source = Source(path.name, path.read_text(encoding="utf-8"))
         one_by_one = path.name == MEANING
         made |= declarations_to_generate(source) if one_by_one else tree_to_generate(source)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from ...stdlib.builtins.facts import LARGEST_FLOAT
-from .leaves import Leaf
+from .leaves import Leaf, Number
 from .node import Applying, FoldOperator, Formals, Graph, Iterating, Node, Op, bare
 from .stages import CORNER, Crossing
 from .types import (
@@ -22,8 +22,6 @@ from .types import (
     width,
     with_width,
 )
-
-Number = float | int | bool
 
 
 def constant(graph: Graph, type_: Type, value: Number | tuple[Number, ...]) -> Node:

@@ -11,6 +11,8 @@ from .node import Op
 from .stages import VERTICES, Domain
 from .types import INT, RuntimeArray, Type
 
+Number = float | int | bool
+
 MOST_ELEMENTS = float(2**31 - 1)
 """Elements of a storage buffer: their numbers are of type ``int``."""
 LARGEST_PLACE = 65535
@@ -74,6 +76,12 @@ class Parameter(Leaf):
     meaning: Meaning | None = None
     host: HostPlace | None = None
     """The host's own block that holds it, instead of the group's."""
+    value: Number | tuple[Number, ...] | None = None
+    """The only value that it may have, or the lanes of it, where lanes may differ.
+
+    A compile that was told one has it (``--set tint=#b5651d``). A single number, or one in all
+    lanes, needs none: its ``fact`` says it.
+    """
 
 
 @frozen(key=True)

@@ -216,6 +216,8 @@ def _input(_ranges: Analysis, node: Node, _known: Sequence[Fact]) -> Fact:
 def _fold(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     data = FOLD.data(node)
     count, start, body = known
+    if count.hi <= 0:
+        return start
     turns = count.lo >= 1 and data.bound >= 1
     if data.operator == "min":
         return Fact(min(start.lo, body.lo), min(start.hi, body.hi) if turns else start.hi)
@@ -242,6 +244,8 @@ _FOLDS = {"add": rulebook.SUM, "mul": rulebook.PRODUCT}
 
 def _iterate(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
     """The fact of a state: its initial value, or its value after an iteration."""
+    if known[0].hi <= 0:
+        return known[1] if ITERATE.data(node).states == 1 else UNKNOWN
     return known[1].union(known[-1]) if ITERATE.data(node).states == 1 else UNKNOWN
 
 

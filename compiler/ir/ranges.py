@@ -186,6 +186,10 @@ class Ranges:
             self._found[key] = invariants(starts, turn, data.bound)
         return self._found[key][states.index(state)]
 
+    def is_in_turn(self, node: Node) -> bool:
+        """True if a value depends on a state of a loop around it."""
+        return not node.variables.isdisjoint(self._states)
+
     def bound_of(self, index: Formal) -> int:
         """The largest number of values that a fold's index takes."""
         return self._indices[index]

@@ -19,9 +19,19 @@ _Place = tuple[Node, bool]
 
 
 def inline(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
-    """The roots with applies of bodies that are used once, or hardly used, as the bodies."""
-    if "apply" not in roots.ops:
-        return roots
+    """The roots with applies of bodies that are used once, or hardly used, as the bodies.
+
+    A call in a body that is written out may then have other arguments, such as constants, so it is
+    decided again.
+    """
+    before = None
+    while roots is not before and "apply" in roots.ops:
+        before, roots = roots, _inlined(graph, roots, notes, simplifier)
+    return roots
+
+
+def _inlined(graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier) -> Roots:
+    """The roots with all calls decided that they have now."""
     applies = [node for node in roots.nodes if node.op == "apply"]
     uses = Counter(node.operands[0] for node in applies)
     prices = CallPrices(simplifier)

@@ -59,6 +59,10 @@ class Evidence:
     ranges: Ranges
     notes: Notes
     """The notes when the last decision was made: later passes name values of their own."""
+    before: Roots
+    """The values of the shader before all simplification."""
+    first_notes: Notes
+    """The notes about those: later ones call values after what they have replaced."""
 
 
 @frozen
@@ -109,6 +113,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
     roots = verified("open_binders", "opened", open_binders(graph, roots, notes))
     roots = verified("replace_aggregates", "flat", replace_aggregates(graph, roots, notes))
+    before, first_notes = roots, notes.copy()
     # Passes keep values, so facts of a node, or of a variable, stay true throughout.
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
@@ -116,7 +121,11 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = _simplified(graph, roots, notes, simplifier, apart)
     roots, decisions = _guarded(graph, roots, notes, ranges, apart)
     evidence = Evidence(
-        (*simplifier.remarks.values(), *decisions.remarks.values()), ranges, notes.copy()
+        (*simplifier.remarks.values(), *decisions.remarks.values()),
+        ranges,
+        notes.copy(),
+        before,
+        first_notes,
     )
     roots = verified("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()

@@ -114,7 +114,7 @@ class Proofs:
         """The operands without whose facts the conclusion would fail."""
         facts = [self._ranges.of(operand) for operand in remark.operands]
         if remark.outcome == "dropped":
-            return [o for o, f in zip(remark.operands, facts, strict=True) if _tells(f)]
+            return [o for o, f in zip(remark.operands, facts, strict=True) if tells(f)]
         domain = BUILTINS[remark.builtin].domain
         if remark.conditions or not domain(tuple(facts)):
             return []
@@ -131,10 +131,10 @@ class Proofs:
         while pending:
             node, depth = pending.pop()
             fact = self._ranges.of(node)
-            if node.id in seen or not (_tells(fact) or depth == 1):
+            if node.id in seen or not (tells(fact) or depth == 1):
                 continue
             seen.add(node.id)
-            rule = self._ranges.reason(node) if _tells(fact) else None
+            rule = self._ranges.reason(node) if tells(fact) else None
             yield ProofStep(
                 depth, self._formulas.text(node), described(fact), rule or "",
                 self._notes.spans.get(node.id),
@@ -150,7 +150,7 @@ class Proofs:
             need
             for i, need in enumerate(needs)
             if need.op != "constant"
-            and _tells(known[i])
+            and tells(known[i])
             and self._ranges.derived(node, _without(known, i)) != fact
         ]
 
@@ -176,11 +176,11 @@ class Proofs:
             if node.id in seen:
                 continue
             seen.add(node.id)
-            text = "" if _tells(self._ranges.of(node)) else self._leaf(node)
+            text = "" if tells(self._ranges.of(node)) else self._leaf(node)
             if text and text not in told:
                 told.add(text)
                 yield text
-            pending += [o for o in reversed(node.operands) if not _tells(self._ranges.of(o))]
+            pending += [o for o in reversed(node.operands) if not tells(self._ranges.of(o))]
 
     def _leaf(self, node: Node) -> str:
         match node.data:
@@ -205,7 +205,7 @@ def _equation(name: str) -> str:
     return ""
 
 
-def _tells(fact: Fact) -> bool:
+def tells(fact: Fact) -> bool:
     """True if a fact says more than the type does."""
     return described(fact) not in ("anything", "any int", "any uint", "true or false")
 

@@ -2,7 +2,8 @@
 
 Passes build their nodes through ``Simplifier.make``, a smart constructor, so that a rule sees what
 earlier rules have simplified. The rules are rows of ``rules/table.py``; each keeps the value for
-all operands.
+all operands. A value that no rule simplifies may still be a constant, by its range
+(``known_values.py``).
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
 from ..ir.types import Type
+from .known_values import as_constant
 from .path_conditions import PathRefinement
 from .remarks import Outcome, Remark
 from .rules.builder import Builder
@@ -65,14 +67,19 @@ class Simplifier(Builder):
         """The simplest form of an operation, for ``rewrite``."""
         self.at = self.notes.spans.get(node.id, self.at)
         if operands is node.operands:
-            return self.again(node) if operands else node
+            return self.again(node) if operands else self._or_constant(node)
         return self.make(node.op, node.type, operands, node.data)
 
     def again(self, node: Node) -> Node:
         """The simplest node with the value of one that is there already."""
-        found = self.replacement(node.op, node.type, node.operands, node.data) or node
+        found = self.replacement(node.op, node.type, node.operands, node.data)
+        found = found or self._or_constant(node)
         self._simplest.add(found)
         return found
+
+    def _or_constant(self, node: Node) -> Node:
+        """A node, or the only number that its value can be."""
+        return as_constant(self.graph, self.ranges, node) or node
 
     def make(
         self, op: Op, type_: Type, operands: tuple[Node, ...] = (), data: Hashable = None
@@ -80,7 +87,7 @@ class Simplifier(Builder):
         """The simplest node with the value of this operation."""
         found = self.replacement(op, type_, operands, data)
         if found is None:
-            found = self.graph.node(op, type_, operands, data)
+            found = self._or_constant(self.graph.node(op, type_, operands, data))
         self._simplest.add(found)
         return found
 

@@ -204,7 +204,8 @@ def test_another_compiler(place: Place, tmp_path: Path) -> None:
     place.write(main="material Main { }")
     place.process()
     assert place.process().how == "KNOWN"
-    for changed in ("compiler/layout.py", "stdlib/prelude.burnish", "targets/wgsl/reserved.txt"):
+    edited = ("compiler/layout.py", "stdlib/mtlx/noise.burnish", "targets/wgsl/reserved.txt")
+    for changed in edited:
         status = (copy / changed).stat()
         text = (copy / changed).read_text("utf-8")
         (copy / changed).write_text(text, "utf-8")

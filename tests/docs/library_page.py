@@ -9,6 +9,7 @@ from pathlib import Path
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.library import FOLDER
+from burnish.compiler.semantics.names.standard_library import files_of, import_path
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -36,16 +37,17 @@ Named = ast.Record | ast.Mixin | ast.Function | ast.Constant | ast.StructDeclara
 
 def library_page() -> str:
     """The page, with one section for each file."""
-    paths = sorted(path for path in FOLDER.glob("*.burnish") if path.stem not in LEFT_OUT)
+    paths = [path for path in files_of(FOLDER) if path.stem not in LEFT_OUT]
     return HEAD + "".join(_section(path) for path in paths)
 
 
 def _section(path: Path) -> str:
     """A file: its own comment, the examples that import it, and its declarations."""
     parsed = _parsed(path)
-    shown = list(filter(None, map(_link, _users(path.stem))))
+    name = import_path(path, FOLDER)
+    shown = list(filter(None, map(_link, _users(name))))
     examples = f"\nExamples: {', '.join(shown)}.\n" if shown else ""
-    title = f"\n## `std.{path.stem}`\n\n{parsed.doc}\n{examples}"
+    title = f"\n## `{name}`\n\n{parsed.doc}\n{examples}"
     rows = _rows([each for each in parsed.declarations if isinstance(each, Named)])
     return title + "\n" + table(("what", ""), rows)
 
@@ -57,9 +59,9 @@ def _parsed(path: Path) -> ast.File:
     return parsed
 
 
-def _users(stem: str) -> Iterator[Path]:
+def _users(name: str) -> Iterator[Path]:
     """The examples that import a file of the library."""
-    imported = re.compile(rf"^import std\.{stem}\b", re.MULTILINE)
+    imported = re.compile(rf"^import {re.escape(name)}\b(?!\.\w)", re.MULTILINE)
     for path in sorted(EXAMPLES.rglob("*.burnish")):
         if imported.search(path.read_text("utf-8")):
             yield path

@@ -62,7 +62,8 @@ def _shader(
 
 
 class Quad:
-    """A number or a vector for each of 2 by 2 neighbouring pixels; lanes come last."""
+    """A number or a vector for each of 2 by 2 neighbouring pixels; lanes come last. Vectors may
+    have a first axis, for many quads."""
 
     def __init__(self, pixels: Any) -> None:
         self.pixels = np.asarray(pixels, np.float64)
@@ -70,7 +71,7 @@ class Quad:
     @property
     def lanes(self) -> tuple[Floats, ...]:
         """Each lane of the pixels."""
-        return tuple(np.moveaxis(self.pixels, -1, 0)) if self.pixels.ndim == 3 else (self.pixels,)
+        return tuple(np.moveaxis(self.pixels, -1, 0)) if self.pixels.ndim > 2 else (self.pixels,)
 
 
 def _kind(value: Any) -> str:

@@ -29,7 +29,7 @@ class Change(Edit):
     """One edit of a file of the library."""
 
     file: str
-    """The file's name without its ending."""
+    """The file's import path without `std`: ``noise``, ``mtlx.noise``."""
     declaration: str
     """The full name of the declaration that it changes."""
     told: str = ""

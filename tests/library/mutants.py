@@ -30,6 +30,7 @@ from pathlib import Path
 
 from burnish.compiler import frontend, library
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.semantics.names.standard_library import files_of, import_path, in_library
 
 from ..mutants.judge.children import Answer, in_child
 from .changes import Change, changes
@@ -48,16 +49,27 @@ def all_changes(name: str = "") -> list[Change]:
     """The changes of all files of the library whose names contain this."""
     return [
         change
-        for path in sorted(library.FOLDER.glob("*.burnish"))
-        if path.stem not in ELSEWHERE and name in path.stem
-        for change in changes(path.stem, text_of(path.stem))
+        for file in _files()
+        if file not in ELSEWHERE and name in file
+        for change in changes(file, text_of(file))
     ]
+
+
+def _files() -> list[str]:
+    """The files of the library as ``text_of`` takes them: ``noise``, ``mtlx.noise``."""
+    folder = library.FOLDER
+    return [import_path(path, folder).removeprefix("std.") for path in files_of(folder)]
 
 
 @cache
 def text_of(name: str) -> str:
     """The text of a file of the library."""
-    return (library.FOLDER / f"{name}.burnish").read_text("utf-8")
+    return (library.FOLDER / place_of(name)).read_text("utf-8")
+
+
+def place_of(name: str) -> str:
+    """Where a file of the library lies in its folder."""
+    return in_library(f"std.{name}".split("."))
 
 
 def judged(change: Change) -> Answer:
@@ -79,7 +91,7 @@ def _judged(change: Change, tests: Sequence[Test]) -> Answer:
     """What tests say of a changed library, in a process that has compiled nothing yet."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(shutil.copytree(library.FOLDER, Path(temporary) / "stdlib"))
-        path = folder / f"{change.file}.burnish"
+        path = folder / place_of(change.file)
         path.write_text(change.applied(text_of(change.file)), "utf-8")
         for module in (library, frontend):
             vars(module)["FOLDER"] = folder

@@ -9,6 +9,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
 from burnish.compiler.library import FOLDER
+from burnish.compiler.semantics.names.standard_library import files_of, import_path
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -25,13 +26,13 @@ def declared(path: Path) -> list[str]:
     """The full names of what a file of the library declares."""
     file = parse(Source(path.name, path.read_text("utf-8")), Report())
     named = [each for each in file.declarations if not isinstance(each, ast.Import)]
-    return list(dict.fromkeys(f"std.{path.stem}.{each.name.text}" for each in named))
+    return list(dict.fromkeys(f"{import_path(path, FOLDER)}.{each.name.text}" for each in named))
 
 
-FILES = sorted(FOLDER.glob("*.burnish"))
+FILES = files_of(FOLDER)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", FILES, ids=lambda path: import_path(path, FOLDER))
 def test_each_declaration_is_known_from_elsewhere(path: Path) -> None:
     load_all()
     missing = [] if path.stem in ELSEWHERE else [n for n in declared(path) if n not in TRUTHS]

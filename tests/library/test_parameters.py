@@ -14,6 +14,7 @@ from pathlib import Path
 from burnish.compiler import library
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.semantics.names.standard_library import files_of, import_path
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -24,11 +25,12 @@ GOLDEN = Path(__file__).parent / "parameters.txt"
 
 def parameters() -> Iterator[str]:
     """Each of them as it is written, behind the name of its owner."""
-    for path in sorted(library.FOLDER.glob("*.burnish")):
-        yield from parameters_of(path.stem, path.read_text("utf-8"))
+    for path in files_of(library.FOLDER):
+        name = import_path(path, library.FOLDER)
+        yield from parameters_of(name, path.read_text("utf-8"))
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=128)
 def parameters_of(name: str, text: str) -> tuple[str, ...]:
     """Those of one file. Mutants ask again for the files that they do not change."""
     found = []
@@ -36,7 +38,7 @@ def parameters_of(name: str, text: str) -> tuple[str, ...]:
         if isinstance(declaration, ast.Record | ast.Mixin):
             for member in declaration.members:
                 if said := " ".join(text[slice(*_told(member))].split()):
-                    found.append(f"std.{name}.{declaration.name.text}: {said}")
+                    found.append(f"{name}.{declaration.name.text}: {said}")
     return tuple(found)
 
 

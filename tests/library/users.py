@@ -11,6 +11,7 @@ from functools import cache
 from burnish.compiler import library
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.semantics.names.standard_library import files_of, import_path
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -48,19 +49,19 @@ def _with_users(declaration: str) -> list[str]:
 
 
 def _own(declaration: str) -> str:
-    return declaration.split(".")[2]
+    return declaration.rpartition(".")[2]
 
 
 @cache
 def _words() -> Mapping[str, frozenset[str]]:
     """The words in each declaration of the library, by its full name."""
     found: dict[str, frozenset[str]] = {}
-    for path in sorted(library.FOLDER.glob("*.burnish")):
+    for path in files_of(library.FOLDER):
         text = path.read_text("utf-8")
         for declaration in parse(Source(path.name, text), Report()).declarations:
             if not isinstance(declaration, ast.Import):
                 span = declaration.span
-                name = f"std.{path.stem}.{declaration.name.text}"
+                name = f"{import_path(path, library.FOLDER)}.{declaration.name.text}"
                 words = WORD.findall(text[span.start : span.end])
                 found[name] = found.get(name, frozenset()) | frozenset(words)
     return found

@@ -6,8 +6,7 @@ import random
 from collections.abc import Callable, Mapping
 
 from burnish.compiler.ir import build
-from burnish.compiler.ir.build import Number
-from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.leaves import Number, Parameter
 from burnish.compiler.ir.node import HEADS, SPECIAL, Graph, Node
 from burnish.compiler.ir.types import (
     FLOAT,

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from burnish.compiler.ir import build
-from burnish.compiler.ir.build import Number
-from burnish.compiler.ir.leaves import Parameter
+from burnish.compiler.ir.leaves import Number, Parameter
 from burnish.compiler.ir.node import (
     Folding,
     FoldOperator,

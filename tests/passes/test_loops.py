@@ -127,7 +127,7 @@ def test_a_function_takes_along_what_a_loop_around_its_call_computes() -> None:
     import std.lights
     term beams(k: rgb) per light =
         k * light.diffuse * sin(light.to_light) * cos(light.to_light.zxy) * exp(light.to_light)
-    material M { color = iterate c from vec3(0) up to 3 while c.x < 4 : 0.1 * beams(vec3(c.y)) }
+    material M { color = iterate c from vec3(1) up to 3 while c.x < 4 : 0.1 * beams(vec3(c.y)) }
     rig R { a : Point, b : Directional, c : Spot }
     """
     past = compiled(text)

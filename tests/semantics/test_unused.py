@@ -10,6 +10,7 @@ import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.semantics.names.modules import Symbol
+from burnish.compiler.semantics.names.standard_library import files_of, import_path
 from burnish.compiler.semantics.shading.assembly import Setting
 from burnish.compiler.semantics.shading.elaborate import elaborate
 
@@ -184,7 +185,7 @@ def test_of_imported_files_only_what_is_used_is_checked(tmp_path: Path) -> None:
     assert [found.rule.code for found in burnish.check(offer)] == ["B0201"]
 
 
-@pytest.mark.parametrize("path", sorted(LIBRARY.glob("*.burnish")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", files_of(LIBRARY), ids=lambda path: import_path(path, LIBRARY))
 def test_the_library(path: Path) -> None:
     if path.name != STANDS_FOR_BUILTINS:
         assert burnish.check(path) == ()

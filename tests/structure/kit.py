@@ -7,6 +7,7 @@ from pathlib import Path
 
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.diagnostics.source import Source
+from burnish.compiler.semantics.names.standard_library import files_of
 from burnish.compiler.syntax import ast
 from burnish.compiler.syntax.parser import parse
 
@@ -29,7 +30,7 @@ def library_names() -> frozenset[str]:
     """Every material, light, pass, rig and term that the library declares."""
     return frozenset(
         declaration.name.text
-        for path in LIBRARY.glob("*.burnish")
+        for path in files_of(LIBRARY)
         for declaration in parse(Source(path.name, path.read_text("utf-8")), Report()).declarations
         if isinstance(declaration, ast.Record | ast.Rig)
         or (isinstance(declaration, ast.Function) and declaration.kind == "term")

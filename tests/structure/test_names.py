@@ -15,6 +15,7 @@ import burnish
 from burnish.compiler import frontend
 from burnish.compiler.documents.writing import to_json
 from burnish.compiler.reflection import roles
+from burnish.compiler.semantics.names.standard_library import files_of
 from burnish.targets import registry
 
 from ..suite.package import FOLDERS
@@ -90,7 +91,7 @@ def test_the_demo_compiles_with_everything_renamed(
     assert expected.reflection.parameters, "made here, by the library's own names"
     library = tmp_path / "library"
     shutil.copytree(LIBRARY, library)
-    for path in library.glob("*.burnish"):
+    for path in files_of(library):
         path.write_text(renamed(path.read_text("utf-8")), "utf-8")
     example = tmp_path / EXAMPLE.name
     example.write_text(renamed(EXAMPLE.read_text("utf-8")), "utf-8")

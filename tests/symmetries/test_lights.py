@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import burnish
+from burnish.compiler.semantics.names.standard_library import files_of
 from burnish.targets.runner.frames.scenery import in_a_row
 
 from ..library.kit import Place
@@ -48,7 +49,7 @@ TESTED = {
 
 def test_every_range_of_a_light_is_tested() -> None:
     found: dict[str, set[str]] = {}
-    for path in LIBRARY.glob("*.burnish"):
+    for path in files_of(LIBRARY):
         for name, body in re.findall(r"^light (\w+)[^{]*\{(.*?)^\}", path.read_text(), re.M | re.S):
             ranges = set(re.findall(r"param (\w+)\s*: [^=\n]*\bin ", body))
             found |= {name: ranges} if ranges else {}

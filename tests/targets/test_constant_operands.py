@@ -17,7 +17,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import Report
 from burnish.compiler.frontend import Frontend
 from burnish.compiler.ir import build
-from burnish.compiler.ir.build import Number
+from burnish.compiler.ir.leaves import Number
 from burnish.compiler.ir.node import Graph, Node
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import TARGET

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping
 
 from ...ir import build
-from ...ir.build import Number
+from ...ir.leaves import Number
 from ...ir.node import Formal, Graph, Node, Op
 from ...ir.ranges import Ranges
 from ...ir.shader import Notes

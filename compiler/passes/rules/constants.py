@@ -13,7 +13,7 @@ from math import isnan
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...ir import build
-from ...ir.build import Number
+from ...ir.leaves import Number
 from ...ir.node import HEADS, Node
 from ...ir.operations import CALL, SWIZZLE
 from ...ir.types import Matrix, Scalar, Type, Vector, scalar_kind, width

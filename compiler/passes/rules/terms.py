@@ -17,8 +17,8 @@ from typing import Any
 from ....stdlib.builtins import BUILTINS
 from ....stdlib.builtins.facts import Fact
 from ....support.frozen import changed, frozen
-from ...ir.build import Number
 from ...ir.comparisons import HOLDS
+from ...ir.leaves import Number
 from ...ir.node import HEADS, SPECIAL, Node
 from ...ir.types import Type
 from .builder import Builder

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
-    | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
+    | ast.Enumeration | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
 )  # fmt: skip
 
 
@@ -77,6 +77,11 @@ class Module:
     prelude: Module | None = None
     offers: Callable[[], Offers] = dict
     """Finds what the library's files declare, by name: an unknown name may be one of these."""
+
+    @property
+    def import_path(self) -> str:
+        """The path by which a module of the library is imported, such as ``std.mtlx.noise``."""
+        return self.file.source.name.removesuffix(".burnish").replace("/", ".")
 
     @cached_property
     def read(self) -> frozenset[str]:
@@ -134,9 +139,8 @@ class Module:
             choice = ", ".join(f"`{each}`" for each in meant.names)
             return f"`{meant.path}` has {choice}: import what you need"
         (one,) = meant.names
-        stem = meant.path.rpartition(".")[2]
         modules = (symbol.module for symbol in self.known(one))
-        is_seen = any(each.is_standard and each.path and each.path.stem == stem for each in modules)
+        is_seen = any(each.is_standard and each.import_path == meant.path for each in modules)
         if not meant.advice:
             seen = respelt(name.text, name.span, one)
             return seen if is_seen else _imported(name, one, meant.path)

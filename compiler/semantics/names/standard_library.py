@@ -23,7 +23,7 @@ from .imports import import_names
 from .modules import Module, Offer, Offers
 
 _PRELUDE = "prelude.burnish"
-_NOT_IMPORTED = frozenset({"prelude", "meaning", "spaces"})
+_NOT_IMPORTED = frozenset({"std.prelude", "std.meaning", "std.spaces"})
 """Library files that every file sees, or none."""
 
 
@@ -95,12 +95,16 @@ class StandardLibrary:
 
     def import_paths(self) -> list[str]:
         """The import paths of all library files that can be imported."""
-        stems = {path.stem for path in self.folder.glob("*.burnish")} - _NOT_IMPORTED
-        return sorted(f"std.{stem}" for stem in stems)
+        paths = (import_path(path, self.folder) for path in files_of(self.folder))
+        return [path for path in paths if path not in _NOT_IMPORTED]
 
     def _offered(self) -> Iterator[tuple[str, Offer]]:
-        """The names that library files declare."""
-        for path in self.import_paths():
+        """The names that library files declare.
+
+        Those of files in folders within are left out: they are what other systems call so, and
+        whoever writes one by hand is better off with the library's own.
+        """
+        for path in (path for path in self.import_paths() if path.count(".") == 1):
             source = self._source(in_library(path.split(".")))
             tree = None if source is None else self._parse(source, Report())
             for declaration in () if tree is None else tree.declarations:
@@ -142,8 +146,18 @@ def _kind(declaration: ast.Declaration) -> str:
     return declaration.kind if isinstance(declaration, ast.Record | ast.Function) else ""
 
 
+def files_of(folder: Path) -> list[Path]:
+    """The files of the library in a folder, also those in folders within it."""
+    return sorted(folder.rglob("*.burnish"))
+
+
+def import_path(file: Path, folder: Path) -> str:
+    """The path by which a file of the library in a folder is imported: ``std.mtlx.noise``."""
+    return ".".join(("std", *file.relative_to(folder).with_suffix("").parts))
+
+
 def in_library(path: Sequence[str]) -> str:
-    """The file that an import path such as ``std.tangents`` is about, inside the library."""
+    """The file that an import path such as ``std.mtlx.noise`` is about: ``mtlx/noise.burnish``."""
     return "/".join((*path[1:-1], f"{path[-1]}.burnish"))
 
 

@@ -85,6 +85,9 @@ class TextureSlot:
     wrap_w: Wrap | None = None
     border: Border | None = None
     """The texel of a border, if there is one."""
+    border_color: tuple[float, float, float, float] | None = None
+    """A border of any colour in place of ``border``. Only the driver for OpenGL has it: no text of
+    Burnish asks for one, but texts of others may."""
     compare: Compare | None = None
     """The comparison of a reference with depths; ``None`` if the sampler does not compare."""
     anisotropy: int = 1

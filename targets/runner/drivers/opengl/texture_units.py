@@ -115,8 +115,9 @@ def set_state(functions: Functions, target: int, slot: TextureSlot, levels: int)
     """Set the state of a slot's sampler for the texture of so many levels that is bound there."""
     for key, value in state_of(slot, levels).items():
         functions.glTexParameteri(target, key, value)
-    if slot.border is not None:
-        color = (ctypes.c_float * 4)(*BORDERS[slot.border])
+    border = slot.border_color or (BORDERS[slot.border] if slot.border is not None else None)
+    if border is not None:
+        color = (ctypes.c_float * 4)(*border)
         functions.glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, color)
 
 

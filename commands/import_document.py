@@ -1,0 +1,124 @@
+"""The command ``burnish import``: turns documents of MaterialX into materials of Burnish."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ..support.installing import install_command
+from .console import remark, say, show
+from .failures import fail
+from .terminal import FAILED
+
+if TYPE_CHECKING:
+    from ..materialx.importing import Imported
+
+
+@click.command(name="import")
+@click.argument("file", metavar="FILE.mtlx", type=click.Path(path_type=Path))
+@click.option(
+    "-o", "out", default=".", metavar="FOLDER", type=click.Path(file_okay=False, path_type=Path),
+    help="The folder to write to; by default, the current one.",
+)  # fmt: skip
+@click.option(
+    "--images", "image_folders", multiple=True, metavar="FOLDER",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="A further folder with pictures that the document names; can be given several times.",
+)  # fmt: skip
+@click.option("--partial", is_flag=True, help="Convert what can be converted, and tell the rest.")
+@click.option("--force", is_flag=True, help="Replace files that are there with other contents.")
+def import_(
+    file: Path, out: Path, image_folders: tuple[Path, ...], partial: bool, force: bool
+) -> None:
+    """Turn the materials of FILE, a document of MaterialX, into a file of Burnish.
+
+    Each material of the document becomes one of Burnish that extends the surface model it names,
+    such as OpenPBR, and sets the slots that differ. What MaterialX's own library defines, models
+    and nodes, is written beside it, into the folder `materialx`; pictures into `textures`.
+
+    What has no meaning in Burnish is told by its node and line, and then nothing is written at all,
+    unless --partial is given. Files that are there already with other contents stay as they are.
+
+    \b
+    Example:
+        burnish import chair.mtlx -o chair/
+        burnish import wood.mtlx --images ../Images
+        burnish import scene.mtlx --partial
+    """
+    found = _imported(file, image_folders)
+    for problem in found.problems:
+        is_fatal = problem.is_error and not partial
+        remark("error" if is_fatal else "warning" if problem.is_error else "note", str(problem))
+    if any(problem.is_error for problem in found.problems) and not partial:
+        remark("note", "nothing is written; --partial writes the rest")
+        click.get_current_context().exit(FAILED)
+    if not found.materials:
+        fail(f"`{file}` has no material, surface or output that could be drawn")
+    _write(found, out, force)
+
+
+def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:
+    """Convert a document, or end the command with a message."""
+    try:
+        import MaterialX
+    except ImportError:
+        fail(
+            "documents of MaterialX are read by the package MaterialX: "
+            f"{install_command(['materialx'])}"
+        )
+    assert MaterialX
+    from ..materialx.importing import imported
+    from ..materialx.outline import DocumentError
+
+    try:
+        return imported(file, image_folders=image_folders)
+    except DocumentError as error:
+        place, _, text = str(error).partition(" error: ")
+        return fail(f"{place} {text}" if text else str(error))
+
+
+def _write(found: Imported, out: Path, force: bool) -> None:
+    from ..compiler.diagnostics.diagnostic import CompileError
+    from .output import write_tree
+
+    new = {
+        path: content
+        for path, content in found.files.items()
+        if not _is_there(out, path, content, force)
+    }
+    try:
+        write_tree(out, new)
+    except CompileError as error:
+        show(error.diagnostics)
+        click.get_current_context().exit(FAILED)
+    _tell(found, out, new)
+
+
+def _tell(found: Imported, out: Path, new: Mapping[str, bytes]) -> None:
+    for path in found.files:
+        say(f"{out / path}{'' if path in new else ' (was there already)'}")
+    names = ", ".join(material.name for material in found.materials[:6])
+    more = f" and {len(found.materials) - 6} more" if len(found.materials) > 6 else ""
+    say(
+        f"{names}{more}. To see it: burnish render {out / found.main}, "
+        f"or burnish view {out / found.main}"
+    )
+
+
+def _is_there(out: Path, path: str, content: bytes, force: bool) -> bool:
+    """True if the file has this content already; ends the command if it has another one."""
+    place = out / path
+    if not os.path.lexists(place):
+        return False
+    if not place.is_symlink() and place.is_file() and place.read_bytes() == content:
+        return True
+    if force:
+        return False
+    return fail(
+        f"`{place}` is there already with other contents, and nothing was written\n"
+        "  = help: name another folder, `-o FOLDER`, or replace what is there: `--force`"
+    )

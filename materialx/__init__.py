@@ -1,0 +1,1 @@
+"""Documents of MaterialX: what they mean in Burnish."""

@@ -1,0 +1,292 @@
+"""Definitions of nodes that are graphs of others, as functions of Burnish.
+
+All definitions of a category go to one file, ``materialx/CATEGORY.burnish``, whichever of them a
+document uses: so two documents that are imported into one folder agree on what is in it. A
+definition of the document itself stands in the document's file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ..stdlib.builtins import BUILTINS
+from .expressions import Call, Expression, Name, flat, laid_out
+from .leaves.application import SUFFIXES
+from .leaves.catalogue import catalogue, module_of
+from .model import Definition, Graph, Node, Port
+from .names import Names, part_name, record_name, slot_name
+from .networks import Function, NeedsSurfaceError, NeedsTextsError, Network, Sampling, Scope
+from .problems import UnsupportedError
+from .texts import Equation, File, equations, one_line, wrapped
+from .values import BARE, CLOSURES, literal, zero
+
+FOLDER = "materialx"
+"""The folder beside an imported file that has what is derived from MaterialX's own library."""
+
+
+class Place(NamedTuple):
+    """A function and the file that has it."""
+
+    function: Function
+    file: File
+
+
+class Functions:
+    """The functions of an import, each written once, in the files that they belong to."""
+
+    def __init__(self, own: File, known: Callable[[str], Iterable[Definition]]) -> None:
+        self.files: dict[str, File] = {}
+        self._own, self._known = own, known
+        self._places: dict[Definition, Place | None] = {}
+        self._signatures: dict[tuple[str, str, tuple[str, ...]], tuple[str, Function]] = {}
+
+    def place(self, definition: Definition) -> Place | None:
+        """Where the function for a definition is; nothing if it has to
+        be written out at each use."""
+        if definition not in self._places:
+            self._places[definition] = None
+            if definition.is_library:
+                for other in self._known(definition.category):
+                    self._places.setdefault(other, None)
+                    self._write_if_possible(other)
+            else:
+                self._places[definition] = self._written(definition)
+        return self._places[definition]
+
+    def file(self, path: str, heading: str) -> File:
+        """A file of the folder, made at the first use."""
+        if path not in self.files:
+            self.files[path] = File(path, heading=heading)
+        return self.files[path]
+
+    def _write_if_possible(self, definition: Definition) -> None:
+        try:
+            self._places[definition] = self._written(definition)
+        except UnsupportedError:
+            # It is told where a node needs this definition, which then is written out.
+            self._places[definition] = None
+
+    def _written(self, definition: Definition) -> Place | None:
+        graph = definition.graph
+        if graph is None or any(port.type not in BARE for port in definition.outputs.values()):
+            return None
+        file = self._own
+        if definition.is_library:
+            path = f"{FOLDER}/{slot_name(definition.category)}"
+            file = self.file(
+                path,
+                f"//! The node `{definition.category}` of MaterialX, "
+                "as its own library defines it.",
+            )
+        for is_term in (False, True):
+            try:
+                body = _Body(self, file, definition, graph, is_term)
+                return Place(self._declared(file, body), file)
+            except NeedsSurfaceError:
+                continue
+            except NeedsTextsError:
+                return None
+        return None
+
+    def _declared(self, file: File, body: _Body) -> Function:
+        """Write a function, unless the file has the same one already."""
+        name = body.result_function.name
+        key = (file.path, name, tuple(body.argument_types()))
+        text = body.declaration(name)
+        known = self._signatures.get(key)
+        if known is not None and known[0] != text:
+            name += SUFFIXES.get(body.result, f"_{body.result}") or "_float"
+            key, text = (file.path, name, key[2]), body.declaration(name)
+            known = self._signatures.get(key)
+        if known is not None:
+            return known[1]
+        function = body.result_function._replace(name=name)
+        self._signatures[key] = (text, function)
+        if body.structure and body.structure not in file.declarations:
+            file.declarations.append(body.structure)
+        file.declarations.append(text)
+        return function
+
+
+class _Body:
+    """The body of a function while it is written: the ``Texts`` of its network."""
+
+    def __init__(
+        self, functions: Functions, file: File, definition: Definition, graph: Graph, is_term: bool
+    ) -> None:
+        self._functions, self._file, self._definition, self._is_term = (
+            functions,
+            file,
+            definition,
+            is_term,
+        )
+        outputs = definition.outputs
+        self.result = next(iter(outputs.values())).type
+        is_closure = any(
+            port.type in CLOSURES for port in (*outputs.values(), *definition.inputs.values())
+        )
+        self._names = Names((), catalogue())
+        self._arguments = {
+            name: Name(self._names.fresh(slot_name(name))) for name in definition.inputs
+        }
+        bound = _Read(self._arguments)
+        self._parts: list[Equation] = []
+        network = Network(self, Name("asked") if is_closure else None)
+        scope = Scope(graph, bound=bound)
+        with network.counted():
+            for _ in self._results(network, scope):
+                pass
+        values = dict(self._results(network, scope))
+        members = {name: slot_name(name) for name in outputs} if len(outputs) > 1 else {}
+        self._value = next(iter(values.values()))
+        self.structure = ""
+        if members:
+            struct = file.structure(
+                record_name(definition.category),
+                tuple(BARE[port.type] for port in outputs.values()),
+            )
+            self.structure = _structure(struct, members, outputs)
+            self._value = Call(struct, tuple(values.values()))
+            self._type = struct
+        else:
+            self._type = BARE[self.result]
+            self._value = self._without_last_name(self._value)
+        used = {
+            name: self._arguments[name].text for name in definition.inputs if name in bound.read
+        }
+        # Of `f(color, float)` and `f(color, color)`, a call that leaves the second one out means
+        # the latter.
+        has_defaults = not definition.name.endswith("FA")
+        defaults = frozenset(
+            name for name in used if has_defaults and _default(definition.inputs[name]) is not None
+        )
+        name = slot_name(
+            definition.category if definition.is_library else definition.category or definition.name
+        )
+        self.result_function = Function(
+            f"mx_{name}" if name in BUILTINS else name, used, is_term, is_closure, defaults, members
+        )
+
+    def _without_last_name(self, value: Expression) -> Expression:
+        """The result itself, where it is a part that nothing else reads."""
+        if self._parts and value == Name(self._parts[-1].name):
+            return self._parts.pop().value or value
+        return value
+
+    def _results(self, network: Network, scope: Scope) -> Iterator[tuple[str, Expression]]:
+        for name, port in self._definition.outputs.items():
+            inner = scope.graph.outputs.get(name) or next(iter(scope.graph.outputs.values()))
+            yield name, network.value(inner, scope, port)
+
+    def argument_types(self) -> Iterator[str]:
+        """The types of the arguments, as they are written."""
+        if self.result_function.is_closure:
+            yield "Asked"
+        for name in self.result_function.inputs:
+            kind = self._definition.inputs[name].type
+            yield "texture2d" if kind == "filename" else BARE[kind]
+
+    def declaration(self, name: str) -> str:
+        """The declaration, with its parts."""
+        pairs = ["asked: Asked"] if self.result_function.is_closure else []
+        types = list(self.argument_types())[len(pairs) :]
+        for (input_name, argument), kind in zip(
+            self.result_function.inputs.items(), types, strict=True
+        ):
+            default = _default(self._definition.inputs[input_name])
+            has_default = input_name in self.result_function.defaults and default is not None
+            pairs.append(
+                f"{argument}: {kind}{f' = {flat(default)}' if has_default and default else ''}"
+            )
+        kind = "term" if self._is_term else "fn"
+        result = "" if self._is_term else f" -> {self._type}"
+        head = f"{kind} {name}({', '.join(pairs)}){result} ="
+        if len(head) > 110:
+            head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
+        last = head.rpartition("\n")[2]
+        value = laid_out(self._value, len(last) + 1, 0)
+        doc = [
+            f"/// {line}"
+            for line in wrapped(one_line(self._definition.hints.get("doc", "")), 110)
+            if line
+        ]
+        lines = [*doc, f"{head} {value}"]
+        if self._parts:
+            lines += ["where {", *equations(self._parts), "}"]
+        if self.result_function.is_closure:
+            self._file.imported("std.mtlx.asking", "Asked")
+            self._file.imported("std.mtlx.asking", "Bsdf")
+        return "\n".join(lines)
+
+    # ---- The ``Texts`` of the network
+
+    def surface(self, slot: str) -> Expression:
+        if not self._is_term:
+            raise NeedsSurfaceError
+        return Name(slot)
+
+    def parameter(self, _scope: Scope, port: Port) -> Expression:
+        return zero(port.type) if port.value is None else literal(port.value, port.type)
+
+    def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
+        raise NeedsTextsError
+
+    def text(self, _name: str) -> str:
+        raise NeedsTextsError
+
+    def attribute(self, _name: str, _kind: str, _doc: str) -> str:
+        raise NeedsTextsError
+
+    def function(self, definition: Definition) -> Function | None:
+        place = self._functions.place(definition)
+        if place is None:
+            return None
+        if place.function.sees_surface and not self._is_term:
+            raise NeedsSurfaceError
+        self._file.imported_from(place.file, place.function.name)
+        return place.function
+
+    def library(self, name: str) -> str:
+        return self._file.imported(module_of(name), name)
+
+    def part(self, name: str, value: Expression, node: Node) -> Expression:
+        fresh = self._names.fresh(part_name(name, value))
+        self._parts.append(Equation(fresh, value, doc=one_line(node.hints.get("doc", ""))))
+        return Name(fresh)
+
+
+class _Read(dict[str, Expression]):
+    """The arguments of a function, which remember which of them are read."""
+
+    def __init__(self, arguments: Mapping[str, Expression]) -> None:
+        super().__init__(arguments)
+        self.read: set[str] = set()
+
+    def __getitem__(self, name: str) -> Expression:
+        self.read.add(name)
+        return super().__getitem__(name)
+
+
+def _default(port: Port) -> Expression | None:
+    """The constant that an input has if nothing sets it; nothing if that is a place or a direction
+    of the surface."""
+    if port.geometry or port.value is None or port.type not in BARE or port.type in CLOSURES:
+        return None
+    return literal(port.value, port.type)
+
+
+def _structure(name: str, members: Mapping[str, str], outputs: Mapping[str, Port]) -> str:
+    rows = [f"    {member} : {BARE[outputs[output].type]}" for output, member in members.items()]
+    return "\n".join([f"struct {name} {{", *rows, "}"])
+
+
+def _filled(pairs: list[str]) -> str:
+    """The arguments of a function in lines."""
+    lines = ["   "]
+    for place, pair in enumerate(pairs):
+        piece = f" {pair}," if place < len(pairs) - 1 else f" {pair}"
+        if len(lines[-1]) + len(piece) > 110:
+            lines.append("   ")
+        lines[-1] += piece
+    return "\n".join(lines)

@@ -1,0 +1,1 @@
+"""Draws MaterialX's own GLSL beside Burnish's, in the same setting, and compares the pictures."""

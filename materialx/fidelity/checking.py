@@ -1,0 +1,66 @@
+"""Checks a material of Burnish against the document that it was made of, by two pictures.
+
+A check that cannot run is never one that has passed: its verdict is ``not run``, with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ...compiler.diagnostics.diagnostic import CompileError
+from .checker import Checker
+from .comparing import Likeness, Verdict, compare
+from .records import FidelityError
+from .settings import ONE_LIGHT, Setting
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """A material that claims to be what a renderable of a document is."""
+
+    document: Path
+    renderable: str
+    source: Path | str
+    """The file of Burnish, or its text."""
+    material: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+    """The values of parameters, and the textures, that are no defaults."""
+    by_host: bool = True
+    """True if textures are decoded from sRGB by the host, before filtering, on both sides."""
+    image_folders: tuple[Path, ...] = ()
+    """The folders in which the document's images may lie, besides its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """The result of a check."""
+
+    renderable: str
+    verdict: Verdict
+    reason: str
+    """The likeness in words, or why the check did not run."""
+    likeness: Likeness | None = None
+    missing: tuple[str, ...] = ()
+    """The files that are not there: both sides draw default colours in their place."""
+
+
+def check(checker: Checker, claim: Claim, setting: Setting = ONE_LIGHT) -> Checked:
+    """Draw both sides of a claim, and compare them."""
+    try:
+        theirs = checker.draw(
+            claim.document,
+            claim.renderable,
+            setting,
+            image_folders=claim.image_folders,
+            by_host=claim.by_host,
+        )
+        ours = checker.ours(claim.source, claim.material, setting, claim.values)
+    except FidelityError as error:
+        return Checked(claim.renderable, "not run", str(error))
+    except CompileError as error:
+        return Checked(claim.renderable, "not run", f"the material does not compile: {error}")
+    found = compare(ours.picture, theirs.picture)
+    return Checked(claim.renderable, found.verdict, found.sentence(), found, theirs.missing)

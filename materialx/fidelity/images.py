@@ -1,0 +1,106 @@
+"""Loads the images of a document as MaterialX's renderer binds them: numbers as they are in files.
+
+Both sides read files by the same loader and have the same smaller levels. MaterialX's text decodes
+colour spaces itself, after filtering, unless it was asked to leave sRGB to the host.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from ...compiler.ir.types import Wrap
+from ...compiler.reference.transfer import decode_srgb
+from ...targets.runner.drivers.slots import Place, TextureSlot
+from ...targets.runner.drivers.texels import Image
+from ...targets.runner.textures.files import picture_given
+from ...targets.runner.textures.kinds import PictureError
+from ...targets.runner.textures.texture import Texture
+from ..pictures import Picture, Pictures
+from .records import AddressMode, FidelityError, ImageUse
+
+Color = tuple[float, float, float, float]
+
+WRAPS: Mapping[AddressMode, Wrap] = {
+    "constant": "border", "clamp": "clamp", "periodic": "repeat", "mirror": "mirror",
+}  # fmt: skip
+
+_TOKENS = {"<UDIM>": "1001", "<UVTILE>": "u1_v1"}
+"""What is drawn of a set of files: the first tile. MaterialX's renderer binds one file, too."""
+
+
+class Images:
+    """The images of a document, which lie in its folder or in others that a user names."""
+
+    def __init__(self, document: Path, folders: Sequence[Path] = ()) -> None:
+        """Files are looked for as the importer does it: in the folder of the ``document``, and then
+        in further ``folders``; nothing outside of these is read."""
+        self._pictures = Pictures((document.resolve().parent, *folders))
+        self.missing: list[str] = []
+        """The files that are not there; their samplers have the default colour, as MaterialX's
+        renderer does it."""
+
+    def bound(self, use: ImageUse) -> tuple[TextureSlot, Image]:
+        """The slot of a sampler, and its image. Raises ``FidelityError``."""
+        default = _decoded(use.default) if use.is_srgb else use.default
+        slot = TextureSlot(
+            Place(use.name, None, None),
+            None,
+            filter="nearest" if use.nearest else "linear",
+            mip="nearest" if use.nearest else "linear",
+            wrap_u=WRAPS[use.wrap_u],
+            wrap_v=WRAPS[use.wrap_v],
+            border_color=default if "constant" in (use.wrap_u, use.wrap_v) else None,
+        )
+        return slot, self._image(use, default)
+
+    def _image(self, use: ImageUse, default: Color) -> Image:
+        picture = self.found(use.file)
+        if picture is not None:
+            return _loaded(picture.content, picture.path, use.is_srgb)
+        if use.file:
+            self.missing.append(use.file)
+        texel = np.array(default, np.float32).reshape(1, 1, 4)
+        return Texture.of_array(texel).image()
+
+    def found(self, file: str) -> Picture | None:
+        """The picture that the document names; ``None`` if there is none."""
+        for token, tile in _TOKENS.items():
+            file = file.replace(token, tile)
+        return self._pictures.found(file) if file else None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class NamedImage:
+    """An image of a document, as the value of a texture of Burnish."""
+
+    images: Images
+    file: str
+
+    def texture(self, *, is_srgb: bool) -> Texture | None:
+        """The texture; ``None`` if the file is not there. Raises ``FidelityError``."""
+        picture = self.images.found(self.file)
+        return None if picture is None else _texture(picture.content, picture.path, is_srgb)
+
+
+def _decoded(color: Color) -> Color:
+    """A colour in sRGB as linear light."""
+    red, green, blue = decode_srgb(np.array(color[:3])).tolist()
+    return red, green, blue, color[3]
+
+
+def _loaded(content: bytes, name: str, is_srgb: bool) -> Image:
+    return _texture(content, name, is_srgb).image()
+
+
+@lru_cache(maxsize=8)
+def _texture(content: bytes, name: str, is_srgb: bool) -> Texture:
+    try:
+        array = picture_given(content, name, "2d", "float")
+        return Texture.of_array(array, srgb=is_srgb and array.dtype.kind != "f")
+    except PictureError as error:
+        raise FidelityError(str(error)) from None

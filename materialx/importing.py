@@ -1,0 +1,124 @@
+"""Imports a document: the files of Burnish that it becomes, and what could not be converted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from .definitions import Functions
+from .library import library
+from .materials import Material, Materials, Renderable
+from .model import Definition, Document
+from .models import Models
+from .names import slot_name
+from .pictures import Pictures
+from .problems import Problem, UnsupportedError
+from .reading import read
+from .records import Records
+from .texts import File
+
+
+class Imported(NamedTuple):
+    """What a document becomes: texts and pictures by their paths in a folder, its materials, and
+    what is missing."""
+
+    files: Mapping[str, bytes]
+    main: str
+    """The path of the file that has the materials."""
+    materials: Sequence[Material]
+    problems: Sequence[Problem]
+
+
+def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> Imported:
+    """Convert a document to files of Burnish.
+
+    The main one is called ``name``, or else like the document.
+
+    Pictures are taken from the document's folder and from ``image_folders``, and from nowhere else.
+    Raises ``DocumentError``, and ``OSError`` if the document cannot be read.
+    """
+    document, renderables = read(path)
+    pictures = Pictures((path.parent, *image_folders))
+    return converted(document, renderables, name or slot_name(path.stem), pictures)
+
+
+def converted(
+    document: Document, renderables: Iterable[Renderable], name: str, pictures: Pictures
+) -> Imported:
+    """Convert what of a document is drawn, to a file with this
+    name and to those that it imports."""
+    own = File(name)
+    functions = Functions(own, _Known())
+    writer = Materials(own, functions, Models(functions, own))
+    materials: list[Material] = []
+    problems: list[Problem] = []
+    for renderable in renderables:
+        try:
+            materials.append(writer.written(renderable))
+        except UnsupportedError as error:
+            place = error.path or renderable.path
+            problems.append(Problem(place, document.place(place), error.text))
+    copied = {}
+    for material in materials:
+        for title, file in material.files.items():
+            found = pictures.found(file)
+            if found is None:
+                text = (
+                    f"the picture `{file}` is not in the document's folder: "
+                    "its texture is white until a host binds it"
+                )
+                problems.append(
+                    Problem(material.path, document.place(material.path), text, is_error=False)
+                )
+            else:
+                copied[title] = found
+    own.heading = _heading(
+        document, name, materials, {title: picture.path for title, picture in copied.items()}
+    )
+    texts = {
+        f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())
+    }
+    files = texts | {picture.path: picture.content for picture in copied.values()}
+    return Imported(files, f"{name}.burnish", materials, problems)
+
+
+def _heading(
+    document: Document, name: str, materials: Sequence[Material], pictures: Mapping[str, str]
+) -> str:
+    """The comment about the file, with the command that draws its first material."""
+    lines = [
+        f"//! Imported from `{PurePosixPath(document.name).name}`, "
+        f"a document of MaterialX {document.version}."
+    ]
+    if materials:
+        first = materials[0]
+        words = [f"burnish render {name}.burnish -o {name}.png"]
+        if len(materials) > 1:
+            words.append(f"--material {first.name}")
+        words += [f"--set {title}={pictures[title]}" for title in first.files if title in pictures]
+        lines += ["//!", *(f"//!     {line}" for line in _continued(words))]
+    return "\n".join(lines)
+
+
+def _continued(words: Sequence[str]) -> list[str]:
+    """A command in lines, each but the last with a backslash at its end."""
+    lines = [words[0]]
+    for word in words[1:]:
+        if len(lines[-1]) + len(word) > 100:
+            lines[-1] += " \\"
+            lines.append(f"    {word}")
+        else:
+            lines[-1] += f" {word}"
+    return lines
+
+
+class _Known:
+    """The definitions of MaterialX's own library by their categories."""
+
+    def __init__(self) -> None:
+        self._records = Records(library(), library())
+
+    def __call__(self, category: str) -> list[Definition]:
+        names = [found.getName() for found in library().getMatchingNodeDefs(category)]
+        return [found for name in names if (found := self._records.definition(name)) is not None]

@@ -1,0 +1,149 @@
+"""The functions of ``std.mtlx``, read from the library itself.
+
+A leaf of MaterialX that is more than a line has a function there with the name of its category and
+the names of its inputs. So a leaf needs no row of its own here.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ...compiler.library import FOLDER
+from ...compiler.syntax import ast
+from ..expressions import Expression, Given, Name, call_with
+from ..library_files import declarations
+from ..names import slot_name
+from ..problems import UnsupportedError
+from .application import SUFFIXES, Application
+
+PACKAGE = "mtlx"
+_SPELLED = MappingProxyType({"in": ("value", "x", "color", "height"), "mix": ("amount",)})
+"""Inputs whose names are words of Burnish, and the names that arguments have in place of them."""
+_WORDS = MappingProxyType({
+    "scatter_mode": ("R", "T", "RT"),
+    "mode": ("conty_kulla", "zeltner"),
+})  # fmt: skip
+"""Inputs that are words, in the order of the numbers that functions of ``std.mtlx`` take for them.
+"""
+
+
+_OF_SURFACE = MappingProxyType({
+    "to_eye": "view_world",
+    "position": "position_world",
+    "normal": "normal_world",
+})  # fmt: skip
+"""What functions take of the surface where their nodes have no such input."""
+
+
+class Leaf(NamedTuple):
+    """A function of the library: where it is, and what its arguments are called."""
+
+    module: str
+    arguments: tuple[str, ...]
+    defaults: frozenset[str] = frozenset()
+    """The arguments that may be left out."""
+
+
+@cache
+def catalogue() -> MappingProxyType[str, Leaf]:
+    """All functions and terms of ``std.mtlx`` by their names; of overloads, the longest."""
+    found: dict[str, Leaf] = {}
+    for path in sorted((FOLDER / PACKAGE).glob("*.burnish")):
+        for declaration in declarations(f"{PACKAGE}/{path.name}"):
+            leaf = Leaf(f"std.{PACKAGE}.{path.stem}", ())
+            if isinstance(declaration, ast.Function):
+                leaf = _leaf(leaf.module, declaration)
+            known = found.get(declaration.name.text)
+            if known is None or len(known.arguments) < len(leaf.arguments):
+                found[declaration.name.text] = leaf
+    return MappingProxyType(found)
+
+
+def _leaf(module: str, declaration: ast.Function) -> Leaf:
+    arguments = declaration.arguments
+    defaults = frozenset(
+        argument.name.text for argument in arguments if argument.default is not None
+    )
+    return Leaf(module, tuple(argument.name.text for argument in arguments), defaults)
+
+
+def module_of(name: str) -> str:
+    """The module of ``std.mtlx`` that declares a name."""
+    return catalogue()[name].module
+
+
+def leaf_named(category: str, kind: str) -> str:
+    """The name of the function for nodes of a category and a type; empty if there is none."""
+    for name in (category + SUFFIXES.get(kind, ""), category):
+        if name in catalogue():
+            return name
+    return ""
+
+
+def application(node: Application) -> Expression:
+    """A node as a call of its function, with its inputs by their names."""
+    name = leaf_named(node.node.category, node.type)
+    leaf = catalogue()[name]
+    given = [
+        Given(
+            argument,
+            _argument(node, argument),
+            argument in leaf.defaults and _is_default(node, argument),
+        )
+        for argument in leaf.arguments
+    ]
+    call = call_with(node.texts.library(name), given)
+    if not node.output:
+        return call
+    return node.network.member(call, node.node, slot_name(node.output), node.scope)
+
+
+def _is_default(node: Application, argument: str) -> bool:
+    name = _input_of(node, argument)
+    return bool(name) and node.network.is_default(node.node, name)
+
+
+def _argument(node: Application, argument: str) -> Expression:
+    if argument == "asked":
+        if node.network.asked is None:
+            raise UnsupportedError("a closure can only be part of a surface")
+        return node.network.asked
+    name = _input_of(node, argument)
+    if not name:
+        return node.texts.surface(_OF_SURFACE[argument])
+    if node.input_type(name) == "string":
+        return _word(node, name)
+    if node.input_type(name) == "filename":
+        texture = node.texture(name)
+        assert texture is not None, "nodes without their files have their defaults"
+        return texture
+    return node.input(name)
+
+
+def _input_of(node: Application, argument: str) -> str:
+    """The input for an argument; empty for what functions take of the surface."""
+    assert node.node.definition is not None
+    inputs = node.node.definition.inputs
+    if argument in inputs:
+        return argument
+    for name in inputs:
+        if slot_name(name) == argument:
+            return name
+    for name, others in _SPELLED.items():
+        if argument in others and name in inputs:
+            return name
+    if argument in _OF_SURFACE:
+        return ""
+    raise AssertionError(f"{node.node.category} has no input for '{argument}'")
+
+
+def _word(node: Application, name: str) -> Expression:
+    words = _WORDS[name]
+    word = node.static(name) or words[0]
+    if word not in words:
+        raise UnsupportedError(f"'{word}' is none of {', '.join(words)}")
+    if name == "scatter_mode" and word != words[0]:
+        node.network.transmits = True
+    return Name(str(words.index(word)))

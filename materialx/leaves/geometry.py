@@ -1,0 +1,145 @@
+"""Nodes that read the surface: its place, its axes, what the mesh and the host bring along."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..expressions import Binary, Call, Expression, Member, Name, Number
+from ..names import slot_name
+from ..problems import UnsupportedError
+from ..values import BARE, LANES, TYPES
+from .application import Application, Row
+
+if TYPE_CHECKING:
+    from ..networks import Texts
+
+_PROPERTIES = {
+    "Pobject": "position_object",
+    "Nobject": "normal_object",
+    "Tobject": "tangent_object",
+    "Bobject": "bitangent_object",
+    "Pworld": "position_world",
+    "Nworld": "normal_world",
+    "Tworld": "tangent_world",
+    "Bworld": "bitangent_world",
+    "Vworld": "view_world",
+    "UV0": "st",
+}
+"""The geometric properties of MaterialX, and the slots of ``std.mtlx.surface`` that have them."""
+
+
+def property_named(texts: Texts, name: str) -> Expression:
+    """The value of an unconnected input with a geometric default."""
+    if name not in _PROPERTIES:
+        raise UnsupportedError(f"there is no geometric property '{name}'")
+    return texts.surface(_PROPERTIES[name])
+
+
+def _in_space(letter: str) -> Row:
+    names = {"P": "position", "N": "normal", "T": "tangent", "B": "bitangent"}
+
+    def row(node: Application) -> Expression:
+        space = node.static("space") or "object"
+        # MaterialX's generators know model space as that of the object.
+        space = {"model": "object"}.get(space, space)
+        if space not in ("object", "world"):
+            raise UnsupportedError(f"there is no space '{space}'")
+        if node.has("index") and _index(node):
+            raise UnsupportedError("only the first tangents of a mesh are read")
+        return node.texts.surface(f"{names[letter]}_{space}")
+
+    return row
+
+
+def _index(node: Application) -> int:
+    index = node.input("index")
+    if not isinstance(index, Name) or not index.text.isdigit():
+        raise UnsupportedError("the index of a set has to be a number")
+    return int(index.text)
+
+
+def _view_direction(node: Application) -> Expression:
+    space = node.static("space") or "world"
+    if space not in ("world", "object", "model"):
+        raise UnsupportedError(f"there is no space '{space}'")
+    return node.texts.surface("view_world" if space == "world" else "view_object")
+
+
+def _coordinates(node: Application) -> Expression:
+    index = _index(node)
+    name = (
+        "st"
+        if index == 0
+        else node.texts.attribute(f"st{index + 1}", "vec2", "Texture coordinates, v upwards")
+    )
+    found = node.texts.surface(name) if index == 0 else Name(name)
+    return Call("vec3", (found, Number(0.0))) if LANES[node.type] == 3 else found
+
+
+def _vertex_color(node: Application) -> Expression:
+    index = _index(node)
+    name = f"vertex_color_{index}" if index else "vertex_color"
+    found = Name(node.texts.attribute(name, "vec4", "Painted on the mesh"))
+    lanes = {"float": "x", "color3": "rgb"}
+    return Member(found, lanes[node.type]) if node.type in lanes else found
+
+
+def _property(node: Application) -> Expression:
+    name = node.static("geomprop")
+    if not name:
+        raise UnsupportedError("a geometric property has to have a name")
+    if name in _PROPERTIES and BARE[node.type] in ("vec2", "vec3"):
+        return node.texts.surface(_PROPERTIES[name])
+    if node.type not in LANES and node.type not in ("integer", "boolean"):
+        raise UnsupportedError(f"a property of the type {node.type} cannot be read from a mesh")
+    kind = {"boolean": "int"}.get(TYPES[node.type], TYPES[node.type])
+    kind = BARE.get(node.type, kind) if node.type != "boolean" else "int"
+    found = Name(node.texts.attribute(slot_name(name), kind, f"`{name}` of the mesh"))
+    return Binary("!=", found, Name("0")) if node.type == "boolean" else found
+
+
+def _of_file(_node: Application) -> Expression:
+    raise UnsupportedError("texts of the mesh are known to no shader")
+
+
+def _time(node: Application) -> Expression:
+    return node.texts.surface("time")
+
+
+def _frame(node: Application) -> Expression:
+    return node.texts.surface("frame")
+
+
+def _transformed(kind: str) -> Row:
+    def row(node: Application) -> Expression:
+        value = node.input("in")
+        spaces = [
+            {"model": "object"}.get(space, space)
+            for space in (node.static("fromspace"), node.static("tospace"))
+        ]
+        if spaces[0] == spaces[1]:
+            return Call("normalize", (value,)) if kind == "normal" else value
+        if sorted(spaces) != ["object", "world"]:
+            raise UnsupportedError(f"there is no way from the space '{spaces[0]}' to '{spaces[1]}'")
+        name = node.library(f"{kind}_to_{spaces[1]}")
+        return Call(name, (value,))
+
+    return row
+
+
+ROWS: dict[str, Row] = {
+    "position": _in_space("P"),
+    "normal": _in_space("N"),
+    "tangent": _in_space("T"),
+    "bitangent": _in_space("B"),
+    "viewdirection": _view_direction,
+    "texcoord": _coordinates,
+    "geomcolor": _vertex_color,
+    "geompropvalue": _property,
+    "geompropvalueuniform": _of_file,
+    "time": _time,
+    "frame": _frame,
+    "transformpoint": _transformed("point"),
+    "transformvector": _transformed("vector"),
+    "transformnormal": _transformed("normal"),
+}

@@ -1,0 +1,148 @@
+"""Renderables of a document as materials of Burnish."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .definitions import Functions
+from .expressions import Call, Expression, Member, Name, flat
+from .leaves.catalogue import module_of
+from .members import SURFACE, Members
+from .model import Graph, Node, Port
+from .models import Model, Models
+from .names import record_name, slot_name
+from .networks import Network, Scope
+from .problems import UnsupportedError
+from .surfaces import shown, surface_root
+from .texts import Equation, File, equations, one_line, wrapped
+from .values import LANES
+
+
+class Renderable(NamedTuple):
+    """Something of a document that is drawn by itself: a material, a surface, or an output of a
+    graph."""
+
+    path: str
+    name: str
+    port: Port
+    """What is drawn, as an input of nobody: a link to a node or to an output of a graph."""
+    graph: Graph
+    doc: str = ""
+
+
+class Material(NamedTuple):
+    """A material that was written: its name, and the files of its textures by their maps."""
+
+    name: str
+    path: str
+    files: dict[str, str]
+
+
+class Materials:
+    """Writes the materials of one document to its file."""
+
+    def __init__(self, file: File, functions: Functions, models: Models) -> None:
+        self._file, self._functions, self._models = file, functions, models
+
+    def written(self, renderable: Renderable) -> Material:
+        """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
+        kept = len(self._file.declarations)
+        try:
+            base, members, color = self._converted(renderable, slot_name(renderable.name))
+        except UnsupportedError:
+            del self._file.declarations[kept:]
+            raise
+        if base == SURFACE:
+            self._file.imported(module_of(SURFACE), SURFACE)
+        self._file.names.take([base])
+        name = self._file.names.fresh(record_name(renderable.name))
+        terms = self._file.declarations[kept:]
+        del self._file.declarations[kept:]
+        lines = members.lines()
+        lines += ["", *equations(color)] if lines and color else equations(color)
+        doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
+        head = f"material {name} : {base} {{"
+        self._file.declarations += [
+            "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
+            *terms,
+        ]
+        return Material(name, renderable.path, members.files)
+
+    def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
+        scope = Scope(renderable.graph)
+        if renderable.port.type not in ("surfaceshader", "material"):
+            members, network = self._plain()
+            value = self._counted(network, renderable.port, scope)
+            return SURFACE, members, [Equation("color", _as_color(value, renderable.port.type))]
+        members, network = self._plain()
+        found = surface_root(network, renderable.port, scope, enter=False)
+        if found is None:
+            raise UnsupportedError("no surface is connected", renderable.path)
+        node, place = found
+        model = self._models.model(node.definition) if node.definition is not None else None
+        if model is not None:
+            return model.name, *self._extended(model, node, place)
+        entered = surface_root(network, renderable.port, scope)
+        if entered is None:
+            raise UnsupportedError("no surface is connected", node.path)
+        look = shown(members, network, *entered, name)
+        rows = [Equation("color", look.color)]
+        if look.alpha is not None:
+            rows.append(Equation("alpha", look.alpha))
+        return SURFACE, members, rows
+
+    def _plain(self) -> tuple[Members, Network]:
+        members = Members(self._file, self._functions, ())
+        return members, Network(members)
+
+    def _counted(self, network: Network, port: Port, scope: Scope) -> Expression:
+        with network.counted():
+            network.value(port, scope)
+        return network.value(port, scope)
+
+    def _extended(self, model: Model, node: Node, scope: Scope) -> tuple[Members, list[Equation]]:
+        """The slots of a model that a node sets."""
+        self._file.imported_from(model.file, model.name)
+        members = Members(self._file, self._functions, model.taken)
+        network = Network(members)
+        names = [name for name in node.inputs if name in model.slots]
+        with network.counted():
+            for name in names:
+                network.input(node, name, scope)
+        rows = []
+        for name in names:
+            slot = model.slots[name]
+            value: Expression | None = network.input(node, name, scope)
+            if value is not None and slot in ("normal", "tangent"):
+                value = _unit(value)
+            if value is not None and model.defaults.get(slot) != flat(value):
+                rows.append(Equation(slot, value))
+        return members, rows
+
+
+def _unit(value: Expression) -> Expression | None:
+    """A direction of length one; nothing for what the surface has anyway."""
+    if value in (Name("normal_world"), Name("tangent_world")):
+        return None
+    if isinstance(value, Call) and value.name in ("normalize", "normalmap"):
+        return value
+    return Call("normalize", (value,))
+
+
+def _as_color(value: Expression, kind: str) -> Expression:
+    """A value of any type as a picture shows it: one number is grey."""
+    if kind in ("integer", "boolean"):
+        return Call("vec3", (Call("float", (value,)),))
+    lanes = LANES.get(kind)
+    if kind.startswith("matrix"):
+        # MaterialX's generators show black in place of what is no colour.
+        return Call("vec3", (Name("0"),))
+    if lanes is None:
+        raise UnsupportedError(f"a {kind} cannot be shown")
+    if lanes == 1:
+        return Call("vec3", (value,))
+    if lanes == 2:
+        return Call("vec3", (value, Name("0")))
+    if lanes == 4:
+        return Member(value, "xyz")
+    return value

@@ -1,0 +1,177 @@
+"""The members of a material while it is written: what a network of nodes asks for, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+from ..compiler.syntax import ast
+from .definitions import Functions
+from .expressions import Expression, Name, flat, is_literal
+from .leaves.catalogue import catalogue, module_of
+from .leaves.constants import constant
+from .library_files import declarations
+from .model import Definition, Node, Port
+from .names import Names, part_name, slot_name
+from .networks import Function, Sampling, Scope
+from .texts import Equation, File, equations, one_line
+from .values import TYPES, zero
+
+SURFACE = "MaterialXSurface"
+_WRAPS = {"periodic": "repeat", "clamp": "clamp", "mirror": "mirror", "constant": "clamp"}
+_FILTERS = {"closest": "nearest"}
+
+
+@cache
+def surface_slots() -> frozenset[str]:
+    """The names that every imported material has from its base,
+    which it must not take by accident."""
+    found = {"pi"}
+    for path in ("prelude.burnish", "tangents.burnish", "mtlx/surface.burnish"):
+        for declaration in declarations(path):
+            if isinstance(declaration, ast.Record) and declaration.name.text in (
+                "Surface",
+                "Tangents",
+                SURFACE,
+            ):
+                found |= {
+                    member.name.text for member in declaration.members if hasattr(member, "name")
+                }
+    return frozenset(found)
+
+
+class Members:
+    """The members of one material. It is what its networks write to."""
+
+    def __init__(self, file: File, functions: Functions, taken: Iterable[str]) -> None:
+        self.file = file
+        self.slots: list[Equation] = []
+        self.files: dict[str, str] = {}
+        """The files of textures, by the names of their maps."""
+        self._functions = functions
+        self._names = Names((*surface_slots(), *taken), catalogue())
+        self._parameters: dict[tuple[str, str], Equation] = {}
+        self._maps: dict[tuple[str, Sampling], Equation] = {}
+        self._attributes: dict[str, Equation] = {}
+
+    def lines(self) -> list[str]:
+        """The lines between the braces."""
+        found: list[str] = []
+        for group in (self._attributes, self._parameters, self._maps):
+            rows = list(group.values())
+            found += equations(rows)
+        if found and self.slots:
+            found.append("")
+        return found + equations(self.slots)
+
+    def take(self, names: Iterable[str]) -> None:
+        """Keep names from being given to parts."""
+        self._names.take(frozenset(names))
+
+    # ---- The ``Texts`` of networks
+
+    def surface(self, slot: str) -> Expression:
+        return Name(slot)
+
+    def parameter(self, scope: Scope, port: Port) -> Expression:
+        key = (scope.graph.path, port.name)
+        if key not in self._parameters:
+            if port.type not in TYPES:
+                return zero(port.type)
+            value = zero(port.type) if port.value is None else constant(self, port, port.type)
+            doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
+            self._parameters[key] = Equation(
+                self._names.fresh(slot_name(port.name)), value, TYPES[port.type], one_line(doc),
+                "param ", _range(port, value),
+            )  # fmt: skip
+        return Name(self._parameters[key].name)
+
+    def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
+        if not port.value:
+            return None
+        path = port.file_prefix + port.value
+        key = (path, sampling)
+        if key not in self._maps:
+            stem = slot_name(path.replace("\\", "/").rpartition("/")[2].rpartition(".")[0])
+            name = self._names.fresh(stem if stem != "unnamed" else slot_name(node.name))
+            self.files[name] = path
+            kind = "texture2d of rgb" if sampling.is_encoded else "texture2d"
+            self._maps[key] = Equation(
+                name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
+            )
+        return Name(self._maps[key].name)
+
+    def text(self, name: str) -> str:
+        raise AssertionError(f"the text '{name}' is asked for outside of a function")
+
+    def attribute(self, name: str, kind: str, doc: str) -> str:
+        if name not in self._attributes:
+            fresh = self._names.fresh(name)
+            self._attributes[name] = Equation(fresh, None, kind, one_line(doc), "attribute ")
+        return self._attributes[name].name
+
+    def function(self, definition: Definition) -> Function | None:
+        place = self._functions.place(definition)
+        if place is None:
+            return None
+        self.file.imported_from(place.file, place.function.name)
+        return place.function
+
+    def library(self, name: str) -> str:
+        return self.file.imported(module_of(name), name)
+
+    def part(self, name: str, value: Expression, node: Node) -> Expression:
+        fresh = self._names.fresh(part_name(name, value))
+        self.slots.append(Equation(fresh, value, doc=one_line(node.hints.get("doc", ""))))
+        return Name(fresh)
+
+
+def _range(port: Port, value: Expression) -> str:
+    """The range of a parameter, from the ends of its slider; none if its value lies outside."""
+    low = port.hints.get("uimin") or port.hints.get("uisoftmin")
+    high = port.hints.get("uimax") or port.hints.get("uisoftmax")
+    if not low or not high or port.type in ("boolean", "matrix33", "matrix44"):
+        return ""
+    try:
+        lows, highs = _numbers(low), _numbers(high)
+        values = _numbers(port.value or "0")
+    except ValueError:
+        return ""
+    if (
+        len(set(lows)) > 1
+        or len(set(highs)) > 1
+        or not lows[0] < highs[0]
+        or (not is_literal(value) and port.type != "integer")
+    ):
+        return ""
+    if not all(lows[0] <= number <= highs[0] for number in values):
+        return ""
+    return f" in {_number(lows[0])}..{_number(highs[0])}"
+
+
+def _numbers(text: str) -> list[float]:
+    return [float(part) for part in text.split(",")]
+
+
+def _number(value: float) -> str:
+    from .expressions import number_text
+
+    return number_text(value)
+
+
+def _settings(sampling: Sampling) -> str:
+    """The state of a sampler, as far as it is none of the usual."""
+    settings = []
+    if sampling.filter in _FILTERS:
+        settings.append(f"filter = {_FILTERS[sampling.filter]}")
+    u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")
+    if u == v:
+        settings += [f"wrap = {u}"] if u != "repeat" else []
+    else:
+        settings += [f"wrap_u = {u}", f"wrap_v = {v}"]
+    return f" with {{ {', '.join(settings)} }}" if settings else ""
+
+
+def is_same(left: Expression, right: Expression) -> bool:
+    """True if two expressions are written alike."""
+    return flat(left) == flat(right)

@@ -1,0 +1,122 @@
+"""Surface models, such as OpenPBR, as abstract materials whose inputs are slots with their
+defaults."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from .definitions import FOLDER, Functions
+from .expressions import Expression, Name, flat
+from .leaves.constants import constant
+from .leaves.geometry import property_named
+from .members import SURFACE, Members, surface_slots
+from .model import Definition, Port
+from .names import record_name, slot_name
+from .networks import Network, Scope
+from .surfaces import root, shown
+from .texts import Equation, File, equations, one_line, wrapped
+from .values import CLOSURES, TYPES, zero
+
+_SHADED = {"normal": "Nworld", "tangent": "Tworld"}
+"""Inputs that are slots of all surfaces, if they have these geometric defaults: materials override
+them."""
+
+
+class Model(NamedTuple):
+    """An abstract material: its name, its file, and its slots by the inputs that they are."""
+
+    name: str
+    file: File
+    slots: Mapping[str, str]
+    defaults: Mapping[str, str]
+    """The texts of the slots' defaults."""
+    taken: frozenset[str]
+    """All names of its slots."""
+
+
+class Models:
+    """The models of an import, each written once."""
+
+    def __init__(self, functions: Functions, own: File) -> None:
+        self._functions, self._own = functions, own
+        self._models: dict[Definition, Model] = {}
+
+    def model(self, definition: Definition) -> Model | None:
+        """The abstract material for a definition; nothing if it takes closures or
+        files, which are no values of slots."""
+        if definition.graph is None or any(
+            port.type in CLOSURES for port in definition.inputs.values()
+        ):
+            return None
+        if any(port.type == "filename" for port in definition.inputs.values()):
+            return None
+        if definition not in self._models:
+            self._models[definition] = self._written(definition)
+        return self._models[definition]
+
+    def _written(self, definition: Definition) -> Model:
+        file = self._own
+        title = f"`{definition.category}`"
+        if definition.is_library:
+            heading = (
+                f"//! The surface {title} of MaterialX, as its own library defines it: "
+                "set the slots that differ."
+            )
+            file = self._functions.file(f"{FOLDER}/{slot_name(definition.category)}", heading)
+        slots = {
+            name: _slot(port) for name, port in definition.inputs.items() if port.type in TYPES
+        }
+        members = Members(file, self._functions, slots.values())
+        rows = [
+            _declared(members, port, slots[name])
+            for name, port in definition.inputs.items()
+            if name in slots and slots[name] not in _SHADED
+        ]
+        assert definition.graph is not None
+        network = Network(members)
+        scope = Scope(definition.graph, bound={name: Name(slot) for name, slot in slots.items()})
+        found = root(network, next(iter(definition.graph.outputs.values())), scope)
+        name = file.names.fresh(record_name(definition.category))
+        if not name.endswith("Surface"):
+            name = f"{name}Surface"
+        color: list[Equation] = []
+        if found is not None:
+            look = shown(members, network, *found, slot_name(definition.category))
+            color.append(Equation("color", look.color))
+            if look.alpha is not None:
+                color.append(Equation("alpha", look.alpha))
+        file.imported("std.mtlx.surface", SURFACE)
+        doc = [
+            f"/// {line}"
+            for line in wrapped(one_line(definition.hints.get("doc", "")), 110)
+            if line
+        ]
+        parts = [*equations(rows), "", *members.lines(), "", *equations(color)]
+        record = [*doc, f"abstract material {name} : {SURFACE} {{", *parts, "}"]
+        file.declarations.insert(0, "\n".join(record))
+        taken = {*slots.values(), *(row.name for row in members.slots), *surface_slots()}
+        defaults = {row.name: flat(row.value) for row in rows if row.value is not None}
+        return Model(name, file, slots, defaults, frozenset(taken))
+
+
+def _slot(port: Port) -> str:
+    """The name of the slot for an input: its own, unless it is one of all surfaces and means
+    something else."""
+    name = slot_name(port.name)
+    if name in _SHADED and port.geometry == _SHADED[name]:
+        return name
+    return f"{name}_input" if name in surface_slots() else name
+
+
+def _declared(members: Members, port: Port, name: str) -> Equation:
+    """A slot with its type, its default and what its input is for."""
+    doc = one_line(port.hints.get("doc", ""))
+    value: Expression
+    if port.geometry:
+        value = property_named(members, port.geometry)
+    elif port.value is None:
+        value = zero(port.type)
+    else:
+        value = constant(members, port, port.type)
+    return Equation(name, value, TYPES[port.type], doc)

@@ -1,0 +1,451 @@
+"""Turns the nodes of a graph into expressions, and gives names to what is used more than once.
+
+A ``Network`` walks from an output to all that it depends on. Graphs within graphs are entered
+through ``Scope``s, which say what the inputs of a graph are worth; a definition that becomes a
+function of Burnish is not entered but called. A network is walked twice: the first time counts how
+often each value is used, and the second time writes those down as parts that are used again.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import NamedTuple, Protocol
+
+from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
+from .model import Definition, Graph, Node, Port
+from .names import slot_name
+from .problems import UnsupportedError
+from .values import CLOSURES, zero
+
+_SRGB = ("srgb_texture", "srgb_rec709_scene")
+LONG = 84
+"""Expressions longer than this become parts, in characters."""
+
+
+class Function(NamedTuple):
+    """A definition as a function or a term of Burnish.
+
+    ``inputs`` are the inputs of the definition that it takes, in its order, with the names of the
+    arguments for them. ``sees_surface`` is true
+    for a term, which reads slots of the surface and so cannot be called by functions.
+    """
+
+    name: str
+    inputs: Mapping[str, str]
+    sees_surface: bool
+    is_closure: bool
+    defaults: frozenset[str] = frozenset()
+    """The inputs that may be left out."""
+    members: Mapping[str, str] = MappingProxyType({})
+    """The members of its structure by the names of the outputs; none if there is only one output.
+    """
+
+
+class Texts(Protocol):
+    """What networks ask of the place that their expressions are written to."""
+
+    def surface(self, slot: str) -> Expression:
+        """A slot of the surface. Raises ``NeedsSurfaceError`` in a function."""
+
+    def parameter(self, scope: Scope, port: Port) -> Expression:
+        """The value of an input of a graph that a person may set."""
+
+    def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
+        """The texture of the file that a node reads, or nothing if the input names none."""
+
+    def text(self, name: str) -> str:
+        """The text that an argument of a function has. Raises ``NeedsTextsError``."""
+
+    def function(self, definition: Definition) -> Function | None:
+        """The function that a definition becomes, or nothing if it has to be written out."""
+
+    def attribute(self, name: str, kind: str, doc: str) -> str:
+        """An input of the vertices; gives its name."""
+
+    def library(self, name: str) -> str:
+        """A name of ``std.mtlx``, which is imported."""
+
+    def part(self, name: str, value: Expression, node: Node) -> Expression:
+        """Write a part down; gives the name by which it is used."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scope:
+    """A graph at one place of use.
+
+    ``bound`` has its inputs as expressions where it is the body of a function or a model. ``node``
+    is the node that it stands for in ``outer``, or nothing for a graph that only groups nodes.
+    """
+
+    graph: Graph
+    outer: Scope | None = None
+    node: Node | None = None
+    bound: Mapping[str, Expression] | None = None
+
+
+class Sampling(NamedTuple):
+    """How a texture is read. ``is_encoded`` is true for colours in sRGB, which are decoded before
+    filtering."""
+
+    u: str
+    v: str
+    filter: str
+    is_encoded: bool
+
+
+class NeedsSurfaceError(Exception):
+    """A function would have to read the surface."""
+
+
+class NeedsTextsError(Exception):
+    """A function would have to know texts, such as the name of a geometric property."""
+
+
+class Network:
+    """Expressions for the nodes of a graph and of the graphs inside it."""
+
+    def __init__(
+        self, texts: Texts, asked: Expression | None = None, outer: Network | None = None
+    ) -> None:
+        self.texts, self.asked, self.outer = texts, asked, outer
+        self._uses: Counter[tuple[Scope, str, str]] = Counter()
+        self._values: dict[tuple[Scope, str, str], Expression] = {}
+        self._inner: dict[tuple[Scope, str], Scope] = {}
+        self._open: set[tuple[Scope, str, str]] = set()
+        self._counting = False
+        self.transmits = False
+        """True if a closure was met through which light passes."""
+
+    def counted(self) -> Counting:
+        """For a ``with``: values that are asked for in it are only counted."""
+        return Counting(self)
+
+    def value(self, port: Port, scope: Scope, wanted: Port | None = None) -> Expression:
+        """The value of an input or output; ``wanted`` is what the definition says of it."""
+        wanted = wanted or port
+        if port.interface:
+            return self._interface(port.interface, scope, wanted)
+        if port.link is not None:
+            return self._linked(port, scope)
+        if wanted.geometry:
+            return self.geometry(wanted.geometry)
+        return self._constant(port if port.value is not None else wanted, port.type)
+
+    def _constant(self, port: Port, kind: str) -> Expression:
+        from .leaves.constants import constant
+
+        if kind in ("BSDF", "VDF"):
+            return Name(self.texts.library("clear_bsdf"))
+        if port.value is None:
+            return zero(kind)
+        return constant(self.texts, port, kind)
+
+    def geometry(self, name: str) -> Expression:
+        from .leaves.geometry import property_named
+
+        return property_named(self.texts, name)
+
+    def _interface(self, name: str, scope: Scope, wanted: Port) -> Expression:
+        if scope.bound is not None:
+            if name not in scope.bound:
+                raise UnsupportedError(f"the graph {scope.graph.name} has no input '{name}'")
+            return scope.bound[name]
+        if scope.node is not None and scope.outer is not None:
+            return self.input(scope.node, name, scope.outer)
+        port = scope.graph.inputs.get(name)
+        if port is None:
+            raise UnsupportedError(f"the graph {scope.graph.path} has no input '{name}'")
+        if port.link is not None and scope.outer is not None:
+            return self.value(port, scope.outer)
+        if port.value is None and wanted.geometry:
+            return self.geometry(wanted.geometry)
+        return self.texts.parameter(scope, port)
+
+    def _linked(self, port: Port, scope: Scope) -> Expression:
+        link = port.link
+        assert link is not None
+        if link.graph:
+            inner = self.group(link.graph, scope)
+            outputs = inner.graph.outputs
+            output = outputs.get(link.output) or next(iter(outputs.values()), None)
+            if output is None:
+                raise UnsupportedError(f"the graph {link.graph} has no output '{link.output}'")
+            return self.value(output, inner)
+        if link.node:
+            node = scope.graph.nodes.get(link.node)
+            if node is not None:
+                return self.output(node, link.output, scope)
+            if link.node in scope.graph.graphs:
+                return self.value(
+                    next(iter(scope.graph.graphs[link.node].outputs.values())),
+                    self.group(link.node, scope),
+                )
+            raise UnsupportedError(f"there is no node '{link.node}'")
+        output = scope.graph.outputs.get(link.output)
+        if output is None:
+            raise UnsupportedError(f"there is no output '{link.output}'")
+        return self.value(output, scope)
+
+    def group(self, name: str, scope: Scope) -> Scope:
+        """The scope of a graph that groups nodes, beside the nodes of ``scope``."""
+        found: Scope | None = scope
+        while found is not None and name not in found.graph.graphs:
+            found = found.outer
+        if found is None:
+            raise UnsupportedError(f"there is no graph '{name}'")
+        key = (found, name)
+        root = self.outer or self
+        if key not in root._inner:
+            root._inner[key] = Scope(found.graph.graphs[name], found)
+        return root._inner[key]
+
+    def entered(self, node: Node, scope: Scope) -> Scope:
+        """The scope of the graph that a node stands for, where it is written out."""
+        assert node.definition is not None and node.definition.graph is not None
+        key = (scope, f"/{node.name}")
+        root = self.outer or self
+        if key not in root._inner:
+            root._inner[key] = Scope(node.definition.graph, scope, node)
+        return root._inner[key]
+
+    def input(self, node: Node, name: str, scope: Scope) -> Expression:
+        """The value of a node's input, or its default."""
+        assert node.definition is not None
+        wanted = node.definition.inputs.get(name)
+        port = node.inputs.get(name) or wanted
+        if port is None:
+            raise UnsupportedError(f"{node.category} has no input '{name}'", node.path)
+        return self.value(port, scope, wanted)
+
+    def output(self, node: Node, output: str, scope: Scope) -> Expression:
+        """The value of an output of a node."""
+        if self.outer is not None and node.output_type(output) not in CLOSURES:
+            return self.outer.output(node, output, scope)
+        output = node.output(output)
+        key = (scope, node.name, output)
+        self._uses[key] += self._counting
+        if key in self._values:
+            return self._values[key]
+        if key in self._open:
+            raise UnsupportedError("this node depends on itself", node.path)
+        self._open.add(key)
+        try:
+            found = self._named(key, node, self._computed(node, output, scope))
+        except UnsupportedError as error:
+            error.path = error.path or node.path
+            raise
+        finally:
+            self._open.discard(key)
+        self._values[key] = found
+        return found
+
+    def _named(self, key: tuple[Scope, str, str], node: Node, value: Expression) -> Expression:
+        if self._counting or is_simple(value):
+            return value
+        if self._uses[key] > 1 or len(flat(value)) > LONG:
+            return self.texts.part(slot_name(node.name), value, node)
+        return value
+
+    def _computed(self, node: Node, output: str, scope: Scope) -> Expression:
+        from .leaves import row_of
+
+        if node.definition is None:
+            raise UnsupportedError(f"MaterialX knows no {node.category} of these types", node.path)
+        default = self._default_without_file(node, scope)
+        if default is not None:
+            return default
+        row = row_of(node)
+        if row is not None:
+            from .leaves.application import Application
+
+            return self._decoded(row(Application(self, node, output, scope)), node, scope)
+        if node.definition.graph is None:
+            raise UnsupportedError(
+                f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
+            )
+        function = self.texts.function(node.definition)
+        if function is None:
+            inner = self.entered(node, scope)
+            outputs = inner.graph.outputs
+            return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
+        return self._application(function, node, output, scope)
+
+    def _application(self, function: Function, node: Node, output: str, scope: Scope) -> Expression:
+        given = [
+            Given(
+                argument,
+                self._argument(node, name, scope),
+                name in function.defaults and self.is_default(node, name),
+            )
+            for name, argument in function.inputs.items()
+        ]
+        if function.is_closure:
+            if self.asked is None:
+                raise UnsupportedError("a closure can only be part of a surface", node.path)
+            self.transmits = True
+            given.insert(0, Given("asked", self.asked))
+        call = call_with(function.name, given)
+        if not output:
+            return self._decoded(call, node, scope)
+        return self.member(call, node, function.members[output], scope)
+
+    def member(self, whole: Expression, node: Node, name: str, scope: Scope) -> Expression:
+        """A member of the structure that a node with several outputs
+        gives, which is written once."""
+        key = (scope, node.name, "*")
+        if key not in self._values:
+            self._values[key] = (
+                whole if self._counting else self.texts.part(slot_name(node.name), whole, node)
+            )
+        return Member(self._values[key], name)
+
+    def is_default(self, node: Node, name: str) -> bool:
+        """True if an input has the value that its definition gives it."""
+        assert node.definition is not None
+        wanted = node.definition.inputs[name]
+        port = node.inputs.get(name, wanted)
+        if port.link is not None or port.interface or wanted.geometry:
+            return False
+        return port is wanted or (
+            port.value == wanted.value and not port.unit and not port.color_space
+        )
+
+    def _argument(self, node: Node, name: str, scope: Scope) -> Expression:
+        assert node.definition is not None
+        if node.definition.inputs[name].type != "filename":
+            return self.input(node, name, scope)
+        found = self.texture(node, name, scope)
+        assert found is not None, "nodes without their files have their defaults"
+        return found
+
+    def _default_without_file(self, node: Node, scope: Scope) -> Expression | None:
+        """The default of a node that reads files of which none is named."""
+        assert node.definition is not None
+        inputs = node.definition.inputs
+        files = [name for name, port in inputs.items() if port.type == "filename"]
+        if not files or all(self.texture(node, name, scope) is not None for name in files):
+            return None
+        for name in ("default", "fallback"):
+            if name in inputs:
+                return self.input(node, name, scope)
+        raise UnsupportedError(f"the input '{files[0]}' names no file", node.path)
+
+    def texture(self, node: Node, name: str, scope: Scope) -> Expression | None:
+        """The texture that a node's input of the type ``filename``
+        names; nothing if it names none."""
+        port, place = self._file(node, name, scope)
+        if port.interface:
+            assert place.bound is not None
+            return place.bound[port.interface]
+        is_encoded = _gives_color(node) and is_srgb(self._file_space(node, name, scope))
+        return self.texts.texture(
+            port, Sampling(*self._sampling(node, name, scope), is_encoded), node
+        )
+
+    def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
+        """The input where a file is named, and its scope; in a function, the one that an argument
+        gives."""
+        assert node.definition is not None
+        port = node.inputs.get(name) or node.definition.inputs[name]
+        while port.interface and scope.bound is None:
+            if scope.node is not None and scope.outer is not None:
+                outer = scope.node
+                assert outer.definition is not None
+                port = outer.inputs.get(port.interface) or outer.definition.inputs[port.interface]
+                scope = scope.outer
+            elif port.interface in scope.graph.inputs:
+                port = scope.graph.inputs[port.interface]
+            else:
+                raise UnsupportedError(
+                    f"the graph {scope.graph.path} has no input '{port.interface}'"
+                )
+        if port.link is not None and port.link.node:
+            other = scope.graph.nodes.get(port.link.node)
+            if other is not None and "value" in other.inputs:
+                return self._file(other, "value", scope)
+            if other is not None and "in" in other.inputs:
+                return self._file(other, "in", scope)
+        return port, scope
+
+    def _file_space(self, node: Node, name: str, scope: Scope) -> str:
+        """The colour space of a file that this node decodes, and no node around it."""
+        port = node.inputs.get(name)
+        if port is None:
+            return ""
+        if port.interface and (scope.bound is not None or scope.node is not None):
+            return ""
+        return self._file(node, name, scope)[0].color_space
+
+    def _decoded(self, value: Expression, node: Node, scope: Scope) -> Expression:
+        """The value of a node that reads a file of colours which nobody has decoded yet."""
+        from .leaves.constants import decoded
+
+        assert node.definition is not None
+        if not _gives_color(node):
+            return value
+        for name, port in node.definition.inputs.items():
+            if port.type == "filename":
+                space = self._file_space(node, name, scope)
+                if space and not is_srgb(space) and self.texture(node, name, scope) is not None:
+                    return decoded(self.texts, value, space)
+        return value
+
+    def _sampling(self, node: Node, name: str, scope: Scope) -> tuple[str, str, str]:
+        """How the images that read a file continue it to both sides, and how they filter."""
+        if node.category == "image" or node.definition is None or node.definition.graph is None:
+            words = ("uaddressmode", "vaddressmode", "filtertype")
+            u, v, kind = (self.static(node, word, scope) for word in words)
+            return u or "periodic", v or "periodic", kind or "linear"
+        inner = self.entered(node, scope)
+        for other in inner.graph.nodes.values():
+            for port in other.inputs.values():
+                if port.type == "filename" and port.interface == name:
+                    return self._sampling(other, port.name, inner)
+        return "periodic", "periodic", "linear"
+
+    def static(self, node: Node, name: str, scope: Scope) -> str:
+        """The text of an input that no shader computes, such as the name of a space."""
+        assert node.definition is not None
+        port = node.inputs.get(name) or node.definition.inputs.get(name)
+        if port is None:
+            return ""
+        if port.interface:
+            if scope.bound is not None:
+                return self.texts.text(port.interface)
+            if scope.node is not None and scope.outer is not None:
+                return self.static(scope.node, port.interface, scope.outer)
+            port = scope.graph.inputs.get(port.interface, port)
+        return port.value or ""
+
+
+class Counting:
+    """While it lasts, a network counts uses and writes nothing; afterwards it knows what it knew
+    before."""
+
+    def __init__(self, network: Network) -> None:
+        self._networks = [network, *([network.outer] if network.outer is not None else [])]
+        self._kept = [dict(network._values) for network in self._networks]
+
+    def __enter__(self) -> None:
+        for network in self._networks:
+            network._counting = True
+
+    def __exit__(self, *_: object) -> None:
+        for network, kept in zip(self._networks, self._kept, strict=True):
+            network._counting = False
+            network._values = kept
+
+
+def _gives_color(node: Node) -> bool:
+    """True for a node whose first output is a colour: only that of files is decoded."""
+    outputs = node.definition.outputs if node.definition is not None else {}
+    first = next(iter(outputs.values()), None)
+    return (first.type if first is not None and len(outputs) > 1 else node.type).startswith("color")
+
+
+def is_srgb(space: str) -> bool:
+    """True for the colour space that graphics cards decode by themselves."""
+    return space.lower() in _SRGB

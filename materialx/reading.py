@@ -1,0 +1,143 @@
+"""Reads documents of MaterialX, by the package of that name.
+
+A document may come from anybody. So its text is looked through before the package gets it: its
+size, how deep its elements nest, and that it declares no entities; and files that it includes are
+read only from its own folder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from .library import library
+from .materials import Renderable
+from .model import Document, Graph, Link, Port
+from .outline import DocumentError, Outline
+from .records import Records
+
+LARGEST = 32 << 20
+"""The most bytes of a document and of all files that it includes."""
+
+
+def read(path: Path) -> tuple[Document, list[Renderable]]:
+    """A document and what of it is drawn. Raises ``DocumentError``, and ``OSError`` if it cannot be
+    read."""
+    import MaterialX
+
+    texts = _Texts(path)
+    document = MaterialX.createDocument()
+    options = MaterialX.XmlReadOptions()
+    options.readXIncludeFunction = None
+    for text in texts.texts:
+        part = document if text is texts.texts[0] else MaterialX.createDocument()
+        try:
+            MaterialX.readFromXmlString(part, text, MaterialX.FileSearchPath(), options)
+        except MaterialX.Exception as error:
+            raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
+        if part is not document:
+            document.importLibrary(part)
+    document.setDataLibrary(library())
+    records = Records(document, library())
+    top = records.top()
+    version = document.getVersionString()
+    return Document(path.name, version, top, texts.lines), list(_renderables(top))
+
+
+class _Texts:
+    """The texts of a file and of all that it includes from its folder."""
+
+    def __init__(self, path: Path) -> None:
+        self.texts: list[str] = []
+        self.lines: dict[str, tuple[str, int]] = {}
+        self._root = path.parent.resolve()
+        self._seen: set[Path] = set()
+        self._left = LARGEST
+        self._read(path, path.name)
+
+    def _read(self, path: Path, name: str) -> None:
+        if path.resolve() in self._seen:
+            return
+        self._seen.add(path.resolve())
+        with path.open("rb") as file:
+            text = file.read(self._left + 1)
+        if len(text) > self._left:
+            raise DocumentError(
+                f"{name}:1: error: documents of more than {LARGEST >> 20} MiB are not read"
+            )
+        self._left -= len(text)
+        outline = Outline(name, text.decode("utf-8", "replace"))
+        self.lines = outline.places | self.lines
+        try:
+            self.texts.append(text.decode("utf-8"))
+        except UnicodeDecodeError:
+            raise DocumentError(f"{name}:1: error: this text is not UTF-8") from None
+        for href in outline.included:
+            other = (path.parent / href).resolve()
+            if not other.is_relative_to(self._root) or "://" in href:
+                raise DocumentError(
+                    f"{name}:1: error: '{href}' is included from outside of the document's folder"
+                )
+            if not other.is_file():
+                raise DocumentError(
+                    f"{name}:1: error: there is no file '{href}', which is included"
+                )
+            self._read(other, str(other.relative_to(self._root)))
+
+
+def _sentence(text: str) -> str:
+    return text[:1].lower() + text[1:].rstrip(". ")
+
+
+def _renderables(top: Graph) -> Iterator[Renderable]:
+    """Materials, or else surfaces, or else outputs of graphs: as MaterialX's own viewers choose
+    them."""
+    materials = [node for node in top.nodes.values() if node.type == "material"]
+    surfaces = [node for node in top.nodes.values() if node.type == "surfaceshader"]
+    used = {
+        port.link.node for node in top.nodes.values() for port in node.inputs.values() if port.link
+    }
+    for node in materials:
+        yield Renderable(
+            node.path,
+            node.name,
+            Port("out", "material", link=Link(node.name)),
+            top,
+            node.hints.get("doc", ""),
+        )
+    for node in surfaces:
+        if node.name not in used:
+            yield Renderable(
+                node.path,
+                node.name,
+                Port("out", "surfaceshader", link=Link(node.name)),
+                top,
+                node.hints.get("doc", ""),
+            )
+    yield from _outputs(top)
+
+
+def _outputs(top: Graph) -> Iterator[Renderable]:
+    read = {
+        (port.link.graph, port.link.output)
+        for graph in (top, *top.graphs.values())
+        for node in graph.nodes.values()
+        for port in node.inputs.values()
+        if port.link
+    }
+    for port in top.outputs.values():
+        yield Renderable(port.name, port.name, port, top)
+    for graph in top.graphs.values():
+        only = len(graph.outputs) == 1
+        for port in graph.outputs.values():
+            if (graph.name, port.name) in read or (only and (graph.name, "") in read):
+                continue
+            name = graph.name if only else f"{graph.name}_{port.name}"
+            link = Link("", graph.name, port.name)
+            yield Renderable(
+                f"{graph.path}/{port.name}",
+                name,
+                Port("out", port.type, link=link),
+                top,
+                graph.hints.get("doc", ""),
+            )

@@ -1,0 +1,140 @@
+"""Records of what the package ``MaterialX`` has parsed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from .model import Definition, Graph, Link, Node, Port
+
+TARGET = "genglsl"
+"""The generator whose choice of implementations is followed: it is what most renderers execute."""
+
+_HINTS = (
+    "doc", "uiname", "uifolder", "uimin", "uimax", "uisoftmin", "uisoftmax", "enum", "enumvalues",
+)  # fmt: skip
+_OWN_TYPES = (
+    "nodedef",
+    "implementation",
+    "typedef",
+    "unitdef",
+    "unittypedef",
+    "geompropdef",
+    "targetdef",
+)
+
+
+class Records:
+    """Makes records of a document, each definition once."""
+
+    def __init__(self, document: Any, library: Any) -> None:
+        self._document, self._library = document, library
+        self._definitions: dict[str, Definition] = {}
+
+    def top(self) -> Graph:
+        """The document as a graph: the nodes and graphs at its top."""
+        return self._graph(self._document)
+
+    def definition(self, name: str) -> Definition | None:
+        """The definition with this name, of the document or of the library."""
+        found = self._document.getNodeDef(name) or self._library.getNodeDef(name)
+        return None if found is None else self._defined(found)
+
+    def _graph(self, element: Any) -> Graph:
+        nodes = {node.getName(): self._node(node) for node in element.getNodes()}
+        graphs = {}
+        inputs = {}
+        if element is self._document:
+            graphs = {graph.getName(): self._graph(graph) for graph in self._groups()}
+        else:
+            inputs = {port.getName(): _port(port) for port in element.getInputs()}
+        return Graph(
+            element.getName(),
+            element.getNamePath(),
+            inputs,
+            nodes,
+            {port.getName(): _port(port) for port in element.getOutputs()},
+            graphs,
+            _hints(element),
+        )
+
+    def _groups(self) -> list[Any]:
+        """The graphs of the document that only group nodes, and are not what a definition means."""
+        children = self._document.getChildren()
+        meanings = {
+            child.getAttribute("nodegraph")
+            for child in children
+            if child.getCategory() == "implementation"
+        }
+        graphs = [child for child in children if child.isA(_graph_class())]
+        return [
+            graph for graph in graphs
+            if not graph.getAttribute("nodedef") and graph.getName() not in meanings
+        ]  # fmt: skip
+
+    def _node(self, element: Any) -> Node:
+        found = element.getNodeDef(TARGET, True) or element.getNodeDef(TARGET)
+        return Node(
+            element.getName(),
+            element.getCategory(),
+            element.getType(),
+            element.getNamePath(),
+            {port.getName(): _port(port) for port in element.getActiveInputs()},
+            None if found is None else self._defined(found),
+            _hints(element),
+        )
+
+    def _defined(self, element: Any) -> Definition:
+        name = element.getName()
+        if name not in self._definitions:
+            self._definitions[name] = Definition(
+                name,
+                element.getNodeString(),
+                {port.getName(): _port(port) for port in element.getActiveInputs()},
+                {port.getName(): _port(port) for port in element.getActiveOutputs()},
+                self._document.getNodeDef(name) is None or self._is_of_library(element),
+                lambda: self._body(element),
+                _hints(element),
+            )
+        return self._definitions[name]
+
+    def _is_of_library(self, element: Any) -> bool:
+        found = self._library.getNodeDef(element.getName())
+        return found is not None and bool(found == element)
+
+    def _body(self, element: Any) -> Graph | None:
+        found = element.getImplementation(TARGET)
+        return self._graph(found) if found is not None and found.isA(_graph_class()) else None
+
+
+def _graph_class() -> Any:
+    import MaterialX
+
+    return MaterialX.NodeGraph
+
+
+def _port(element: Any) -> Port:
+    link = None
+    node = element.getAttribute("nodename")
+    graph = element.getAttribute("nodegraph")
+    output = element.getAttribute("output")
+    if node or graph or output:
+        link = Link(node, graph, output)
+    value = element.getValueString() if element.hasAttribute("value") else None
+    return Port(
+        element.getName(),
+        element.getType(),
+        value,
+        link,
+        element.getAttribute("interfacename"),
+        element.getAttribute("defaultgeomprop"),
+        element.getActiveColorSpace(),
+        element.getAttribute("unit"),
+        element.getAttribute("unittype"),
+        element.getActiveFilePrefix(),
+        _hints(element),
+    )
+
+
+def _hints(element: Any) -> Mapping[str, str]:
+    return {name: element.getAttribute(name) for name in _HINTS if element.hasAttribute(name)}

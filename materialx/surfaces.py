@@ -1,0 +1,213 @@
+"""Surfaces of MaterialX as the colour and the coverage of a material.
+
+A surface is made of closures, which are asked once for each light, for the light from everywhere,
+and for what passes. So the closures become a term with this question as its argument.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .expressions import Binary, Call, Expression, Member, Name, Number, binary, laid_out
+from .members import Members
+from .model import Node, Port
+from .names import slot_name
+from .networks import Network, Scope
+from .problems import UnsupportedError
+from .texts import Equation, equations
+
+_ASKED = Name("asked")
+
+
+class Shown(NamedTuple):
+    """What a surface looks like: its colour, already times its opacity, and its opacity."""
+
+    color: Expression
+    alpha: Expression | None = None
+
+
+def root(
+    network: Network, port: Port, scope: Scope, enter: bool = True
+) -> tuple[Node, Scope] | None:
+    """The node that a surface comes from; graphs on the way are entered.
+
+    With ``enter`` false, a node that stands for a graph is not entered. Nothing if the input is not
+    connected.
+    """
+    while True:
+        if port.interface:
+            if scope.node is None or scope.outer is None:
+                inner = scope.graph.inputs.get(port.interface)
+                if inner is None or scope.outer is None:
+                    return None
+                port, scope = inner, scope.outer
+                continue
+            found = scope.node.inputs.get(port.interface)
+            if found is None:
+                return None
+            port, scope = found, scope.outer
+            continue
+        link = port.link
+        if link is None:
+            return None
+        if link.graph:
+            scope = network.group(link.graph, scope)
+            port = scope.graph.outputs.get(link.output) or next(iter(scope.graph.outputs.values()))
+            continue
+        node = scope.graph.nodes.get(link.node)
+        if node is None:
+            raise UnsupportedError(f"there is no node '{link.node}'")
+        if not enter or node.definition is None or node.definition.graph is None:
+            return node, scope
+        scope = network.entered(node, scope)
+        port = next(iter(scope.graph.outputs.values()))
+
+
+def surface_root(
+    network: Network, port: Port, scope: Scope, enter: bool = True
+) -> tuple[Node, Scope] | None:
+    """The surface that something drawn comes from: that of a material is an input of its node."""
+    found = root(network, port, scope, enter)
+    while found is not None and found[0].type == "material":
+        node, place = found
+        if node.category == "surfacematerial":
+            below = node.inputs.get("surfaceshader")
+            found = root(network, below, place, enter) if below is not None else None
+        elif node.definition is not None and node.definition.graph is not None:
+            inner = network.entered(node, place)
+            found = root(network, next(iter(inner.graph.outputs.values())), inner, enter)
+        else:
+            return found
+    return found
+
+
+def shown(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
+    """The colour and coverage of a surface; its closures become terms that begin with ``name``."""
+    rows = {"surface": _closures, "surface_unlit": _unlit, "mix": _mixed}
+    if node.category not in rows:
+        raise UnsupportedError(f"{node.category} is no surface that Burnish draws", node.path)
+    return rows[node.category](members, network, node, scope, name)
+
+
+def _closures(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
+    with network.counted():
+        for word in ("edf", "opacity"):
+            if _is_connected(node, word):
+                network.input(node, word, scope)
+    sums: list[Expression] = []
+    if _is_connected(node, "bsdf"):
+        sums += _lit(members, network, node, scope, name)
+    if _is_connected(node, "edf"):
+        sums.append(network.input(node, "edf", scope))
+    color: Expression = sums[0] if sums else Call("vec3", (Number(0.0),))
+    for other in sums[1:]:
+        color = Binary("+", color, other)
+    opacity = network.input(node, "opacity", scope)
+    if opacity == Number(1.0):
+        return Shown(color)
+    return Shown(Binary("*", opacity, color), opacity)
+
+
+def _is_connected(node: Node, name: str) -> bool:
+    port = node.inputs.get(name)
+    return port is not None and (port.link is not None or bool(port.interface))
+
+
+def _lit(
+    members: Members, network: Network, node: Node, scope: Scope, name: str
+) -> list[Expression]:
+    """The terms of closures, and their sum over all questions."""
+    file = members.file
+    term = file.names.fresh(name)
+    closures = Network(_Parts(members), _ASKED, network)
+    with closures.counted():
+        closures.input(node, "bsdf", scope)
+    value = closures.input(node, "bsdf", scope)
+    file.imported("std.mtlx.asking", "Asked")
+    parts = closures.texts
+    assert isinstance(parts, _Parts)
+    head = f"term {term}(asked: Asked) ="
+    lines = [
+        "/// What the surface scatters, by what is asked.",
+        f"{head} {laid_out(value, len(head) + 1, 0)}",
+    ]
+    if parts.rows:
+        lines += ["where {", *equations(parts.rows), "}"]
+    file.declarations.append("\n".join(lines))
+    lit = file.names.fresh(f"{name}_lit")
+    by_light = file.imported("std.mtlx.asking", "by_light")
+    file.declarations.append(
+        f"/// The light of the rig that it scatters.\n"
+        f"term {lit}() per light = "
+        f"pi * light.diffuse * {term}({by_light}(light.to_light, to_eye)).response"
+    )
+    questions = ["from_everywhere", *(["passing"] if closures.transmits else [])]
+    sums: list[Expression] = [Call(lit, ())]
+    for question in questions:
+        asked = Call(
+            file.imported("std.mtlx.asking", question), (Name("to_eye"), Name("ambient_light"))
+        )
+        sums.append(Member(Call(term, (asked,)), "response"))
+    return sums
+
+
+class _Parts:
+    """The ``Texts`` of closures: parts behind ``where``; all else is the material's."""
+
+    def __init__(self, members: Members) -> None:
+        self._members = members
+        self.rows: list[Equation] = []
+        self.surface = members.surface
+        self.parameter = members.parameter
+        self.texture = members.texture
+        self.text = members.text
+        self.attribute = members.attribute
+        self.function = members.function
+        self.library = members.library
+
+    def part(self, name: str, value: Expression, node: Node) -> Expression:
+        found = self._members.part(name, value, node)
+        # The same counter gives names to slots and to these parts, which would hide slots.
+        self.rows.append(self._members.slots.pop())
+        return found
+
+
+def _unlit(_members: Members, network: Network, node: Node, scope: Scope, _name: str) -> Shown:
+    emission, color, opacity, passing, tint = (
+        network.input(node, word, scope)
+        for word in ("emission", "emission_color", "opacity", "transmission", "transmission_color")
+    )
+    shown = color if emission == Number(1.0) else binary("*", emission, color)
+    if opacity != Number(1.0):
+        shown = binary("*", opacity, shown)
+    alpha: Expression | None = None if opacity == Number(1.0) else opacity
+    if passing != Number(0.0):
+        through = Call(
+            "dot",
+            (binary("*", passing, tint), Call("vec3", (Binary("/", Name("1.0"), Number(3.0)),))),
+        )
+        alpha = binary("*", opacity, Binary("-", Number(1.0), through))
+    return Shown(shown, alpha)
+
+
+def _mixed(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
+    """Two surfaces side by side."""
+    amount = network.input(node, "mix", scope)
+    sides = []
+    for side in ("bg", "fg"):
+        port = node.inputs.get(side)
+        found = surface_root(network, port, scope) if port is not None else None
+        if found is None:
+            sides.append(Shown(Call("vec3", (Number(0.0),))))
+        else:
+            sides.append(shown(members, network, *found, f"{name}_{slot_name(found[0].name)}"))
+    back, front = sides
+    alpha = None
+    if back.alpha is not None or front.alpha is not None:
+        one = Number(1.0)
+        alpha = Call("mix", (_or(back.alpha, one), _or(front.alpha, one), amount))
+    return Shown(Call("mix", (back.color, front.color, amount)), alpha)
+
+
+def _or(value: Expression | None, other: Expression) -> Expression:
+    return other if value is None else value
