@@ -19,4 +19,11 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "i >> 1 & 1] ) /// How much a cor"
         ),
     ),
+    "A cell that is looked at twice is as near and as high as before.": (
+        "std.mtlx.noise.nearest_feature: vec2(1e3) for i in 0 [ -> - 1] ..9 : shorter(known,",
+        "std.mtlx.noise.nearest_feature: vec3(1e3) for i in 0 [ -> - 1] ..27 : shorter(known",
+        "std.mtlx.noise.worleynoise2d: else sqrt(min i in 0 [ -> - 1] ..9 : square_to_feat",
+        "std.mtlx.noise.worleynoise3d: else sqrt(min i in 0 [ -> - 1] ..27 : square_to_fea",
+        "std.mtlx.noise.uppermost: ivec3(0)) for i in 0 [ -> - 1] ..27 : upper(known,",
+    ),
 }
