@@ -64,4 +64,18 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "0.999) - 2) * (1 -"
         ),
     ),
+    "Factors, and the lanes of which a length is taken, may change places.": (
+        (
+            "std.mtlx.textures.hextiledimage: ere { coord = tiled( [texcoord, tiling -> "
+            "tiling, texcoord] ) tiles = hex_tiles("
+        ),
+        (
+            "std.mtlx.textures.hextilednormalmap: ere { coord = tiled( [texcoord, tiling -> "
+            "tiling, texcoord] ) tiles = hex_tiles("
+        ),
+        (
+            "std.mtlx.patterns.filtered_step: 54757 * length(vec2( [ddx(value), ddy(value) "
+            "-> ddy(value), ddx(value)] )) } /// One value o"
+        ),
+    ),
 }
