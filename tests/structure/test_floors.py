@@ -130,9 +130,10 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling"
     ),
     # Documents of MaterialX.
+    "materialx.pictures": "",
     "materialx.fidelity": (
-        "installing diagnostics ir documents reflection closing runner conformance toolchain "
-        "entry_points"
+        "installing diagnostics ir documents reference reflection closing runner conformance "
+        "toolchain entry_points pictures"
     ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
