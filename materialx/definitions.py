@@ -208,12 +208,14 @@ class _Body:
             head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
+        if "\n" in value and not isinstance(self._value, Call):
+            value = f"\n    {laid_out(self._value, 4, 1)}"
         doc = [
             f"/// {line}"
             for line in wrapped(one_line(self._definition.hints.get("doc", "")), 110)
             if line
         ]
-        lines = [*doc, f"{head} {value}"]
+        lines = [*doc, f"{head} {value}".replace(" \n", "\n")]
         if self._parts:
             lines += ["where {", *equations(self._parts), "}"]
         if self.result_function.is_closure:

@@ -74,7 +74,7 @@ class Materials:
         scope = Scope(renderable.graph)
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
-            value = self._counted(network, renderable.port, scope)
+            value = members.without_last_name(self._counted(network, renderable.port, scope))
             return SURFACE, members, [Equation("color", _as_color(value, renderable.port.type))]
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
@@ -88,7 +88,7 @@ class Materials:
         if entered is None:
             raise UnsupportedError("no surface is connected", node.path)
         look = shown(members, network, *entered, name)
-        rows = [Equation("color", look.color)]
+        rows = [Equation("color", members.without_last_name(look.color))]
         if look.alpha is not None:
             rows.append(Equation("alpha", look.alpha))
         return SURFACE, members, rows

@@ -68,6 +68,12 @@ class Members:
         """Keep names from being given to parts."""
         self._names.take(frozenset(names))
 
+    def without_last_name(self, value: Expression) -> Expression:
+        """A value that is the whole of a material, where it is a part that nothing else reads."""
+        if self.slots and value == Name(self.slots[-1].name):
+            return self.slots.pop().value or value
+        return value
+
     # ---- The ``Texts`` of networks
 
     def surface(self, slot: str) -> Expression:

@@ -120,7 +120,7 @@ def _lit(
 ) -> list[Expression]:
     """The terms of closures, and their sum over all questions."""
     file = members.file
-    term = file.names.fresh(name)
+    term = file.names.fresh(f"{name}_bsdf")
     closures = network_of(_Parts(members), _ASKED, network)
     with closures.counted():
         closures.input(node, "bsdf", scope)
