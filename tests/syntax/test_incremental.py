@@ -37,8 +37,8 @@ PIECES = [
     "burnish 1", "\nabstract material A {", "\nfn f(", "\nfn", "\nterm t(x: float) per", "\nx = y",
     "\nspace output", "\nextern block", "\nmixin M for", "\nmaterial\n", "\nimport", "\nrig R : ",
     "\nstruct S <", "from", "\nfn f() = 1 as output\n", "\n/// doc\n/* note */\n",
-    "sum i in 0..n : ", "::", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
-    "\n/// doc\n\n// note\n",
+    "sum i in 0..n : ", "::", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
+    "\n/// doc\n\n// note\n", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)",
 ]  # fmt: skip
 """Texts that edits insert: all words and marks, broken ones, and beginnings of declarations."""
 
@@ -187,7 +187,7 @@ def test_after_any_edits_all_is_as_parsed_at_once(seed: int, read: list[str]) ->
     right = 0
     for _ in range(60):
         right += agree(editor.edit())
-    assert right > 1, "too few texts are right to say anything"
+    assert right > 3, "too few texts are right to say anything"
     assert read
 
 
