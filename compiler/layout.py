@@ -34,7 +34,7 @@ STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 def blocks_of(shader: Shader, derived: Sequence[Parameter]) -> tuple[Block, ...]:
     """The blocks of a shader, of which the host computes these derived parameters as well."""
     declared = shader.parameters
-    docs = {info.leaf.name: info.doc for info in declared if info.doc}
+    docs = {info.leaf.name: info.comment for info in declared if info.comment}
     parameters = [*(info.leaf for info in declared), *derived]
     return layout_blocks(parameters, docs=docs, externs=shader.externs)
 
@@ -78,7 +78,8 @@ def _extern_block(extern: ExternInfo) -> Block:
             members.append(StoredMember(next(padding), filler, offset, size, None))
         stored, info = stored_type(member.info.leaf.type), member.info
         size = byte_size(stored)
-        members.append(StoredMember(member.name, stored, member.offset, size, info.leaf, info.doc))
+        comment = info.comment
+        members.append(StoredMember(member.name, stored, member.offset, size, info.leaf, comment))
         end = member.offset + size
     return Block(
         name=name,

@@ -64,6 +64,16 @@ class StructRow:
 
 
 @frozen(kw_only=True)
+class ChoiceRow:
+    """A member of an enumeration."""
+
+    name: str
+    """The member's name: ``add`` of ``enum Mode { add, mix }``."""
+    doc: str
+    """Doc comment; empty where there is none."""
+
+
+@frozen(kw_only=True)
 class MemberRow:
     """A member of a struct, or of the elements of an array of structs."""
 
@@ -75,6 +85,8 @@ class MemberRow:
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
     range: tuple[float, float] | None
     """Lowest and highest value that a host may set; null where the declaration gives none."""
+    choices: tuple[ChoiceRow, ...] | None = None
+    """Members of the enumeration that it is, by their numbers, from 0; left out for others."""
     default: Lanes
     """Value before a host sets one; null where the declaration gives none."""
     doc: str
@@ -102,6 +114,8 @@ class ParameterRow:
     """The type on the machine: ``float``, ``vec3``, ``Lamp[8]``."""
     range: tuple[float, float] | None
     """Lowest and highest value that a host may set; null where the declaration gives none."""
+    choices: tuple[ChoiceRow, ...] | None = None
+    """Members of the enumeration that it is, by their numbers, from 0; left out for others."""
     default: Lanes
     """Value before a host sets one; null where the declaration gives none."""
     doc: str

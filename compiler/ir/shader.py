@@ -25,6 +25,10 @@ ConstantValue = float | int | bool | tuple["ConstantValue", ...]
 """A value as nested tuples: lanes of a vector, columns of a matrix, elements of an array."""
 
 
+_MOST_NAMED = 12
+"""The most members of an enumeration that a comment in a text names: some have hundreds."""
+
+
 @frozen
 class LightInfo:
     """An entry of a rig: a light, or an array of lights."""
@@ -66,6 +70,16 @@ class ParameterInfo(LeafInfo):
     """The declaration of the library that it is: ``std.file.Record.name``; empty for others."""
     declared_by: str = ""
     """The material, mixin, light or other record that declares it; empty if none does."""
+
+    @property
+    def comment(self) -> str:
+        """The doc comment for texts, which have only numbers for members of an enumeration."""
+        meaning = self.leaf.meaning
+        if meaning is None or meaning.enumeration is None:
+            return self.doc
+        names = meaning.enumeration.names[:_MOST_NAMED]
+        numbered = ", ".join(f"{number} {name}" for number, name in enumerate(names))
+        return f"{self.doc} ({numbered})" if self.doc else numbered
 
 
 @frozen

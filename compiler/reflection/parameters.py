@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, TypedDict
 
 from ..constraints import Lanes
-from ..documents.values import DerivedRow, LayoutRow, LightRow, MemberRow, ParameterRow
+from ..documents.values import ChoiceRow, DerivedRow, LayoutRow, LightRow, MemberRow, ParameterRow
 from ..ir.leaves import Parameter
 from ..ir.node import Node
 from ..ir.program import Block, StoredMember
@@ -100,6 +100,7 @@ if TYPE_CHECKING:  # Python would compile the annotations while it loads this mo
         type: str
         representation: str
         range: tuple[float, float] | None
+        choices: tuple[ChoiceRow, ...] | None
         default: Lanes
         doc: str
         library: str | None
@@ -110,10 +111,21 @@ def _declaration(info: ParameterInfo) -> Declared:
         "type": info.declared_type,
         "representation": str(info.leaf.type),
         "range": info.range,
+        "choices": _choices(info.leaf),
         "default": info.default,
         "doc": info.doc,
         "library": info.library or None,
     }
+
+
+def _choices(parameter: Parameter) -> tuple[ChoiceRow, ...] | None:
+    """The members of the enumeration that a value is of, if it is of any."""
+    meaning = parameter.meaning
+    if meaning is None or meaning.enumeration is None:
+        return None
+    return tuple(
+        ChoiceRow(name=choice.name, doc=choice.doc) for choice in meaning.enumeration.choices
+    )
 
 
 def member_rows(packed: Packing, infos: Sequence[ParameterInfo]) -> tuple[MemberRow, ...]:
@@ -128,6 +140,7 @@ def _member(member: PackedMember, info: ParameterInfo | None) -> MemberRow:
         "type": written,
         "representation": written,
         "range": None,
+        "choices": None,
         "default": None,
         "doc": "",
         "library": None,

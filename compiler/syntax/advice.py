@@ -376,7 +376,7 @@ class Advice(TokenView):
     def _of_declaration(self, start: int, begin: int) -> str:
         """The form of the declaration around, where the mistake is about that."""
         word = self.text(begin)
-        inside = word in ("struct", "rig", "extern")
+        inside = word in ("struct", "enum", "rig", "extern")
         if start != begin and not inside:
             return ""
         return DECLARATIONS.get(word, "")

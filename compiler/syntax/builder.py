@@ -245,6 +245,12 @@ class Builder:
     def field(self, span: Span, name: Name, kind: ast.TypeName) -> ast.StructMember:
         return ast.StructMember(span, self.doc(span), name, kind)
 
+    def enumeration(self, span: Span, name: Name, *members: ast.Enumerator) -> ast.Enumeration:
+        return ast.Enumeration(span, self.doc(span), name, members)
+
+    def enumerator(self, span: Span, name: Name) -> ast.Enumerator:
+        return ast.Enumerator(span, self.doc(span), name)
+
     def extern(
         self,
         span: Span,

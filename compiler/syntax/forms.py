@@ -25,6 +25,7 @@ DECLARATIONS: Mapping[str, str] = MappingProxyType(
         "parts of it, `term name(k: rgb) per light = k * part where { part = expression }`",
         "rig": "a rig is `rig Name { one : Kind  four : Kind[4] { slot = value } }`",
         "struct": "a structure is `struct Name { member : type, … }`",
+        "enum": "an enumeration is `enum Name { first, second }`",
         "extern": "a block that the host owns is "
         "`extern block Name per frame at group 0, binding 3 { member : type at 16 }`",
         "space": "a space is `space name`",

@@ -185,9 +185,9 @@ KEYWORDS: Mapping[str, str] = MappingProxyType(
             "all that a file declares can be imported from it; no word says so",
         ),
         **dict.fromkeys(
-            ("enum", "typedef", "type", "interface", "namespace", "module", "impl", "trait",
+            ("typedef", "type", "interface", "namespace", "module", "impl", "trait",
              "extension"),
-            "types are made by `struct Name { member : type, … }` only",
+            "types are made by `struct Name { member : type, … }` and `enum Name { a, b }` only",
         ),
         "where": "functions and terms name parts behind `where`; in a record all equations do",
         "super": "the value that a base gives is `inherited.name`",

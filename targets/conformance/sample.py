@@ -144,6 +144,8 @@ def _whole(lo: float, hi: float, limits: tuple[int, int], chance: random.Random)
 def _bounds(shape: Numbers, default: float | None) -> tuple[float, float]:
     """The range of a number: near its default, and within its declared range."""
     declared = shape.range
+    if shape.choices and declared is not None:
+        return declared
     near = _USUAL.get(shape.meaning)
     if near is None:
         near = _near(declared, default)

@@ -199,6 +199,7 @@ def _of_parameter(
             "kind": _kind(shape), "type": shape.type, "lanes": shape.lanes,
             "columns": shape.columns, "whole": shape.kind in ("int", "uint"),
             "range": shape.range, "value": value,
+            **({"choices": shape.choices} if shape.choices else {}),
             "is_timed": row.group == _PER_FRAME and shape.lanes == 1 and shape.range is None,
         }  # fmt: skip
 
@@ -230,6 +231,8 @@ def _kind(shape: Numbers) -> str:
     """The kind of field by which a person sets a number, vector or matrix."""
     if shape.columns:
         return "matrix"
+    if shape.choices:
+        return "member"
     if shape.kind == "bool":
         return "checkbox" if shape.lanes == 1 else "checkboxes"
     if shape.meaning in ("rgb", "rgba"):

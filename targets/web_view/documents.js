@@ -15,7 +15,7 @@
  *   section does.
  * @property {string} doc
  * @property {"number" | "angle" | "vector" | "direction" | "matrix" | "color" | "checkbox"
- *   | "checkboxes" | "texture" | "choice"} kind
+ *   | "checkboxes" | "texture" | "choice" | "member"} kind
  * @property {string} type
  * @property {boolean} is_light
  * @property {{ count: string | null, index: number } | null} element Of a light in an array: its
@@ -25,7 +25,8 @@
  * @property {number} [columns]
  * @property {boolean} [whole]
  * @property {[number, number] | null} [range]
- * @property {string[]} [choices] The words of a choice.
+ * @property {string[]} [choices] The words of a choice; the members of an enumeration, by their
+ *   numbers, which are its values.
  * @property {boolean} [is_given] Of a texture: true if it is not the default, which `value`
  *   names.
  * @property {{ file: string, is_float: boolean, is_srgb: boolean } | null} picture The picture

@@ -61,6 +61,7 @@ const makers = {
   checkbox: (_control, label, changed) => checkbox({ label }, changed),
   checkboxes: (control, label, changed) => checkboxes(control, label, changed),
   choice: (control, label, changed) => choiceField(control, label, changed),
+  member: (control, label, changed) => memberField(control, label, changed),
   texture: () => { throw new Error("textures have fields of their own"); },
 };
 
@@ -389,12 +390,33 @@ function checkboxes(control, label, changed) {
 /**
  * @param {Control} control
  * @param {string} label
+ */
+function listOf(control, label) {
+  const words = present(control.choices).map((word) => make("option", { value: word }, word));
+  return make("select", { "aria-labelledby": label }, ...words);
+}
+
+/**
+ * A list of the members of an enumeration; their numbers are the values.
+ * @param {Control} control
+ * @param {string} label
+ * @param {Changed<number>} changed
+ * @returns {Field<number>}
+ */
+function memberField(control, label, changed) {
+  const element = listOf(control, label);
+  element.addEventListener("change", () => changed(element.selectedIndex));
+  return { element, show: (value) => { element.selectedIndex = value; } };
+}
+
+/**
+ * @param {Control} control
+ * @param {string} label
  * @param {Changed<string>} changed
  * @returns {Field<string>}
  */
 function choiceField(control, label, changed) {
-  const words = present(control.choices).map((word) => make("option", { value: word }, word));
-  const element = make("select", { "aria-labelledby": label }, ...words);
+  const element = listOf(control, label);
   element.addEventListener("change", () => changed(element.value));
   return { element, show: (value) => { element.value = value; } };
 }

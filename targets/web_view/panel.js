@@ -156,7 +156,10 @@ export class Panel {
   get options() {
     const values = Object.entries(this.#kept)
       .filter(([name]) => this.#rows.has(name))
-      .map(([name, { value }]) => [name, written(value)]);
+      .map(([name, { value }]) => {
+        const { choices } = present(this.#rows.get(name)).control;
+        return [name, choices?.[Number(value)] ?? written(value)];
+      });
     const pictures = [...this.#rows.values()].flatMap(({ control: { name, picture } }) =>
       picture ? [[name, `${picture.is_srgb ? "srgb:" : ""}${picture.file}`]] : [],
     );

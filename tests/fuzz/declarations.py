@@ -30,9 +30,19 @@ LIGHT_LEAVES = (
 )  # fmt: skip
 
 
+def enumerations(writer: Writer) -> Iterator[Node]:
+    """An enumeration of some members, in some files."""
+    if writer.maybe(0.3):
+        members = ("low", "mix", "light")[: writer.chance.randint(1, 3)]
+        writer.enumerations["Mode"] = members
+        shown = ", ".join(members)
+        yield Node(f"enum Mode {{{{ {shown} }}}}", role="enum", optional=True, name="Mode")
+
+
 def structures(writer: Writer) -> Iterator[Node]:
     """Structures, of which the second may contain the first."""
     members = ["float", "vec3", "int", "uvec2", "bool", "rgb", "mat2", "vec4"]
+    members += writer.enumerations
     for name in ("Pair", "Nested")[: writer.chance.choice((0, 1, 1, 2))]:
         kinds = writer.chance.choices(members, k=writer.chance.randint(1, 3))
         if writer.structures:
@@ -64,10 +74,11 @@ def functions(writer: Writer, outside: Scope) -> Iterator[tuple[Signature, Node]
 
 
 def _function(writer: Writer, outside: Scope, known: Callables) -> tuple[Signature, Node]:
-    choices = (*TYPES, *GEOMETRIC, *writer.structures, "float[2]", "float", "vec3")
+    choices = (*TYPES, *GEOMETRIC, *writer.structures, *writer.enumerations,
+               "float[2]", "float", "vec3")  # fmt: skip
     types = tuple(writer.chance.choices(choices, k=writer.chance.randint(1, 3)))
     result = writer.chance.choice(("float", "vec3", "int", "vec2", "bool", "rgb", "vec4",
-                                   *writer.structures))  # fmt: skip
+                                   *writer.structures, *writer.enumerations))  # fmt: skip
     name, optional = writer.fresh("f"), 0
     if known and writer.maybe(0.2) and all(types != other.formals for other in known):
         name = known[-1].name
@@ -176,8 +187,8 @@ def light_mixin(writer: Writer) -> Node:
 def parameters(writer: Writer, letter: str, most: int) -> Iterator[tuple[Node, Node]]:
     """Parameters of all types, with references to them."""
     kinds = (*TYPES, "float", "int", "vec3", "rgb", "angle", "point<world>", "direction<world>",
-             *writer.structures, "float[3]", "vec3[2]", "int[4]", "mat3[2]",
-             *(f"{name}[2]" for name in writer.structures))  # fmt: skip
+             *writer.structures, *writer.enumerations, "float[3]", "vec3[2]", "int[4]", "mat3[2]",
+             *(f"{name}[2]" for name in (*writer.structures, *writer.enumerations)))  # fmt: skip
     for number in range(writer.chance.randint(0, most)):
         type_ = writer.chance.choice(kinds)
         limits = writer.chance.choice(RANGES.get(type_.split("[")[0], ("",)))

@@ -51,6 +51,8 @@ class Writer:
     chance: Random
     structures: dict[str, tuple[tuple[str, str], ...]] = field(default_factory=dict)
     """The members of each structure: names and types."""
+    enumerations: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """The members of each enumeration."""
     wild: bool = False
     """True if numbers may become arbitrarily large or small."""
     _names: int = field(default=0, init=False)
@@ -83,6 +85,8 @@ class Writer:
             ways.append((2, self._fold))
         if type_ == "bool":
             ways.append((1, self._any))
+        if self.enumerations and type_ in ("bool", "int"):
+            ways.append((2, self._of_enumeration))
         if any(type_ == kind for members in self.structures.values() for _, kind in members):
             ways.append((1, self._member))
         if CROSSING in scope.can and (type_ in NUMBERS or type_ in BOOLS):
@@ -120,6 +124,9 @@ class Writer:
                 return expression(type_, text, role="literal")
             case "bool":
                 return expression(type_, self.chance.choice(("true", "false")), role="literal")
+        if type_ in self.enumerations:
+            member = self.chance.choice(self.enumerations[type_])
+            return expression(type_, f"{type_}.{member}", role="named")
         if type_ in GEOMETRIC:
             return self._simplest_meaning(type_, scope)
         if type_ in self.structures:
@@ -193,6 +200,8 @@ class Writer:
     # --- forms of their own ----------------------------------------------------------------------
 
     def _conditional(self, type_: str, scope: Scope, fuel: int) -> Node:
+        if self.enumerations and self.maybe(0.3):
+            return self._between_members(type_, scope, fuel)
         condition = self.expression("bool", scope, fuel // 3)
         sides = [self.expression(type_, scope, fuel // 3) for _ in range(2)]
         if type_ in INTS[:1] + UINTS[:1] + FLOATS[:1]:
@@ -249,6 +258,24 @@ class Writer:
         ]
         owner, name = self.chance.choice(owners)
         return expression(type_, f"{{}}.{name}", [self.expression(owner, scope, fuel)], "member")
+
+    def _between_members(self, type_: str, scope: Scope, fuel: int) -> Node:
+        """A value for each member, in any order."""
+        name = self.chance.choice(list(self.enumerations))
+        names = self.chance.sample(self.enumerations[name], k=len(self.enumerations[name]))
+        values = [self.pinned(self.expression(type_, scope, fuel // 3)) for _ in names]
+        of = self.expression(name, scope, fuel // 3)
+        form = f"choose({{}}, {', '.join(f'{each} = {{}}' for each in names)})"
+        return expression(type_, form, [of, *values], "choose")
+
+    def _of_enumeration(self, type_: str, scope: Scope, fuel: int) -> Node:
+        """The number of a member, or a comparison of two."""
+        name = self.chance.choice(list(self.enumerations))
+        members = [self.expression(name, scope, fuel // 2) for _ in range(2)]
+        if type_ == "int":
+            return expression(type_, "int({})", members[:1], "numbered")
+        form = f"({{}} {self.chance.choice(('==', '!='))} {{}})"
+        return expression(type_, form, members, "compared")
 
     def _crossing(self, type_: str, scope: Scope, fuel: int) -> Node:
         inner = self.expression(type_, scope.at_vertices(), fuel)

@@ -104,6 +104,7 @@ class _Program:
         writer = self.writer
         writer.wild = writer.maybe(0.2)
         self.has_buffers = writer.maybe(0.25)
+        self.file += declarations.enumerations(writer)
         self.file += declarations.structures(writer)
         for node, reference in declarations.constants(writer):
             self.file.append(node)
@@ -291,7 +292,14 @@ class _Program:
     def _slots(self, scope: Scope, letter: str, most: int) -> tuple[Scope, list[Node]]:
         """Slots that later ones can use."""
         writer, items = self.writer, []
-        kinds = (*TYPES, *GEOMETRIC, *writer.structures, "float[3]", "vec3[2]")
+        kinds = (
+            *TYPES,
+            *GEOMETRIC,
+            *writer.structures,
+            *writer.enumerations,
+            "float[3]",
+            "vec3[2]",
+        )
         for number in range(writer.chance.randint(0, most)):
             type_, name = writer.chance.choice(kinds), f"{letter}{number}"
             value = writer.pinned(writer.expression(type_, scope))

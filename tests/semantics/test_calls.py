@@ -118,6 +118,16 @@ RIGHT = {
 WRONG = {
     "a body": "fn f(a: float) -> float = sin(a, 1)\n c = f(uv.x) + f(uv.y)",
     "a generic body": "fn f<T: floats>(a: T) -> float = a\n c = f(uv.x) + f(uv) + f(uv.yx)",
+    "a bound": (
+        "fn f(n: int) -> float = sum i in 0..n : float(i)\nc = f(few) + f(int(uv.x * 9000))"
+    ),
+    "no length": "fn f(d: vec3) -> direction<world> = d\n c = f(uv.xyx).x + f(normal).x",
+    "a circle": (
+        "fn f(a: float) -> float = g(a)\nfn g(a: float) -> float = f(a)\nc = f(uv.x) + g(uv.y)"
+    ),
+    "an argument": "fn f(a: float) -> float = a\n c = f(uv) + f(true) + f(uv.x)",
+}
+DOUBTED = {
     "a zero": (
         "fn f(a: float, b: float) -> float = a / b\nc = f(uv.x, 0) + f(uv.y, 0) + f(uv.x, 2)"
     ),
@@ -127,15 +137,7 @@ WRONG = {
     "a difference that is zero": (
         "fn f(a: float, b: float) -> float = a / b\nc = f(uv.x, 2 - 2.0) + f(uv.y, 3 - 2.0)"
     ),
-    "a bound": (
-        "fn f(n: int) -> float = sum i in 0..n : float(i)\nc = f(few) + f(int(uv.x * 9000))"
-    ),
-    "no length": "fn f(d: vec3) -> direction<world> = d\n c = f(uv.xyx).x + f(normal).x",
     "an index outside": "fn f(a: vec3, i: int) -> float = a[i]\n c = f(vec3(1), 3) + f(uv.xyx, 4)",
-    "a circle": (
-        "fn f(a: float) -> float = g(a)\nfn g(a: float) -> float = f(a)\nc = f(uv.x) + g(uv.y)"
-    ),
-    "an argument": "fn f(a: float) -> float = a\n c = f(uv) + f(true) + f(uv.x)",
 }
 
 
@@ -159,12 +161,13 @@ material M {{
 
 
 def told(source: str | Path) -> dict[str, str] | str:
-    """The texts of a program, or what is wrong with it."""
+    """The texts of a program and its warnings, or what is wrong with it."""
     try:
         result = burnish.compile(source, "glsl")
     except CompileError as error:
         return render_all(error.diagnostics)
-    return {file.name: file.text for material in result.materials for file in material.files}
+    texts = {file.name: file.text for material in result.materials for file in material.files}
+    return {**texts, "warnings": render_all(result.diagnostics)}
 
 
 @pytest.fixture
@@ -197,6 +200,17 @@ def test_what_is_wrong_is_told_once_and_where_it_would_be_alone(
     messages = told(text)
     assert isinstance(messages, str)
     assert messages == alone(text)
+
+
+@pytest.mark.parametrize("name", DOUBTED)
+def test_a_constant_that_is_doubted_is_told_as_it_would_be_alone(
+    name: str, alone: Callable[[str | Path], dict[str, str] | str]
+) -> None:
+    text = program(DOUBTED[name])
+    texts = told(text)
+    assert isinstance(texts, dict), texts
+    assert "given from elsewhere" in texts["warnings"]
+    assert texts == alone(text)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

@@ -1,4 +1,7 @@
-"""Errors about values of constants are reported only if a program can come to them."""
+"""Errors about values of constants are reported only if a program can come to them.
+
+Those that a declaration is given from elsewhere are warnings.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,11 @@ from collections.abc import Iterable
 
 import pytest
 
+import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.diagnostics.render import render_all
 
+from . import kit
 from .kit import shader
 
 FUNCTIONS = (
@@ -61,12 +66,16 @@ RIGHT = {
     "at the vertices": "@vertex over(position.x, 0)",
     "a term": "term_(0).x",
 }
-WRONG = {
+DOUBTED = {
     "a call": "a / b\nover(uv.x, 0)",
     "a side that may be taken": "a / b\nif uv.x > 0.5 then over(1, 0) else 1",
+    "a part that is not read": "1 where { q = a / b }\nover(uv.x, 0)",
+    "a quotient of what is doubted": "a / b\n1 / over(1, 0)",
+    "what a call gives": "a * b\n1 / over(1, 0)",
+}
+WRONG = {
     "a side that is taken": "0\nif on then 1 else 1 / zero",
     "an argument that is not read": "1\nover(1 / zero, 2)",
-    "a part that is not read": "1 where { q = a / b }\nover(uv.x, 0)",
     "an element that is not read": "0\n[1 / zero, 2.0][1]",
     "what is wrong with what is wrong": "0\n1 / (1 / zero)",
     "a side that one loop takes": "0\n(sum i in 0..3 : (if i > 5 then 1 / zero else 1))"
@@ -112,38 +121,99 @@ def test_what_a_program_can_come_to_is_reported_once(name: str) -> None:
     assert [found.rule.code for found in raised.value.diagnostics] == ["B0401"]
 
 
+@pytest.mark.parametrize("name", DOUBTED)
+def test_a_zero_that_is_given_is_a_warning_and_told_once(name: str) -> None:
+    body, expression = DOUBTED[name].split("\n")
+    functions = f"fn over(a: float, b: float) -> float = {body}"
+    assert warnings(program(expression, (functions,))) == ["B0415"]
+
+
+def warnings(source: str) -> list[str]:
+    """The codes of the warnings about a program, which is right."""
+    compiled = burnish.compile(source, "glsl")
+    return [found.rule.code for found in compiled.diagnostics if found.rule.code != "B0211"]
+
+
+def test_a_slot_that_with_replaces_and_a_parameter_that_a_rig_sets_are_given() -> None:
+    source = """light Lamp {
+    param wide : float = 1
+    to_light = (vec3(0, 0, 1) as direction<world>)
+    radiance = vec3(1 / wide)
+}
+rig Stage { lamp : Lamp { wide = 0 } }
+term halved() = 1 / width
+term lit() per light = light.radiance
+material M {
+    width : float = 2
+    alpha = halved() with { width = 0 }
+    color = lit()
+}
+"""
+    assert warnings(source) == ["B0415", "B0415"]
+
+
+def test_an_error_is_told_where_the_same_value_was_doubted_before() -> None:
+    source = "fn over(a: float, b: float) -> float = a / b\nmaterial M { color = vec3({}) }"
+    for terms in ("over(uv.x, 0) + uv.x / 0", "uv.x / 0 + over(uv.x, 0)"):
+        with pytest.raises(CompileError) as raised:
+            shader(source.replace("{}", terms))
+        assert "B0401" in [found.rule.code for found in raised.value.diagnostics]
+
+
+def test_what_is_unguarded_has_no_value_for_a_zero_that_is_given() -> None:
+    source = (
+        "fn over(a: float, b: float) -> float = unguarded(a / b)\nmaterial M { alpha = over(1, 0) }"
+    )
+    with pytest.raises(CompileError, match="this divisor is always zero"):
+        shader(source)
+
+
+def test_a_doubted_quotient_is_zero_in_shaders_and_in_defaults() -> None:
+    source = """fn over(a: float, b: float) -> float = a / b
+fn left(a: int, b: int) -> int = a mod b
+material M {
+    param p : float in over(1, 0)..1 = over(2, 0) + float(left(7, 0))
+    color = vec3(over(uv.x, 0), over(1, 0), over(uv.y, 2))
+}
+"""
+    found = shader(source)
+    (p,) = (info for info in found.parameters if info.leaf.name == "p")
+    assert p.default == 0
+    assert kit.color(source) == (0, 0, 0.375)
+
+
 def test_all_of_them_together_come_to_one_shader() -> None:
     everything = " + ".join(f"({each})" for each in RIGHT.values())
     assert shader(program(everything)).results
 
 
 def test_the_message_says_where_the_constant_comes_from() -> None:
-    source = "fn over(a: float, b: float) -> float = a / b\nmaterial M { alpha = over(uv.x, 0) }\n"
-    with pytest.raises(CompileError) as raised:
-        shader(source)
-    assert render_all(raised.value.diagnostics) == RENDERED
+    source = (
+        "fn over(a: float, b: float) -> float = a / b\nmaterial M { color = vec3(over(uv.x, 0)) }\n"
+    )
+    assert render_all(burnish.compile(source, "glsl").diagnostics) == RENDERED
 
 
 RENDERED = """\
-error[B0401]: this divisor is always zero
- --> <test>:1:44
+warning[B0415]: this divisor is zero, by a value that is given from elsewhere
+ --> <text>:1:44
   |
 1 | fn over(a: float, b: float) -> float = a / b
   |                                            ^
-2 | material M { alpha = over(uv.x, 0) }
-  |                      ------------- in `over`, called here
-  = help: The quotient would be undefined on some backends and infinite on others."""
+2 | material M { color = vec3(over(uv.x, 0)) }
+  |                           ------------- in `over`, called here
+  = help: An argument, or a slot that another record sets, makes it zero. The quotient is 0 then, \
+as for every divisor that turns out to be zero when a shader runs. Where that is meant, write it: \
+`if b == 0 then 0 else a / b`."""
 
 
 def test_a_vector_is_as_good_a_constant_and_calls_in_calls_are_all_named() -> None:
     source = """\
 fn over(a: vec2, b: vec2) -> vec2 = a / b
 fn node(a: vec2, b: vec2) -> vec2 = over(a + 1, b)
-material M { alpha = node(uv, vec2(1, 0)).x }
+material M { color = vec3(node(uv, vec2(1, 0)).x) }
 """
-    with pytest.raises(CompileError) as raised:
-        shader(source)
-    (found,) = raised.value.diagnostics
+    (found,) = burnish.compile(source, "glsl").diagnostics
     assert [label.text for label in found.labels] == [
         "in `over`, called here", "in `node`, called here",
     ]  # fmt: skip

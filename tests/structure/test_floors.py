@@ -87,6 +87,7 @@ FLOORS: dict[str, str] = {
     "compiler.passes": (
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
+    "compiler.equivalence": "frozen stdlib diagnostics ir reference",
     "compiler.reflection": (
         "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
         "passes"
@@ -125,9 +126,10 @@ FLOORS: dict[str, str] = {
         "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
         "description emit legalise availability selection graphs compiled specialising"
     ),
+    "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
-        "selection runner compiled remembered compiling"
+        "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
     "materialx.fidelity": (
@@ -137,7 +139,8 @@ FLOORS: dict[str, str] = {
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
-        "selection runner web_host web_view conformance toolchain serving compiled entry_points"
+        "selection runner web_host web_view conformance toolchain serving compiled sameness "
+        "entry_points"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

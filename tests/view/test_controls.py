@@ -18,6 +18,7 @@ CLAY = """
 import std.lights.{Directional, Point}
 import std.terms.{lambert}
 
+enum Mode { add, mix, cover }
 struct Grain { size : float, tint : rgb }
 
 /// Clay
@@ -29,6 +30,7 @@ material Clay {
     param along   : direction<world> = direction(0, 1, 0)
     param parts   : int in 1..8 = 2
     param is_wet  : bool = true
+    param mode    : Mode = Mode.mix
     param grain   : Grain = Grain(0.25, #ffffff)
     param weights : float[3] = [0.5, 0.25, 0.125]
     param many    : float[64]
@@ -40,6 +42,7 @@ material Clay {
     scale = float(parts) * bumps * cos(turn) * grain.size * weights[1] * many[0] * sin(time)
     tint  = base * clear.rgb * dirt(uv).rgb * grain.tint
     color = lambert(tint) * scale * (frame * moved).x * (if is_wet then along.y else 0.5)
+    alpha = if mode == Mode.mix then 1 else 0.5
 }
 
 rig Studio { sun : Directional, lamps : Point[<= 2] }
@@ -51,6 +54,7 @@ def test_a_material() -> None:
     frame = single_frame(material)
     host = FrameHost(frame, single_scenery(frame, "sphere", 1), (8, 8))
     host.set_text("bumps", "1.5")
+    host.set_text("mode", "cover")
     rows = {row["name"]: row for row in controls(host)}
     own = {name: (row["kind"], row["value"]) for name, row in rows.items() if not row["is_light"]}
     base = own.pop("base")
@@ -62,6 +66,7 @@ def test_a_material() -> None:
         "along": ("direction", (0.0, 1.0, 0.0)),
         "parts": ("number", 2),
         "is_wet": ("checkbox", True),
+        "mode": ("member", 2),
         "grain.size": ("number", 0.25),
         "grain.tint": ("color", (1.0, 1.0, 1.0)),
         "weights[0]": ("number", 0.5),
@@ -74,6 +79,7 @@ def test_a_material() -> None:
     }
     assert (rows["bumps"]["range"], rows["parts"]["whole"]) == ((0.0, 2.0), True)
     assert [name for name, row in rows.items() if row.get("is_timed")] == ["time"]
+    assert rows["mode"]["choices"] == ("add", "mix", "cover")
     assert rows["dirt"]["intent"] == "color"
     assert (rows["base"]["doc"], rows["dirt"]["doc"]) == ("Of the clay", "On the clay")
     assert rows["base"]["section"] == "Clay"

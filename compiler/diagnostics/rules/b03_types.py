@@ -170,6 +170,24 @@ LATER_ARGUMENT = error(
     "itself can read: constants of the file and, in a term, slots of the surface. `light` has no "
     "value there, as arguments are the same for all lights.",
 )
+NO_NUMBER = error(
+    "B0340",
+    "`{operator}` takes numbers, and {left} is an enumeration",
+    "Members of an enumeration are told apart by `==` and `!=`, chosen by `if`, and may be "
+    "indices of an array. `int(x)` is the number of a member, from 0, and `(n as Mode)` the "
+    "member of a number.",
+)
+MIXED_ENUMS = error(
+    "B0341",
+    "`{operator}` of members of two enumerations: {left} and {right}",
+    "A member is only like a member of the same enumeration, whatever their names are.",
+)
+MEMBER_AND_NUMBER = error(
+    "B0342",
+    "`{operator}` of a member of {left} and something else",
+    "A member of an enumeration is no number, and a number is no member. `int(x)` is the number "
+    "of a member, from 0, and `(n as Mode)` the member of a number.",
+)
 TEXTURE_LACKS_READ = error(
     "B0350",
     "`{type}` has no {read}",

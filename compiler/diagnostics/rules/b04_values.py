@@ -82,6 +82,19 @@ TOO_MANY_BASES = error(
     "`{name}` has more than {most} bases, one above the other",
     "Bases of bases count, too. Declare what they share in a mixin, or in fewer bases.",
 )
+ZERO_DIVISOR_GIVEN = warning(
+    "B0415",
+    "this divisor is zero, by a value that is given from elsewhere",
+    "An argument, or a slot that another record sets, makes it zero. The quotient is 0 then, as "
+    "for every divisor that turns out to be zero when a shader runs. Where that is meant, write "
+    "it: `if b == 0 then 0 else a / b`.",
+)
+OUT_OF_BOUNDS_GIVEN = warning(
+    "B0416",
+    "index {index} is outside of {type}, by a value that is given from elsewhere",
+    "An argument, or a slot that another record sets, is the index. The nearest lane, column or "
+    "element is read, as for every index that turns out to be out of bounds when a shader runs.",
+)
 
 # Mixins
 
@@ -189,6 +202,11 @@ VALUE_TOO_LARGE = error(
     "a value of type `{type}` has {count} numbers, and {most} are possible",
     "A host that sets a value has all its numbers in memory, and so has a shader that chooses "
     "between two. Elements of a `buffer` may be many: `buffer name : T[]`.",
+)
+EMPTY_ENUM = error(
+    "B0483",
+    "the enumeration `{name}` has no members",
+    "Give it the values that there are: `enum Mode { add, mix }`.",
 )
 
 HOST_NAME_TAKEN = error(

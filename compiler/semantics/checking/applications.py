@@ -57,7 +57,7 @@ def apply_best(
         return FAILURE
     ctx.report.add(
         rules.AMBIGUOUS_CALL if found else rules.NO_OVERLOAD, e.span,
-        name=overloaded[0].name, arguments=listed(arguments, e.names), labels=labels,
+        name=overloaded[0].name, arguments=listed(ctx, arguments, e.names), labels=labels,
     )  # fmt: skip
     return FAILURE
 
@@ -103,7 +103,7 @@ def _fit_arguments(
         return None  # The declaration's mistake has been reported.
     if variables is None:
         ctx.report.add(
-            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(arguments, e.names),
+            rules.NO_OVERLOAD, e.span, name=symbol.name, arguments=listed(ctx, arguments, e.names),
             labels=[Label(function.name.span, "declared here")], hint=f"it is `{usage(function)}`",
         )  # fmt: skip
         return None

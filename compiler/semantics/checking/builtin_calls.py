@@ -18,7 +18,7 @@ from ..state.context import Context
 from ..state.scope import Failure, Scope
 from ..types import overloads
 from ..types.coercion import coerce
-from .combinations import checked
+from .combinations import checked, members_refused
 from .operands import no_signature
 
 
@@ -37,7 +37,8 @@ def builtin_call(
     """
     found = overloads.resolve(name, tuple(map(overloads.operand, operands)))
     if found is None:
-        return no_signature(ctx, name, operands, span, shown, written)
+        refused = members_refused(ctx, name, operands, shown, span, written, scope)
+        return refused or no_signature(ctx, name, operands, span, shown, written)
     fitted: list[Node] = []
     for operand, type_ in zip(operands, found.operands, strict=True):
         # Arithmetic between scalars and vectors exists as such; elsewhere a scalar broadcasts.

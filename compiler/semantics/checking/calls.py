@@ -25,7 +25,7 @@ from ..inheritance.records import Definition
 from ..names.duplicates import check_once
 from ..state.context import Context
 from ..state.evaluation import plain
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Scope, Value
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Members, Scope, Value
 from . import lookup, textures
 from .aggregates import structure
 from .applications import apply_best
@@ -189,15 +189,25 @@ def _built_in(
     ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Value:
     if e.names:
-        from .arguments import refuse_names
-
-        refuse_names(ctx, e)
-        return FAILURE
+        return _by_names(ctx, name, arguments, e, scope)
     if name == "unguarded":
         return _unguarded(ctx, arguments, e)
     if is_constructor(name):
         return construct(ctx, name, arguments, e)
     return builtin_call(ctx, name, arguments, e.span, name, e.arguments, scope)
+
+
+def _by_names(
+    ctx: Context, name: str, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
+) -> Node | Failure:
+    """A builtin with names for arguments: only a choice between members has some."""
+    from .arguments import refuse_names
+    from .member_choices import NAME, chosen
+
+    found = chosen(ctx, e, arguments, scope) if name == NAME else None
+    if found is None:
+        refuse_names(ctx, e)
+    return found or FAILURE
 
 
 _TEXTURE_NAMES = frozenset(map(str, TEXTURES))
@@ -233,6 +243,8 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
         symbols = scope.module.find(name)
         is_slot = scope.instance is not None and scope.instance.has(name)
         hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
+        if symbols and isinstance(symbols[0].declaration, ast.Enumeration):
+            hint = Members(symbols[0]).example
         if not hint:
             place = Span(span.source, span.end, span.end)
             said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
@@ -313,6 +325,9 @@ def _unguarded(ctx: Context, arguments: tuple[Node, ...], e: ast.Call) -> Value:
         ctx.report.add(rules.UNGUARDED, e.span, hint=hint)
         return FAILURE
     native = ctx.tree.node("native", node.type, node.operands, node.data)
+    if name in ("div", "mod") and ctx.constants.is_zero(node.operands[1]):
+        found = ctx.report.finding(rules.ZERO_DIVISOR, e.arguments[0].span)
+        ctx.deferred.add(native, found, *arguments)
     return ctx.meanings.ascribed(native, ctx.meanings.of(arguments[0]))
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.fixes import FixIt, Hint, fix_it
@@ -11,10 +13,10 @@ from ...ir.node import Node
 from ...syntax import ast
 from ...syntax.quoting import operand
 from ...syntax.rewriting import rewritten
-from ..declarations import transform_paths
+from ..declarations import enumerations, transform_paths
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
-from ..types.meaning_rules import Clash, chosen, gathered, side
+from ..types.meaning_rules import Clash, chosen, gathered, of_members, side
 from ..types.meanings import combined
 
 Written = tuple[ast.Expression, ...]
@@ -38,6 +40,23 @@ def checked(
         ctx.meanings.keep(node, found)
         return node
     return complain(ctx, found, meanings, shown, span, written, scope)
+
+
+def members_refused(
+    ctx: Context,
+    name: str,
+    operands: Sequence[Node],
+    shown: str,
+    span: Span,
+    written: Written,
+    scope: Scope | None,
+) -> Failure | None:
+    """Reports a builtin whose operands fit no signature, if one is a member of an enumeration."""
+    meanings = [ctx.meanings.of(operand) for operand in operands]
+    clash = of_members(name, tuple(map(side, operands, meanings)))
+    if clash is None:
+        return None
+    return complain(ctx, clash, meanings, shown, span, written, scope)
 
 
 def complain(
@@ -69,6 +88,11 @@ def _hint(
     written: Written,
     scope: Scope | None,
 ) -> Hint:
+    if clash.rule is rules.MEMBER_AND_NUMBER:
+        other = next((e for i, e in enumerate(written) if i != clash.left), None)
+        return enumerations.way_out(None, left, other)
+    if clash.rule is rules.NO_NUMBER:
+        return enumerations.number_of(written[clash.left].span if written else None)
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
     if left.kind in MAPS and right.kind == "normal" and left.spaces[0] == right.spaces[0]:

@@ -116,7 +116,7 @@ def _step(
 def _library(ctx: Context, name: str, arguments: tuple[Node, ...], span: Span) -> Node | Failure:
     """A function of ``spaces.burnish``."""
     found = best(ctx, library().find(name), arguments)
-    assert len(found) == 1, f"{name} does not take {listed(arguments)}"
+    assert len(found) == 1, f"{name} does not take {listed(ctx, arguments)}"
     (symbol,) = found
     result: Node | Failure = applications.library_call(ctx, symbol, arguments, span)
     return result

@@ -105,17 +105,17 @@ def _field(ctx: Context, e: ast.Field, operands: Sequence[Value], _scope: Scope)
     return member_of(ctx, operands[0], e)
 
 
-def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], _scope: Scope) -> Value:
+def _index(ctx: Context, e: ast.Index, operands: Sequence[Value], scope: Scope) -> Value:
     whole, number = operands
     if isinstance(whole, Corners):
         return corners.numbered(ctx, whole, plain(ctx, number, e.index), e.index.span)
     operand, position = plain(ctx, whole, e.operand), plain(ctx, number, e.index)
     if isinstance(operand, Failure) or isinstance(position, Failure):
         return FAILURE
-    return _element(ctx, e, operand, position)
+    return _element(ctx, e, operand, position, scope)
 
 
-def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
+def _element(ctx: Context, e: ast.Index, operand: Node, index: Node, scope: Scope) -> Value:
     operands = operand, index
     if isinstance(operand.type, TextureType):
         ctx.report.add(rules.NOT_INDEXABLE, e.span, type=operand.type, hint=advice.READ)
@@ -128,7 +128,8 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
         case RuntimeArray():
             element = buffers.element(ctx, operand, position)
             if known is not None and known < 0:
-                _not_there(ctx, e, (operand, position), element, known, _from_end(e, -known))
+                hint = _from_end(e, -known)
+                _not_there(ctx, e, (operand, position, element), known, hint, scope)
             return element
         case Array(count=count) | Vector(size=count) | Matrix(columns=count):
             pass
@@ -145,7 +146,7 @@ def _element(ctx: Context, e: ast.Index, operand: Node, index: Node) -> Value:
     if known is not None:
         highest = str(count - 1)
         hint = fix_it(f"counted from 0, the last one is `[{highest}]`", (e.index.span, highest))
-        _not_there(ctx, e, (operand, position), part, known, hint)
+        _not_there(ctx, e, (operand, position, part), known, hint, scope)
     return part
 
 
@@ -159,13 +160,13 @@ def _from_end(e: ast.Index, number: int) -> Hint:
 
 
 def _not_there(
-    ctx: Context, e: ast.Index, operands: tuple[Node, Node], part: Node, known: int, hint: Hint
+    ctx: Context, e: ast.Index, read: tuple[Node, Node, Node], known: int, hint: Hint, scope: Scope
 ) -> None:
-    """Note that ``part`` is read with an index that is known to be out of bounds."""
-    operand, position = operands
-    found = ctx.report.finding(
-        rules.OUT_OF_BOUNDS, e.index.span, index=known, type=operand.type, hint=hint
-    )
+    """Note that an index is known to be out of bounds; ``read`` is by what which part is read."""
+    from .given_values import finding
+
+    operand, position, part = read
+    found = finding(ctx, rules.OUT_OF_BOUNDS, e.index, scope, hint, index=known, type=operand.type)
     ctx.deferred.add(part, found, position)
 
 
@@ -208,7 +209,9 @@ def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Node], scope: Scope)
         ctx, OPERATORS[e.operator], (left, right), e.span, e.operator, written, scope
     )
     if e.operator in ("/", "mod") and isinstance(value, Node) and ctx.constants.is_zero(right):
-        found = ctx.report.finding(rules.ZERO_DIVISOR, e.right.span)
+        from .given_values import finding
+
+        found = finding(ctx, rules.ZERO_DIVISOR, e.right, scope)
         ctx.deferred.add(value, found, right)
     return value
 

@@ -23,7 +23,7 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.crossings import INPUTS, KERNEL_INPUTS
 from ..state.evaluation import Demand, plain, settle
-from ..state.scope import FAILURE, Application, Inherited, Instance, Scope, Value
+from ..state.scope import FAILURE, Application, Inherited, Instance, Members, Scope, Value
 from .bodies import part_value
 from .cycles import is_cycle
 from .slots import slot
@@ -38,16 +38,12 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
         return part_value(ctx, scope.parts, name, span)
     if name == "inherited" and scope.instance is not None:
         return Inherited(scope.instance, scope.level)
-    instance = scope.instance
-    if instance is not None and instance.declares(name, scope.level):
+    instance = instance_of(name, scope)
+    if instance is not None:
         return slot(ctx, instance, name, span)
     symbols = scope.module.find(name)
     if symbols:
         return _symbol_value(ctx, symbols[0], span)
-    if instance is not None and instance.has(name):
-        return slot(ctx, instance, name, span)
-    if scope.surface is not None and scope.surface.has(name):
-        return slot(ctx, scope.surface, name, span)
     if name in ctx.lights.named:
         return ctx.lights.named[name]
     row = KERNEL_INPUTS.get(name)
@@ -57,10 +53,25 @@ def value(ctx: Context, name: str, span: Span, scope: Scope) -> Value:
     inputs = INPUTS if surface is None or surface.made is None else surface.made.inputs
     if name in inputs and surface is not None:
         if name == VIEW_INDEX.name:
-            _check_view(ctx, instance, span)
+            _check_view(ctx, scope.instance, span)
         return ctx.crossings.supplied(inputs[name], surface.origin)
     unknown_name(ctx, name, span, scope)
     return FAILURE
+
+
+def instance_of(name: str, scope: Scope) -> Instance | None:
+    """The record or the surface whose slot a bare name is; ``None`` if it is that of no slot.
+
+    Names of the file come before slots that the text of a record did not know of.
+    """
+    own, surface = scope.instance, scope.surface
+    if own is not None and own.declares(name, scope.level):
+        return own
+    if scope.module.known(name):
+        return None
+    if own is not None and own.has(name):
+        return own
+    return surface if surface is not None and surface.has(name) else None
 
 
 def _check_view(ctx: Context, instance: Instance | None, span: Span) -> None:
@@ -83,6 +94,8 @@ def _symbol_value(ctx: Context, symbol: Symbol, span: Span) -> Value:
     declaration = symbol.declaration
     if isinstance(declaration, ast.ExternMember):
         return extern_value(ctx, symbol, span)
+    if isinstance(declaration, ast.Enumeration):
+        return Members(symbol)
     if not isinstance(declaration, ast.Constant):
         hint = advice.unshaded(symbol)
         if isinstance(declaration, ast.Function | ast.StructDeclaration):

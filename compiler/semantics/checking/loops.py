@@ -25,10 +25,12 @@ from ...ir.node import (
 from ...ir.types import BOOL, INT, Opaque, Scalar, TextureType, Type, Vector, width
 from ...syntax import ast
 from ...syntax.quoting import spanned
+from ..declarations import enumerations
 from ..declarations.fitting import fit
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, LoopBody, Scope, Value
 from ..types.coercion import coerce
+from ..types.meaning_rules import is_enum
 from .loop_contents import changing, loops_within, may_stand, too_deep
 from .turns import Turns, bounds_of, turns_of
 
@@ -144,8 +146,10 @@ def _term(ctx: Context, e: ast.Fold, operator: FoldOperator, body: Node) -> Node
     """A term as one that the fold can take."""
     if operator in ("and", "or"):
         return fit(ctx, body, BOOL, "bool", e.body.span)
-    if not isinstance(body.type, Scalar | Vector) or body.type.kind == "bool":
-        ctx.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=body.type)
+    is_number = isinstance(body.type, Scalar | Vector) and body.type.kind != "bool"
+    if not is_number or is_enum(ctx.meanings.of(body)):
+        shown = enumerations.shown_type(ctx, body)
+        ctx.report.add(rules.WRONG_TYPE, e.body.span, expected="a number", found=shown)
         return FAILURE
     return body
 

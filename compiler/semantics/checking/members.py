@@ -10,6 +10,7 @@ from ...ir.meaning import RGB
 from ...ir.node import Node
 from ...ir.types import RuntimeArray, Scalar, Struct, Vector, width
 from ...syntax import ast
+from ..declarations import enumerations
 from ..hints import advice
 from ..state.context import Context
 from ..state.scope import (
@@ -20,6 +21,7 @@ from ..state.scope import (
     Inherited,
     Instance,
     LightVariable,
+    Members,
     Value,
 )
 from . import buffers, slots
@@ -40,6 +42,8 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
             return _component(ctx, value, e)
         case LightVariable():
             return slots.light_slot(ctx, value, name)
+        case Members(symbol):
+            return enumerations.member(ctx, symbol, name)
         case Corner():
             return slots.corner_slot(ctx, value, name.text, name.span)
         case Corners(word):

@@ -31,6 +31,7 @@ from ...ir.types import (
 from ...syntax import ast
 from ...syntax.quoting import closed, counted, operand, shortened, spanned
 from ...syntax.rewriting import rewritten, together
+from ..declarations.enumerations import shown_type
 from ..hints import advice
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure
@@ -45,9 +46,9 @@ Edited = tuple[Operand, FixIt | None]
 """An operand as it would be, and how that is written; ``None`` where nothing changes."""
 
 
-def listed(operands: Sequence[Node], names: Sequence[ast.Name | None] = ()) -> str:
+def listed(ctx: Context, operands: Sequence[Node], names: Sequence[ast.Name | None] = ()) -> str:
     """The operands' types for a message, with the names that they are given by."""
-    types = [str(node.type) for node in operands]
+    types = [shown_type(ctx, node) for node in operands]
     pairs = zip(types, names or [None] * len(types), strict=True)
     return ", ".join(type_ if name is None else f"{name.text} = {type_}" for type_, name in pairs)
 
@@ -60,7 +61,7 @@ def no_signature(
         return FAILURE
     row, places = BUILTINS[name], [each.span for each in written]
     if row.operator:
-        types = [str(node.type) for node in operands]
+        types = [shown_type(ctx, node) for node in operands]
         ctx.report.add(
             rules.NO_OPERATOR if len(types) == 2 else rules.NO_PREFIX_OPERATOR, span,
             operator=shown, left=types[0], right=types[-1],
@@ -83,7 +84,7 @@ def no_signature(
     cut = advice.cut_quotient(ctx, operands, places)
     hint = _parts(name, operands) or cut or _edited(name, operands, written) or candidates
     ctx.report.add(
-        rules.NO_OVERLOAD, span, name=shown, arguments=listed(operands), hint=hint,
+        rules.NO_OVERLOAD, span, name=shown, arguments=listed(ctx, operands), hint=hint,
         labels=advice.where_cut(ctx, operands, span) if hint is cut else (),
     )  # fmt: skip
     return FAILURE

@@ -13,6 +13,7 @@ from ...diagnostics.source import Span
 from ...ir.stages import PATCH_INDEX, PRIMITIVE_INDEX
 from ...syntax import ast
 from ...syntax.rewriting import called_here
+from ..declarations import enumerations
 from ..hints import advice
 from ..names.modules import Module
 from ..state.context import Context
@@ -36,6 +37,9 @@ def unknown_name(ctx: Context, name: str, span: Span, scope: Scope) -> None:
             return
         if instance is not None:
             known = chain(known, instance.record.definitions)
+    if member := enumerations.qualified(scope.module, name, span):
+        ctx.report.add(rules.UNKNOWN_NAME, span, kind="name", name=name, hint=member)
+        return
     lit = advice.of_a_light(name, ctx.rig)
     elsewhere = _of_other_languages(name, span) or lit or advice.of_a_record(name, scope)
     elsewhere = elsewhere or _other_kernels(ctx, name) or _other_vertices(scope, name)

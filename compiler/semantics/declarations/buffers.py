@@ -14,6 +14,7 @@ from ...syntax import ast
 from ..inheritance.records import Definition
 from ..state.context import Context
 from ..types.typenames import Declared
+from .enumerations import limits_of_members
 from .written_types import declared_type
 
 
@@ -82,7 +83,7 @@ def member_infos(declared: Declared, span: Span) -> tuple[ParameterInfo, ...]:
     return tuple(
         ParameterInfo(
             Parameter(name, part.type, fact=part.fact, meaning=part.meaning),
-            part.text, "", span, members=member_infos(part, span),
+            part.text, "", span, limits_of_members(part), members=member_infos(part, span),
         )
         for name, part in declared.members
     )  # fmt: skip

@@ -18,9 +18,9 @@ from ...syntax.rewriting import rewritten
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, LightVariable, Scope
 from ..types.coercion import coerce
-from ..types.meaning_rules import fits, weakened
+from ..types.meaning_rules import fits, is_enum, weakened
 from ..types.typenames import Declared
-from . import transform_paths
+from . import enumerations, transform_paths
 from .fitting import fit
 from .written_types import declared_type
 
@@ -33,6 +33,8 @@ def as_declared(
     scope: Scope | None = None,
 ) -> Node | Failure:
     """The value of ``written`` with its declared type, meaning and contract."""
+    if isinstance(node, Node) and is_enum(declared.meaning) and not _is_same(ctx, node, declared):
+        return _wrong(ctx, node, declared, written.span, written)
     if _is_apart(node, ctx, declared):
         return meant(ctx, node, declared, written.span, written, scope)
     fitted = fit(ctx, node, declared.type, declared.text, written.span)
@@ -52,6 +54,8 @@ def meant(
     """``node``, whose type fits already, with the declared meaning; or a report at ``span``."""
     found = ctx.meanings.of(node)
     if not fits(found, declared.meaning):
+        if is_enum(found) or is_enum(declared.meaning):
+            return _wrong(ctx, node, declared, span, written)
         assert found is not None
         ctx.report.add(
             rules.WRONG_MEANING, span, expected=declared.text, found=found,
@@ -64,6 +68,24 @@ def meant(
         ctx.report.add(rules.BARE_ANGLE, span, text=number, hint=hint)
         return FAILURE
     return contracted(ctx, node, declared, span, written)
+
+
+def _is_same(ctx: Context, node: Node, declared: Declared) -> bool:
+    return node.type == declared.type and ctx.meanings.of(node) == declared.meaning
+
+
+def _wrong(
+    ctx: Context, node: Node, declared: Declared, span: Span, written: ast.Expression | None
+) -> Failure:
+    """Reports a member of an enumeration where something else is wanted, or the other way round."""
+    found = ctx.meanings.of(node)
+    shown = found if is_enum(found) else node.type
+    ctx.report.add(
+        rules.WRONG_MEANING, span, expected=declared.text, found=shown,
+        caption=f"this is `{shown}`",
+        hint=enumerations.way_out(found, declared.meaning, written),
+    )  # fmt: skip
+    return FAILURE
 
 
 def _is_apart(node: Node | Failure, ctx: Context, declared: Declared) -> TypeGuard[Node]:

@@ -14,6 +14,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
 from ..types.coercion import coerce
+from .enumerations import shown_type
 
 
 def typed(
@@ -36,10 +37,10 @@ def fit(
         return FAILURE
     if fitted is None:
         ctx.report.add(
-            rules.WRONG_TYPE, span, expected=declared, found=node.type,
+            rules.WRONG_TYPE, span, expected=declared, found=shown_type(ctx, node),
             hint=_way_to_fit(ctx, node, wanted, declared, span),
             labels=advice.where_cut(ctx, (node,), span) if scalar_kind(wanted) == "float" else (),
-            caption=f"this is `{node.type}`",
+            caption=f"this is `{shown_type(ctx, node)}`",
         )  # fmt: skip
         return FAILURE
     return fitted

@@ -47,10 +47,11 @@ from ..names.modules import Symbol
 from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import Failure, Scope
-from ..types.meaning_rules import weakened
+from ..types.meaning_rules import is_enum, weakened
 from ..types.typenames import Declared
 from .buffers import buffer_of, member_infos
 from .contracts import as_declared, needs_unit
+from .enumerations import limits_of_members
 from .textures import texture_of, unknown_word
 from .written_types import declared_type, named_struct
 
@@ -225,6 +226,7 @@ def parameter_of(
         )  # fmt: skip
         return None
     limits = _range(ctx, member, definition, declared)
+    limits = limits or limits_of_members(declared)
     fact = declared.fact if limits is None else Fact(*limits)
     default = _default(ctx, member, definition, declared, limits)
     parameter = Parameter(
@@ -253,7 +255,11 @@ def _range(
     if member.range is None:
         return None
     type_ = declared.type.element if isinstance(declared.type, Array) else declared.type
-    if scalar_kind(type_) in (None, "bool") or not isinstance(type_, Scalar | Vector):
+    if (
+        is_enum(declared.meaning)
+        or scalar_kind(type_) in (None, "bool")
+        or not isinstance(type_, Scalar | Vector)
+    ):
         ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
         return None
     limits = []

@@ -19,6 +19,7 @@ from ..state.context import Context
 from ..state.evaluation import Demand, plain, settle
 from ..state.scope import Failure, Scope, Value
 from ..types.typenames import NAMED, Declared, Variables, array_of, structure, unsized_array_of
+from .enumerations import enumeration_of
 from .fitting import fit
 
 MOST_ELEMENTS = 4096
@@ -69,6 +70,11 @@ def _resolved(
         if struct is None:
             return None
         structs[written.name.text] = struct
+    if symbols and isinstance(symbols[0].declaration, ast.Enumeration):
+        enumeration = enumeration_of(ctx, symbols[0])
+        if enumeration is None:
+            return None
+        structs[written.name.text] = enumeration
     spaces = frozenset(
         argument.text
         for argument in written.arguments

@@ -126,7 +126,13 @@ def _check_readable(report: Report, declaration: Named) -> None:
     match declaration:
         case ast.Record() | ast.Mixin() if _may_contain_unreadable(declaration):
             names = [member.name for member in declaration.members if ast.is_read(member)]
-        case ast.Function() | ast.Constant() | ast.StructDeclaration() | ast.ExternMember():
+        case (
+            ast.Function()
+            | ast.Constant()
+            | ast.StructDeclaration()
+            | ast.Enumeration()
+            | ast.ExternMember()
+        ):
             names = [declaration.name]
     for name in names:
         if name.text in _MEANT_OTHERWISE:
@@ -144,7 +150,7 @@ def _may_contain_unreadable(record: ast.Record | ast.Mixin) -> bool:
 def _check_inside(report: Report, declaration: Named) -> None:
     """Names that a declaration gives to its parts, each once."""
     match declaration:
-        case ast.StructDeclaration(members=members):
+        case ast.StructDeclaration(members=members) | ast.Enumeration(members=members):
             check_once(report, (member.name for member in members))
         case ast.Function():
             check_once(report, (variable.name for variable in declaration.type_parameters))

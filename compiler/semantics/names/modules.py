@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Named = (
     ast.Record | ast.Mixin | ast.Function | ast.Rig | ast.StructDeclaration
-    | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
+    | ast.Enumeration | ast.ExternBlock | ast.ExternMember | ast.Space | ast.Constant
 )  # fmt: skip
 
 

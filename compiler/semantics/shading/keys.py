@@ -37,7 +37,12 @@ class Keys:
         match symbol.declaration:
             case ast.Record(kind="material", abstract=False):
                 around = self._of_drawn
-            case ast.Function(kind="fn") | ast.Constant() | ast.StructDeclaration():
+            case (
+                ast.Function(kind="fn")
+                | ast.Constant()
+                | ast.StructDeclaration()
+                | ast.Enumeration()
+            ):
                 around = b""
             case _:
                 around = self._of_all

@@ -16,6 +16,7 @@ from ...syntax import ast
 from ..checking import lookup
 from ..checking.applications import apply_body
 from ..checking.lights import light_instance, per_light
+from ..declarations.enumerations import enumeration_of
 from ..declarations.externs import read_externs
 from ..declarations.parameters import leaves_of
 from ..declarations.written_types import struct_of
@@ -114,6 +115,11 @@ def check_constant(symbol: Symbol, setting: Setting) -> bool:
 def check_structure(symbol: Symbol, setting: Setting) -> bool:
     """Check the types of a structure's members."""
     return struct_of(setting.ctx, symbol) is not None
+
+
+def check_enumeration(symbol: Symbol, setting: Setting) -> bool:
+    """Check that an enumeration has members."""
+    return enumeration_of(setting.ctx, symbol) is not None
 
 
 def check_block(symbol: Symbol, setting: Setting) -> bool:

@@ -7,7 +7,7 @@ the setting with the fewest errors are reported.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import chain, islice, product
@@ -36,6 +36,7 @@ from .trials import (
     check_block,
     check_constant,
     check_defaults,
+    check_enumeration,
     check_function,
     check_light,
     check_mixin,
@@ -126,7 +127,8 @@ class UnusedDeclarations:
         with suppress(_TooMuchError):
             self._check(ast.Record)
             self._check(ast.Rig, ast.Mixin)
-            self._check(ast.Function, ast.Constant, ast.StructDeclaration, ast.ExternBlock)
+            self._check(ast.Function, ast.Constant, ast.StructDeclaration)
+            self._check(ast.Enumeration, ast.ExternBlock)
             self._check_defaults()
         if not self._report.failed:
             self._known.keep(self._right, self._module.prelude)
@@ -294,12 +296,8 @@ class UnusedDeclarations:
                 of_unknown_family(function) or uninferable(function)
             ):
                 yield from self._of_function(symbol, function, check_function)
-            case ast.Constant():
-                yield from islice(self._tried(partial(check_constant, symbol)), 1)
-            case ast.StructDeclaration():
-                yield from islice(self._tried(partial(check_structure, symbol)), 1)
-            case ast.ExternBlock():
-                yield from islice(self._tried(partial(check_block, symbol)), 1)
+            case declaration if (alone := _CHECKED_ALONE.get(type(declaration))) is not None:
+                yield from islice(self._tried(partial(alone, symbol)), 1)
 
     def _drawn(self, material: Symbol, rig: Symbol, pass_: Symbol) -> Attempt:
         trial = self._trial(self._around.materials[0], rig)
@@ -333,6 +331,15 @@ class UnusedDeclarations:
             setting = set_up(parts, self._report.apart(), self._records)
             self._trials[parts] = Trial(setting)
         return self._trials[parts]
+
+
+_CHECKED_ALONE: Mapping[type, Callable[[Symbol, Setting], bool]] = {
+    ast.Constant: check_constant,
+    ast.StructDeclaration: check_structure,
+    ast.Enumeration: check_enumeration,
+    ast.ExternBlock: check_block,
+}
+"""The checks of declarations for which it does not matter what is drawn."""
 
 
 def _is_in(span: Span, places: Sequence[Span]) -> bool:

@@ -40,6 +40,7 @@ class WrittenTypes:
     resolver: TypeResolver
     declared: dict[ast.TypeName, Declared | None] = fresh(factory=dict)
     structs: dict[Symbol, Declared | None] = fresh(factory=dict)
+    enumerations: dict[Symbol, Declared | None] = fresh(factory=dict)
     struct_members: dict[str, tuple[tuple[str, Type], ...]] = fresh(factory=dict)
     """The members of structures, by the names that texts call them."""
     ways: dict[tuple[Instance | None, ...], tuple[Way, ...]] = fresh(factory=dict)
@@ -190,6 +191,7 @@ class Context:
         """The functions, terms, constants and structures that were checked by being used."""
         yield from self.entered
         yield from self.types.structs
+        yield from self.types.enumerations
         yield from (symbol for symbol, *_ in self.applied)
 
     def is_left_to_a_use(self, node: Node) -> bool:

@@ -5,20 +5,22 @@ never taken. So a rule that finds such an error defers it. The operation gets a 
 meaning that it has for a value that is not constant, and the error waits until all that needs the
 node has been checked. Then ``report`` walks from the values that were made down to what they need,
 but not into sides that are never taken, and reports what it comes upon. Errors about types are not
-deferred.
+deferred. Warnings about such values are, in the same way; but a value with a warning is right.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ....support.frozen import changed
-from ...diagnostics.diagnostic import Diagnostic, Label, Report
+from ...diagnostics.diagnostic import Diagnostic, Label, Report, Severity
 from ...ir.node import Folding, Iterating, Node, bare
 from .conditions import Conditions
 from .tree import Tree
 
 _MARKS = ("as", "called")
+_WEIGHTS: Mapping[Severity, int] = {"note": 1, "warning": 1, "error": 2}
+"""A finding counts for less than one of more weight, about the same value or what it is made of."""
 
 
 class Deferred:
@@ -36,8 +38,8 @@ class Deferred:
 
         There are copies of them, or parts of them have been taken.
         """
-        self._touched: dict[Node, bool] = {}
-        """True for nodes that need one with an error, on whatever side."""
+        self._weights: dict[Node, int] = {}
+        """The weight of the gravest finding about what a node needs, on whatever side; else 0."""
         self._reached: set[Node] = set()
         """The nodes that the program can come to, as far as ``report`` has walked."""
         self._first = 0
@@ -48,9 +50,17 @@ class Deferred:
 
     def add(self, node: Node, found: Diagnostic | None, *operands: Node) -> None:
         """Defer an error about ``node``; nothing is said if an operand is wrong already."""
-        if found is not None and not any(map(self._touches, operands)):
-            self._found.setdefault(node, found)
-            self._touched[node] = True
+        if found is not None and all(self._weight(o) < _weight(found) for o in operands):
+            self._keep(node, found)
+
+    def _keep(self, node: Node, found: Diagnostic) -> None:
+        """Keep the gravest finding about a node, and of equal ones the first.
+
+        The node may have been made before, where a constant in it was given from elsewhere.
+        """
+        if node not in self._found or _weight(self._found[node]) < _weight(found):
+            self._found[node] = found
+            self._weights[node] = _weight(found)
 
     def explain(self, since: int, label: Label) -> None:
         """Add a label to all errors after the first ``since`` ones."""
@@ -71,8 +81,7 @@ class Deferred:
             self._reached.clear()
         self._passed.add(old)
         if old in self._found:
-            self._found.setdefault(new, self._found[old])
-            self._touched[new] = True
+            self._keep(new, self._found[old])
         if old in self._also:
             self._also.setdefault(new, self._also[old])
 
@@ -83,7 +92,7 @@ class Deferred:
         """
         if not self._found or not evaluated:
             return
-        wrong = [part for node in evaluated for part in _parts(node) if self._touches(part)]
+        wrong = [part for node in evaluated for part in _parts(node) if self._weight(part)]
         if not wrong:
             return
         first = 1 + max(node.id for node in evaluated) if first is None else first
@@ -106,15 +115,19 @@ class Deferred:
 
     def is_wrong(self, node: Node) -> bool:
         """True if a value that is needed now has errors, which are reported."""
-        if not self._touches(node):
+        if not self._weight(node):
             return False
         return self._tell(self._errors([node], set()))
 
     def _tell(self, wrong: Iterable[Node]) -> bool:
-        """Report the errors of nodes in the order found, so that the first of equal ones stays."""
-        told = set(wrong)
-        self._report.extend([found for node, found in self._found.items() if node in told])
-        return bool(told)
+        """Report the errors of nodes in the order found, so that the first of equal ones stays.
+
+        Gives true if there are any that are not only warnings.
+        """
+        nodes = set(wrong)
+        told = [found for node, found in self._found.items() if node in nodes]
+        self._report.extend(told)
+        return any(found.severity == "error" for found in told)
 
     def _errors(self, pending: list[Node], reached: set[Node]) -> Iterator[Node]:
         """The wrong nodes that a program comes to on the way to values, but for the ``reached``."""
@@ -151,7 +164,7 @@ class Deferred:
                 if holds is not True:
                     yield otherwise
             case "call", "and" | "or":
-                decisive = sorted(self._conditions.decisive(node), key=self._touches)
+                decisive = sorted(self._conditions.decisive(node), key=self._weight)
                 yield from decisive[:1] or node.operands
             case (("fold" | "iterate"), Folding() | Iterating()):
                 yield from self._turned(node)
@@ -174,20 +187,24 @@ class Deferred:
                 return
         yield from loop.operands[bodies.start :]
 
-    def _touches(self, root: Node) -> bool:
+    def _weight(self, root: Node) -> int:
         if not self._found:
-            return False
-        touched, pending = self._touched, [root]
+            return 0
+        weights, pending = self._weights, [root]
         while pending:
             node = pending[-1]
-            missing = [operand for operand in node.operands if operand not in touched]
-            if node not in touched and missing:
+            missing = [operand for operand in node.operands if operand not in weights]
+            if node not in weights and missing:
                 pending += missing
                 continue
-            if node not in touched:
-                touched[node] = any(touched[operand] for operand in node.operands)
+            if node not in weights:
+                weights[node] = max((weights[operand] for operand in node.operands), default=0)
             pending.pop()
-        return touched[root]
+        return weights[root]
+
+
+def _weight(found: Diagnostic) -> int:
+    return _WEIGHTS[found.severity]
 
 
 def _parts(whole: Node) -> Iterator[Node]:

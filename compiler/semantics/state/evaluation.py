@@ -20,7 +20,7 @@ from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
 from .context import Context, OpenRule, Rule
-from .scope import FAILURE, Failure, LoopBody, Scope, Value
+from .scope import FAILURE, Failure, LoopBody, Members, Scope, Value
 
 DEEPEST = 16
 """The number of demands that may wait for each other on Python's stack.
@@ -103,7 +103,8 @@ def plain(ctx: Context, value: Value, expression: ast.Expression) -> Node | Fail
     """An expression's value if it is a plain one; a record or ``light`` is reported."""
     if isinstance(value, Node | Failure):
         return value
-    ctx.report.add(rules.NOT_A_VALUE, expression.span)
+    hint = value.example if isinstance(value, Members) else ""
+    ctx.report.add(rules.NOT_A_VALUE, expression.span, hint=hint)
     return FAILURE
 
 

@@ -219,6 +219,24 @@ class Inherited:
 
 
 @frozen
+class Members:
+    """``Mode``, the name of an enumeration, whose members are values."""
+
+    symbol: Symbol
+
+    @property
+    def example(self) -> str:
+        """The hint for the name of an enumeration where a value is wanted."""
+        declaration = self.symbol.declaration
+        assert isinstance(declaration, ast.Enumeration)
+        members = [member.name.text for member in declaration.members]
+        written = f"{self.symbol.name}.{members[0] if members else '…'}"
+        return (
+            f"a value of it is `{written}`; `(n as {self.symbol.name})` is the member of a number"
+        )
+
+
+@frozen
 class Way:
     """A transform in scope, and the way in which it is taken."""
 
@@ -233,7 +251,7 @@ class Way:
         return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 
-Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner
+Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner | Members
 
 Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""

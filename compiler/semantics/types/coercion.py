@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from ...ir.build import constant, splat
 from ...ir.node import Graph, Node, bare
+from ...ir.operations import ASCRIBE
 from ...ir.types import Array, Scalar, Type, Vector, scalar_kind, width
 
 
@@ -82,7 +83,15 @@ def settled(graph: Graph, node: Node) -> Node:
 
 def is_settled(node: Node) -> bool:
     """True for a value that has the type that is written, whatever it was made of."""
-    return node.op == "as" and node.data is None
+    return (node.op == "as" and node.data is None) or _is_member(node)
+
+
+def _is_member(node: Node) -> bool:
+    """True for a member of an enumeration, which is no number to adapt."""
+    while node.op == "called":
+        node = node.operands[0]
+    meaning = ASCRIBE.data(node) if node.op == "as" else None
+    return meaning is not None and meaning.kind == "enum"
 
 
 def is_constant(node: Node) -> bool:
@@ -107,7 +116,8 @@ def is_adaptable(node: Node) -> bool:
 
 
 def _is_literal(node: Node) -> bool:
-    return bare(node).op == "constant" or is_negated_literal(node)
+    known = bare(node).op == "constant" or is_negated_literal(node)
+    return known and not _is_member(node)
 
 
 def is_negated_literal(node: Node) -> bool:

@@ -63,9 +63,47 @@ def family(meaning: Meaning) -> str:
     return meaning.kind
 
 
+def is_enum(meaning: Meaning | None) -> bool:
+    """True for members of an enumeration: they are no numbers, and no number is one of them."""
+    return meaning is not None and meaning.enumeration is not None
+
+
+_EQUALITIES = ("eq", "ne")
+
+
+def of_members(name: str, sides: tuple[Side, ...]) -> Clash | None:
+    """The reason why a builtin does not take members of an enumeration, if one is among them.
+
+    Only equality is more than an operation of numbers.
+    """
+    if name in _EQUALITIES and len(sides) == 2:
+        return alike(sides)
+    for i, each in enumerate(sides):
+        if is_enum(each.meaning):
+            return Clash(rules.NO_NUMBER, i, i)
+    return None
+
+
+def alike(sides: tuple[Side, ...]) -> Clash | None:
+    """The reason why two values are not of one enumeration, if one of them is of any."""
+    one, other = (s.meaning for s in sides)
+    if one == other or not (is_enum(one) or is_enum(other)):
+        return None
+    if one is not None and other is not None:
+        return Clash(rules.MIXED_ENUMS, 0, 1)
+    return Clash(rules.MEMBER_AND_NUMBER, *((0, 0) if is_enum(one) else (1, 1)))
+
+
 def fits(found: Meaning | None, wanted: Meaning | None) -> bool:
-    """True if a value of one meaning may stand where another is wanted; bare numbers always may."""
-    if found is None or wanted is None or found == wanted:
+    """True if a value of one meaning may stand where another is wanted.
+
+    Bare numbers always may, but for members of an enumeration.
+    """
+    if found == wanted:
+        return True
+    if is_enum(found) or is_enum(wanted):
+        return False
+    if found is None or wanted is None:
         return True
     arrows = found.kind in ARROWS and wanted.kind in ARROWS
     return arrows and found.spaces == wanted.spaces
@@ -385,7 +423,7 @@ RULES: Mapping[str, AlgebraRule] = {
 
 def chosen(sides: tuple[Side, ...]) -> Found:
     """The meaning of a choice between two values."""
-    clash = apart(sides)
+    clash = alike(sides) or apart(sides)
     if clash is not None:
         return clash
     one, other = (s.meaning for s in sides)
@@ -399,6 +437,9 @@ def gathered(sides: Sequence[Side]) -> Found:
     last, found = 0, sides[0].meaning
     for i, each in enumerate(sides[1:], 1):
         together = chosen((Side(each.type, found), each))
+        if isinstance(together, Clash) and together.rule is rules.MEMBER_AND_NUMBER:
+            of_enum_ = last if is_enum(found) else i
+            return Clash(together.rule, of_enum_, of_enum_)
         if isinstance(together, Clash):
             return Clash(together.rule, last, i, together.hint)
         if each.meaning is not None:

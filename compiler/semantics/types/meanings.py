@@ -16,7 +16,16 @@ from ...ir.node import Folding, Graph, Node, Roots
 from ...ir.operations import CROSS
 from ...ir.rewrite import rewrite
 from ...ir.types import Array, Matrix, RuntimeArray, Struct
-from .meaning_rules import RULES, Found, chosen, gathered, side, weakened
+from .meaning_rules import (
+    RULES,
+    Found,
+    chosen,
+    gathered,
+    is_enum,
+    of_members,
+    side,
+    weakened,
+)
 
 
 class Meanings:
@@ -73,6 +82,8 @@ def erased(graph: Graph, roots: Iterable[Node], moved: Moved | None = None) -> R
 def combined(node: Node, meanings: Iterable[Meaning | None]) -> Found:
     """The meaning of a builtin's call, or why it has none."""
     sides = tuple(side(o, m) for o, m in zip(node.operands, meanings, strict=True))
+    if any(is_enum(each.meaning) for each in sides):
+        return of_members(str(node.data), sides)
     return RULES[BUILTINS[str(node.data)].meaning](sides, node.type)
 
 

@@ -153,6 +153,25 @@ class StructDeclaration:
 
 
 @frozen(eq=False)
+class Enumerator:
+    """``add`` of an enumeration: a name with a meaning of its own."""
+
+    span: Span
+    doc: str
+    name: Name
+
+
+@frozen(eq=False)
+class Enumeration:
+    """``enum Mode { add, mix }``: a type whose values are its members."""
+
+    span: Span
+    doc: str
+    name: Name
+    members: tuple[Enumerator, ...]
+
+
+@frozen(eq=False)
 class ExternMember:
     """``time : float at 76``: a member of a block that the host owns, at its offset in bytes."""
 
@@ -199,7 +218,8 @@ class Constant:
 
 
 Declaration = (
-    Import | Record | Mixin | Function | Rig | StructDeclaration | ExternBlock | Space | Constant
+    Import | Record | Mixin | Function | Rig | StructDeclaration | Enumeration | ExternBlock
+    | Space | Constant
 )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from ....compiler.documents.values import DerivedRow, LayoutRow, MemberRow, ParameterRow
@@ -48,6 +48,8 @@ class Numbers:
     """The lowest and the highest value that each lane may have."""
     default: Any = None
     doc: str = ""
+    choices: tuple[str, ...] = ()
+    """The members of the enumeration that it is, by their numbers."""
 
     @property
     def meaning(self) -> str:
@@ -101,15 +103,23 @@ def shape_of(row: ParameterRow | MemberRow | DerivedRow) -> Shape:
     layout, type_ = row.layout, row.representation
     members: tuple[MemberRow, ...] = ()
     range_ = default = None
+    choices: tuple[str, ...] = ()
     if not isinstance(row, DerivedRow):
         type_, members, range_, default = row.type, row.members, row.range, row.default
+        choices = tuple(choice.name for choice in row.choices or ())
     if layout.count is None:
-        return one_of(type_, row.representation, layout, members, row.doc, range_, default)
+        one = one_of(type_, row.representation, layout, members, row.doc, range_, default)
+        return _called(one, choices)
     element = type_.rpartition("[")[0]
-    one = one_of(element, row.representation, layout, members, row.doc, range_)
+    one = _called(one_of(element, row.representation, layout, members, row.doc, range_), choices)
     assert layout.stride is not None
     counter = row.count if isinstance(row, ParameterRow) else None
     return Elements(type_, one, layout.count, layout.stride, default, counter, row.doc)
+
+
+def _called(one: Numbers | Members, choices: tuple[str, ...]) -> Numbers | Members:
+    """The shape of a value of an enumeration with these members; of none if there are none."""
+    return replace(one, choices=choices) if choices and isinstance(one, Numbers) else one
 
 
 def one_of(

@@ -125,7 +125,7 @@ def _members(shape: Members, given: object, old: Value, name: str) -> Value:
 
 
 def _numbers(shape: Numbers, given: object, name: str) -> Value:
-    if isinstance(given, str):
+    if isinstance(given, str) and not shape.choices:
         given = _literal(shape, given, name)
     if not shape.columns:
         return _vector(shape, given, name)
@@ -155,6 +155,8 @@ def _vector(shape: Numbers, given: object, name: str) -> Value:
 def _lane(shape: Numbers, given: object, name: str) -> Any:
     """A lane of the type that ``shape`` requires, within its range."""
     given = _plain(given)
+    if shape.choices and isinstance(given, str):
+        return _member(shape, given, name)
     if shape.kind == "bool":
         return _bool(given, shape, name)
     value = _float(given, shape, name) if shape.kind == "float" else _integer(given, shape, name)
@@ -163,6 +165,15 @@ def _lane(shape: Numbers, given: object, name: str) -> Any:
         if not lo <= value <= hi:
             raise ParameterError(name, _out_of_range(shape, given, value, name))
     return value
+
+
+def _member(shape: Numbers, given: str, name: str) -> int:
+    """The number of a member of an enumeration; its name may stand behind the enumeration's."""
+    own = given.removeprefix(f"{shape.type}.")
+    if own in shape.choices:
+        return shape.choices.index(own)
+    hint = suggestion(own, shape.choices) or f"there is {', '.join(shape.choices)}"
+    raise ParameterError(name, f"`{name}` ({shape.type}) has no member `{given}`: {hint}")
 
 
 def _bool(given: object, shape: Numbers, name: str) -> bool:

@@ -1,0 +1,128 @@
+"""Enumerations: types whose values have names, such as ``Mode`` of ``enum Mode { add, mix }``.
+
+A value is an ``int``, the place of its member among the others, with a meaning that says of which
+enumeration. ``meaning_rules`` keeps numbers and members apart. After that they are numbers.
+"""
+
+from __future__ import annotations
+
+from ....stdlib.builtins.facts import Fact
+from ...diagnostics import rules
+from ...diagnostics.fixes import Hint, either, fix_it
+from ...diagnostics.source import Span
+from ...ir import build
+from ...ir.meaning import Choice, Enumeration, Meaning
+from ...ir.node import Node
+from ...ir.types import INT
+from ...syntax import ast
+from ..hints import advice
+from ..names.modules import Module, Symbol
+from ..state.context import Context
+from ..state.scope import FAILURE, Failure
+from ..types.meaning_rules import is_enum
+from ..types.typenames import Declared
+
+_FEW = 4
+"""The largest number of members that a hint shows."""
+
+
+def enumeration_of(ctx: Context, symbol: Symbol) -> Declared | None:
+    """The type that a symbol declares; ``None`` if it has no members, which is reported."""
+    declaration = symbol.declaration
+    assert isinstance(declaration, ast.Enumeration)
+    if symbol not in ctx.types.enumerations:
+        ctx.types.enumerations[symbol] = _declared(symbol.module, declaration)
+        if not declaration.members and not ctx.report.unread_names:
+            ctx.report.add(rules.EMPTY_ENUM, declaration.name.span, name=symbol.name)
+    return ctx.types.enumerations[symbol]
+
+
+def _declared(module: Module, declaration: ast.Enumeration) -> Declared | None:
+    if not declaration.members:
+        return None
+    choices = tuple(Choice(member.name.text, member.doc) for member in declaration.members)
+    name = declaration.name.text
+    meaning = Meaning("enum", enumeration=Enumeration(name, str(module.path or ""), choices))
+    return Declared(INT, name, Fact(0, len(choices) - 1, kind="int"), meaning)
+
+
+def limits_of_members(declared: Declared) -> tuple[int, int] | None:
+    """The range of the numbers of an enumeration's members; ``None`` for any other type."""
+    if not is_enum(declared.meaning):
+        return None
+    return int(declared.fact.lo), int(declared.fact.hi)
+
+
+def member(ctx: Context, symbol: Symbol, name: ast.Name) -> Node | Failure:
+    """The value of ``Mode.add``; a failure after reporting a member that there is not."""
+    declared = enumeration_of(ctx, symbol)
+    if declared is None:
+        return FAILURE
+    assert declared.meaning is not None and declared.meaning.enumeration is not None
+    names = declared.meaning.enumeration.names
+    if name.text not in names:
+        ctx.report.add(
+            rules.UNKNOWN_NAME, name.span, kind=f"member of `{symbol.name}`", name=name.text,
+            hint=advice.nearest_or_all(name.text, name.span, names),
+        )  # fmt: skip
+        return FAILURE
+    number = build.constant(ctx.tree, INT, names.index(name.text))
+    return ctx.meanings.ascribed(number, declared.meaning)
+
+
+def with_member(module: Module, name: str) -> list[str]:
+    """The members of this name in all enumerations that a file sees, as they are written there."""
+    return [
+        f"{symbol.name}.{name}"
+        for visible in dict.fromkeys(module.visible())
+        for symbol in module.known(visible)
+        if isinstance(symbol.declaration, ast.Enumeration)
+        and any(each.name.text == name for each in symbol.declaration.members)
+    ]
+
+
+def shown_type(ctx: Context, node: Node) -> str:
+    """The type of a value for messages: the name of an enumeration, if it is a member of one."""
+    meaning = ctx.meanings.of(node)
+    return str(meaning if is_enum(meaning) else node.type)
+
+
+def way_out(found: Meaning | None, wanted: Meaning | None, written: ast.Expression | None) -> Hint:
+    """The hint for a value where a member of another enumeration is wanted, or a number."""
+    span = None if written is None else written.span
+    if wanted is None or wanted.enumeration is None:
+        return number_of(span)
+    of = wanted.enumeration
+    if found is not None and isinstance(written, ast.Field) and written.name.text in of.names:
+        return _instead([f"{of.name}.{written.name.text}"], span)
+    if isinstance(written, ast.Number) and written.text.isdecimal():
+        places = [int(written.text)] if len(written.text) < 10 else []
+        return _instead([f"{of.name}.{of.names[i]}" for i in places if i < len(of.names)], span)
+    return members_of(of)
+
+
+def number_of(span: Span | None) -> Hint:
+    """The hint how to take a member as the number that it is."""
+    if span is None or "\n" in span.text:
+        return "`int(…)` is the number of a member, from 0"
+    exact = f"int({span.text})"
+    return fix_it(f"`{exact}` is the number of the member, counted from 0", (span, exact))
+
+
+def members_of(of: Enumeration) -> str:
+    """The hint for a value that is no member of an enumeration: the members, if they are few."""
+    shown = ", ".join(f"`{of.name}.{name}`" for name in of.names[:_FEW])
+    return f"its members are {shown}{', …' if len(of.names) > _FEW else ''}"
+
+
+def _instead(meant: list[str], span: Span | None) -> Hint:
+    """The hint to write one of some members."""
+    if not meant:
+        return ""
+    said = f"did you mean {' or '.join(f'`{each}`' for each in meant)}?"
+    return said if span is None else either(said, span, *meant)
+
+
+def qualified(module: Module, name: str, span: Span) -> Hint:
+    """The hint for a member that is written without its enumeration; empty for other names."""
+    return _instead(with_member(module, name), span)
