@@ -42,16 +42,16 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "narrow ="
         ),
         (
-            "std.mtlx.sheen.zeltner_density: y - 1) * y * y * y / [max(0.0000254053 + (…34174 * y * "
-            "y, 1e-4) -> (0.0000254053 + (1.7…v + 1.34174 * y * y)] // The square of the"
+            "std.mtlx.sheen.zeltner_density: y - 1) * y * y * y / [max(0.0000254053 + (…34174 * y "
+            "* y, 1e-4) -> (0.0000254053 + (1.7…v + 1.34174 * y * y)] // The square of the"
         ),
         (
             "std.mtlx.sheen.zeltner_density: v + 1.34174 * y * y, [1e-4 -> 0.000125] ) // The "
             "square of t"
         ),
         (
-            "std.mtlx.sheen.zeltner_density: v + 1.34174 * y * y, [1e-4 -> 7.500000000000001e-05] ) "
-            "// The square of t"
+            "std.mtlx.sheen.zeltner_density: v + 1.34174 * y * y, [1e-4 -> 7.500000000000001e-05] "
+            ") // The square of t"
         ),
     ),
     "Both ways to swing are added up, in whatever order.": (
