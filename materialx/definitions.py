@@ -12,11 +12,13 @@ from typing import NamedTuple
 
 from ..stdlib.builtins import BUILTINS
 from .expressions import Call, Expression, Name, flat, laid_out
+from .leaves import network as network_of
 from .leaves.application import SUFFIXES
 from .leaves.catalogue import catalogue, module_of
 from .model import Definition, Graph, Node, Port
 from .names import Names, part_name, record_name, slot_name
-from .networks import Function, NeedsSurfaceError, NeedsTextsError, Network, Sampling, Scope
+from .networks import Network
+from .places import Function, NeedsSurfaceError, NeedsTextsError, Sampling, Scope
 from .problems import UnsupportedError
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import BARE, CLOSURES, literal, zero
@@ -132,7 +134,7 @@ class _Body:
         }
         bound = _Read(self._arguments)
         self._parts: list[Equation] = []
-        network = Network(self, Name("asked") if is_closure else None)
+        network = network_of(self, Name("asked") if is_closure else None)
         scope = Scope(graph, bound=bound)
         with network.counted():
             for _ in self._results(network, scope):

@@ -132,6 +132,7 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
+    "materialx": "stdlib diagnostics syntax library_trees library",
     "materialx.fidelity": (
         "installing diagnostics ir documents reflection closing runner conformance toolchain "
         "entry_points"
