@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .api.entry_points import (
+        Comparison,
         CompiledFrame,
         CompiledMaterial,
         CompileResult,
@@ -23,15 +24,18 @@ if TYPE_CHECKING:
         OutputFile,
         ParameterError,
         PictureError,
+        SameError,
         Texture,
         check,
         compile,
+        same,
         to_json,
     )
     from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
 
 __version__ = "0.1.0"
 __all__ = [
+    "Comparison",
     "CompileError",
     "CompileResult",
     "CompiledFrame",
@@ -42,10 +46,12 @@ __all__ = [
     "OutputFile",
     "ParameterError",
     "PictureError",
+    "SameError",
     "Texture",
     "__version__",
     "check",
     "compile",
+    "same",
     "to_json",
 ]
 

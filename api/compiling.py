@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain, islice
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -25,6 +26,7 @@ from ..compiler.passes.lower_stages import keep_stages, lower_stages
 from ..compiler.passes.pipeline import Options, Staged, stage
 from ..compiler.semantics.names.modules import Module
 from ..compiler.source_map import SourceMap
+from ..support.arguments import expect, expect_all
 from ..support.frozen import changed, frozen
 from ..support.garbage import seldom_collected
 from ..targets.availability import way_out, within
@@ -170,6 +172,16 @@ def opened(source: str | Path, frontend: Frontend) -> Module | None:
     if isinstance(source, str):
         return frontend.open_text(source, "<text>")
     return frontend.open_file(source)
+
+
+def sources(
+    source: str | Path, search_path: Sequence[str | Path]
+) -> tuple[str | Path, tuple[Path, ...]]:
+    """The text itself or the path of a file, and the folders in which imports are looked for."""
+    expect("source", source, (str, PathLike), "a path or a text")
+    folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
+    is_text = isinstance(source, str) and ("\n" in source or "{" in source)
+    return source if is_text else Path(source), tuple(map(Path, folders))
 
 
 def program_of(shader: FrameShader) -> Program:

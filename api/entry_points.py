@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from os import PathLike
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any
@@ -25,7 +24,7 @@ from ..support.garbage import seldom_collected
 from ..targets.emit.emitter import EmitOptions
 from ..targets.selection import DEFAULT
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
-from .compiling import Asked, check_filtering, opened, program_of, result_of
+from .compiling import Asked, check_filtering, opened, program_of, result_of, sources
 from .remembered import Remembered
 
 if TYPE_CHECKING:
@@ -35,8 +34,10 @@ if TYPE_CHECKING:
     from ..targets.runner.instances.values import ParameterError
     from ..targets.runner.textures.kinds import PictureError
     from ..targets.runner.textures.texture import Texture
+    from .sameness import Comparison, SameError, same
 
 __all__ = [
+    "Comparison",
     "CompileResult",
     "CompiledFrame",
     "CompiledMaterial",
@@ -45,9 +46,11 @@ __all__ = [
     "OutputFile",
     "ParameterError",
     "PictureError",
+    "SameError",
     "Texture",
     "check",
     "compile",
+    "same",
     "to_json",
 ]
 
@@ -100,7 +103,7 @@ def compile(
         keep_graphs=keep_graphs,
     )  # fmt: skip
     asked = Asked(
-        tuple(_names_of_targets(targets)), *_sources(source, search_path), material, rig, pass_,
+        tuple(_names_of_targets(targets)), *sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
         keep_graphs, _texts_of(values),
     )  # fmt: skip
@@ -212,7 +215,7 @@ def _opened(
     source: str | Path, search_path: Sequence[str | Path], report: Report
 ) -> tuple[Frontend, Module | None]:
     """The module of a path or a text, and its front end; ``None`` if it cannot be read."""
-    given, folders = _sources(source, search_path)
+    given, folders = sources(source, search_path)
     frontend = Frontend(report, folders)
     return frontend, opened(given, frontend)
 
@@ -250,15 +253,8 @@ def _check_flags(**flags: bool) -> None:
         expect(argument, flag, bool, "True or False")
 
 
-def _sources(
-    source: str | Path, search_path: Sequence[str | Path]
-) -> tuple[str | Path, tuple[Path, ...]]:
-    """The text itself or the path of a file, and the folders in which imports are looked for."""
-    expect("source", source, (str, PathLike), "a path or a text")
-    folders = expect_all("search_path", search_path, (str, PathLike), "a sequence of folders")
-    is_text = isinstance(source, str) and ("\n" in source or "{" in source)
-    return source if is_text else Path(source), tuple(map(Path, folders))
-
+_OF_SAMENESS = ("Comparison", "SameError", "same")
+"""The names of comparing materials, which need NumPy."""
 
 _RUNTIME = {
     "Instance": "instances.instance",
@@ -272,6 +268,8 @@ _RUNTIME = {
 
 def __getattr__(name: str) -> Any:
     """Load the runtime on first use."""
+    if name in _OF_SAMENESS:
+        return getattr(import_module(".sameness", __package__), name)
     if name in _RUNTIME:
         return getattr(import_module(f"..targets.runner.{_RUNTIME[name]}", __package__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -22,6 +22,7 @@ COMMANDS = (
     "render",
     "view",
     "conform",
+    "same",
     "judge",
     "gallery",
     "corpus",

@@ -50,6 +50,10 @@ class SceneRequest(Protocol):
         """A file whose objects are drawn."""
 
     @property
+    def variant(self) -> str | None:
+        """The name of the variant in which the file is drawn."""
+
+    @property
     def eye(self) -> Point | None:
         """The place of the camera."""
 
@@ -85,7 +89,7 @@ def scenery_of(frame: PlannedFrame, request: SceneRequest, mesh: str | None = No
     viewpoint = Viewpoint(eye, request.look_at, request.turn)
     if request.scene is None and isinstance(frame, SingleFrame):
         return _single_scenery(frame, mesh, request.instances, viewpoint)
-    return _scenery_of_frame(frame, mesh, request.scene).seen_from(viewpoint)
+    return _scenery_of_frame(frame, mesh, request).seen_from(viewpoint)
 
 
 def _eye_set(frame: PlannedFrame, values: Iterable[tuple[str, str]]) -> Point | None:
@@ -102,21 +106,35 @@ def _eye_set(frame: PlannedFrame, values: Iterable[tuple[str, str]]) -> Point | 
     return places[-1] if places else None
 
 
-def _scenery_of_frame(frame: PlannedFrame, mesh: str, scene: Path | None) -> Scenery:
+def _scenery_of_frame(frame: PlannedFrame, mesh: str, request: SceneRequest) -> Scenery:
     """A model of each of a frame's materials, or the objects of a file."""
     from ..targets.runner.frames.scenery import in_a_row
 
     tags = {row.name: row.materials for row in frame.plan.models}
     materials = list(dict.fromkeys(each for listed in tags.values() for each in listed))
-    if scene is None:
+    if request.scene is None:
         return in_a_row(materials, tags, mesh, ROOM if STANDING in tags else 1)
-    from ..targets.runner.frames.staging import staged
+    from ..targets.runner.frames.staging import left_out, staged
     from ..targets.runner.scenes.gltf.reading import read_gltf
 
-    file = read_gltf(scene)
-    for note in file.notes:
-        remark("note", f"{scene}: {note}")
-    return staged(file, materials, list(tags))
+    file = read_gltf(request.scene, request.variant)
+    found = staged(file, materials, list(tags))
+    for note in (*file.notes, *left_out(found, _words(frame))):
+        remark("note", f"{request.scene}: {note}")
+    return found
+
+
+def _words(frame: PlannedFrame) -> dict[str, set[str]]:
+    """The scene's words for the values that each of the frame's materials takes."""
+    from ..targets.runner.frames.owners import owned_shaders
+    from ..targets.runner.scene import texture_roles, value_roles
+
+    found: dict[str, set[str]] = {}
+    for owner, numbers in owned_shaders(frame.plan).items():
+        declared = [frame.shaders[number].reflection for number in numbers]
+        roles = [words for each in declared for words in (value_roles(each), texture_roles(each))]
+        found[owner] = set[str]().union(*(words.values() for words in roles))
+    return found
 
 
 def _single_scenery(frame: SingleFrame, mesh: str, instances: int, viewpoint: Viewpoint) -> Scenery:

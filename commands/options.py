@@ -61,6 +61,10 @@ scene_option = click.option(
     "--scene", metavar="MODEL", type=click.Path(path_type=Path),
     help="A glTF 2.0 file, .gltf or .glb, whose objects are drawn instead of meshes.",
 )  # fmt: skip
+variant_option = click.option(
+    "--variant", metavar="NAME",
+    help="The variant in which the materials of --scene are shown, of those that the file has.",
+)  # fmt: skip
 environment_option = click.option(
     "--environment", metavar="WHAT", default=STUDIO, show_default=True,
     help="The light from all around: `studio`, `sky`, `none`, or the file of a panorama "

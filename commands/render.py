@@ -37,6 +37,7 @@ from .options import (
     tone_option,
     turn_option,
     values_option,
+    variant_option,
 )
 from .subjects import EVERYTHING, LARGEST, Color, RenderRequest, Subject
 from .terminal import FAILED
@@ -95,6 +96,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @mesh_option
 @floor_option
 @scene_option
+@variant_option
 @environment_option
 @eye_option
 @look_at_option

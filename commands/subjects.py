@@ -58,6 +58,8 @@ class RenderRequest(NamedTuple):
     """True if the mesh of a material stands on a floor."""
     scene: Path | None
     """A file whose objects are drawn."""
+    variant: str | None
+    """The variant of that file which is drawn."""
     environment: str
     """The light from all around: a word or a file."""
     eye: tuple[float, float, float] | None

@@ -30,6 +30,7 @@ from ..options import (
     tone_option,
     turn_option,
     values_option,
+    variant_option,
 )
 from .request import ViewRequest
 
@@ -39,6 +40,7 @@ from .request import ViewRequest
 @mesh_option
 @floor_option
 @scene_option
+@variant_option
 @environment_option
 @eye_option
 @look_at_option

@@ -15,6 +15,8 @@ class ViewRequest(NamedTuple):
     floor: bool
     """True if the mesh of a material stands on a floor."""
     scene: Path | None
+    variant: str | None
+    """The variant of the scene which is shown."""
     environment: str
     """The light from all around: a word or a file."""
     eye: tuple[float, float, float] | None

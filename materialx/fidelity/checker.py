@@ -95,36 +95,38 @@ class Checker(Closing):
         renderable: str,
         setting: Setting = ONE_LIGHT,
         *,
-        root: Path | None = None,
+        image_folders: tuple[Path, ...] = (),
         complete: bool = False,
         by_host: bool = False,
     ) -> Drawn:
         """The picture of a renderable by MaterialX's own text.
 
-        Images lie in ``root``, by default in the document's folder. MaterialX writes constants with
-        six decimal places into texts; those of ``complete`` ones are exact, and take several times
-        as long to compile. A reduced text that no compiler takes is drawn by the complete one: some
-        have names of files in them. MaterialX's text decodes files from sRGB after filtering them;
-        with ``by_host``, textures are decoded before, as those of most engines are. Raises
-        ``FidelityError``, which also tells what is missing.
+        Images lie in the document's folder, or in one of ``image_folders``. MaterialX writes
+        constants with six decimal places into texts; those of ``complete`` ones are exact, and take
+        several times as long to compile. A reduced text that no compiler takes is drawn by the
+        complete one: some have names of files in them. MaterialX's text decodes files from sRGB
+        after filtering them; with ``by_host``, textures are decoded before, as those of most
+        engines are. Raises ``FidelityError``, which also tells what is missing.
         """
         self._require(self._route)
         generated = self.generated(
             document, renderable, setting, complete=complete, by_host=by_host
         )
         try:
-            return self._drawn(generated, document, setting, root)
+            return self._drawn(generated, setting, Images(document, image_folders))
         except DriverError as error:
             if not complete:
                 return self.draw(
-                    document, renderable, setting, root=root, complete=True, by_host=by_host
+                    document,
+                    renderable,
+                    setting,
+                    image_folders=image_folders,
+                    complete=True,
+                    by_host=by_host,
                 )
             raise FidelityError(f"MaterialX's own text cannot be drawn: {error}") from None
 
-    def _drawn(
-        self, generated: Generated, document: Path, setting: Setting, root: Path | None
-    ) -> Drawn:
-        images = Images(document, root)
+    def _drawn(self, generated: Generated, setting: Setting, images: Images) -> Drawn:
         job = foreign_job(generated, setting, images)
         (texels,) = self._runner.draw_frame(self._route, job).texels
         return Drawn(layers_of(texels)[0][::-1], tuple(images.missing))

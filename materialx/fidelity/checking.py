@@ -30,8 +30,8 @@ class Claim:
     """The values of parameters, and the textures, that are no defaults."""
     by_host: bool = True
     """True if textures are decoded from sRGB by the host, before filtering, on both sides."""
-    root: Path | None = None
-    """The folder in which the document's images lie, if it is not the document's own."""
+    image_folders: tuple[Path, ...] = ()
+    """The folders in which the document's images may lie, besides its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,11 @@ def check(checker: Checker, claim: Claim, setting: Setting = ONE_LIGHT) -> Check
     """Draw both sides of a claim, and compare them."""
     try:
         theirs = checker.draw(
-            claim.document, claim.renderable, setting, root=claim.root, by_host=claim.by_host
+            claim.document,
+            claim.renderable,
+            setting,
+            image_folders=claim.image_folders,
+            by_host=claim.by_host,
         )
         ours = checker.ours(claim.source, claim.material, setting, claim.values)
     except FidelityError as error:

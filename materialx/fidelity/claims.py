@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Protocol
 
 from .checking import Claim
-from .images import Images
+from .images import Images, NamedImage
 
 
 class Written(Protocol):
@@ -27,15 +27,19 @@ class Written(Protocol):
 
 
 def claims_of(
-    document: Path, source: Path, materials: Iterable[Written], root: Path | None = None
+    document: Path,
+    source: Path,
+    materials: Iterable[Written],
+    image_folders: tuple[Path, ...] = (),
 ) -> Iterator[Claim]:
     """The claims of all materials of an import.
 
-    ``source`` is the file with the materials, and ``root`` the folder in which the document's
-    images lie. Raises ``FidelityError`` for images outside of it.
+    ``source`` is the file with the materials, and ``image_folders`` are further folders in which
+    the document's images may lie.
     """
-    images = Images(document, root)
+    images = Images(document, image_folders)
     for material in materials:
-        found = {name: images.path(file) for name, file in material.files.items()}
-        values = {name: str(path) for name, path in found.items() if path is not None}
-        yield Claim(document, material.path, source, material.name, values, root=root)
+        values = {name: NamedImage(images, file) for name, file in material.files.items()}
+        yield Claim(
+            document, material.path, source, material.name, values, image_folders=image_folders
+        )

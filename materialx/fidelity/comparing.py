@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from .settings import BACKGROUND
+from .settings import ALPHA_THRESHOLD, BACKGROUND
 
 Floats = NDArray[np.float64]
 
@@ -84,9 +84,11 @@ class Likeness:
 
 def compare(ours: Floats, theirs: Floats) -> Likeness:
     """Compare two pictures of shape (height, width, 4). Numbers that are not finite agree only with
-    the same ones."""
+    the same ones. MaterialX's text draws no pixel of which hardly anything is covered."""
     if ours.shape != theirs.shape:
         raise ValueError(f"pictures have different sizes: {ours.shape} and {theirs.shape}")
+    hidden = ~drawn(theirs) & (ours[:, :, 3] < ALPHA_THRESHOLD)
+    ours = np.where(hidden[:, :, None], BACKGROUND, ours)
     covered = drawn(ours) | drawn(theirs)
     differences = _differences(ours, theirs)
     of_drawn = differences[covered]

@@ -70,13 +70,13 @@ class Generator:
         """
         document = self._document(path)
         encoded = _without_srgb(document) if by_host else set()
-        found = self._renderables(document)
-        if renderable not in found:
-            there = ", ".join(found) or "nothing"
+        element = document.getDescendant(renderable)
+        if element is None:
+            there = ", ".join(self._renderables(document)) or "nothing"
             raise FidelityError(f"there is no `{renderable}` to render; there is {there}")
         # Sampler states stand only in the uniforms of complete texts.
-        whole = self._shader(path, found[renderable], lights, complete=True)
-        taken = whole if complete else self._shader(path, found[renderable], lights)
+        whole = self._shader(path, element, lights, complete=True)
+        taken = whole if complete else self._shader(path, element, lights)
         return _generated(taken, whole, encoded)
 
     def _renderables(self, document: Any) -> dict[str, Any]:

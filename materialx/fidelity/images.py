@@ -6,7 +6,8 @@ colour spaces itself, after filtering, unless it was asked to leave sRGB to the 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -16,8 +17,10 @@ from ...compiler.ir.types import Wrap
 from ...compiler.reference.transfer import decode_srgb
 from ...targets.runner.drivers.slots import Place, TextureSlot
 from ...targets.runner.drivers.texels import Image
+from ...targets.runner.textures.files import picture_given
 from ...targets.runner.textures.kinds import PictureError
 from ...targets.runner.textures.texture import Texture
+from ..pictures import Picture, Pictures
 from .records import AddressMode, FidelityError, ImageUse
 
 Color = tuple[float, float, float, float]
@@ -31,13 +34,12 @@ _TOKENS = {"<UDIM>": "1001", "<UVTILE>": "u1_v1"}
 
 
 class Images:
-    """The images of a document, which lie inside of a folder."""
+    """The images of a document, which lie in its folder or in others that a user names."""
 
-    def __init__(self, document: Path, root: Path | None = None) -> None:
-        """Names of files are relative to the ``document``, or else to ``root``, outside of which no
-        file is read. It is the document's own folder unless somebody names another."""
-        self._folder = document.resolve().parent
-        self._root = (root or self._folder).resolve()
+    def __init__(self, document: Path, folders: Sequence[Path] = ()) -> None:
+        """Files are looked for as the importer does it: in the folder of the ``document``, and then
+        in further ``folders``; nothing outside of these is read."""
+        self._pictures = Pictures((document.resolve().parent, *folders))
         self.missing: list[str] = []
         """The files that are not there; their samplers have the default colour, as MaterialX's
         renderer does it."""
@@ -57,28 +59,32 @@ class Images:
         return slot, self._image(use, default)
 
     def _image(self, use: ImageUse, default: Color) -> Image:
-        path = self.path(use.file)
-        if path is not None:
-            return _loaded(path, path.stat().st_mtime_ns, use.is_srgb)
+        picture = self.found(use.file)
+        if picture is not None:
+            return _loaded(picture.content, picture.path, use.is_srgb)
         if use.file:
             self.missing.append(use.file)
         texel = np.array(default, np.float32).reshape(1, 1, 4)
         return Texture.of_array(texel).image()
 
-    def path(self, file: str) -> Path | None:
-        """The path of a file that the document names; ``None`` if there is none. Raises
-        ``FidelityError`` for one outside of the folder."""
-        if not file:
-            return None
+    def found(self, file: str) -> Picture | None:
+        """The picture that the document names; ``None`` if there is none."""
         for token, tile in _TOKENS.items():
             file = file.replace(token, tile)
-        for folder in (self._folder, self._root):
-            path = (folder / file).resolve()
-            if path.is_file():
-                if not path.is_relative_to(self._root):
-                    raise FidelityError(f"{file} lies outside of {self._root}, and is not read")
-                return path
-        return None
+        return self._pictures.found(file) if file else None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class NamedImage:
+    """An image of a document, as the value of a texture of Burnish."""
+
+    images: Images
+    file: str
+
+    def texture(self, *, is_srgb: bool) -> Texture | None:
+        """The texture; ``None`` if the file is not there. Raises ``FidelityError``."""
+        picture = self.images.found(self.file)
+        return None if picture is None else _texture(picture.content, picture.path, is_srgb)
 
 
 def _decoded(color: Color) -> Color:
@@ -87,9 +93,14 @@ def _decoded(color: Color) -> Color:
     return red, green, blue, color[3]
 
 
+def _loaded(content: bytes, name: str, is_srgb: bool) -> Image:
+    return _texture(content, name, is_srgb).image()
+
+
 @lru_cache(maxsize=8)
-def _loaded(path: Path, _changed: int, is_srgb: bool) -> Image:
+def _texture(content: bytes, name: str, is_srgb: bool) -> Texture:
     try:
-        return Texture.load(path, srgb=is_srgb).image()
+        array = picture_given(content, name, "2d", "float")
+        return Texture.of_array(array, srgb=is_srgb and array.dtype.kind != "f")
     except PictureError as error:
         raise FidelityError(str(error)) from None

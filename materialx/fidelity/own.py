@@ -36,6 +36,7 @@ from ...targets.runner.scene import inputs_of_mesh, takes_mean_radiance
 from ...targets.runner.scene_state import SceneState, set_up
 from ...targets.runner.textures.kinds import PictureError
 from ...targets.toolchain import Toolchain
+from .images import NamedImage
 from .records import FidelityError
 from .settings import BACKGROUND, Setting
 
@@ -102,9 +103,7 @@ def draw_own(
     compiled = _compiled(source, material, setting, search_path, route.profile)
     instance = compiled.instance()
     try:
-        for name, value in values.items():
-            set_value = instance.set_text if isinstance(value, str) else instance.set
-            set_value(name, value)
+        _set_values(instance, values)
         _set_clock(instance, setting)
         _set_light(instance, setting)
         mesh = _with_primvars(setting, compiled.reflection)
@@ -139,6 +138,20 @@ def wrapped(file: str, material: str, setting: Setting) -> str:
     kinds = {"directional": "Directional", "point": POINT}
     lights = "\n".join(f"    {lamp.name} : {kinds[lamp.kind]}" for lamp in setting.lamps)
     return _WRAPPING.format(file=file, material=material, lights=lights)
+
+
+def _set_values(instance: Instance, values: Values) -> None:
+    """Set what is given. An image that is not there leaves the texture as it is."""
+    rows = {row.name: row for row in instance.declared.textures}
+    for name, value in values.items():
+        if isinstance(value, NamedImage):
+            texture = value.texture(is_srgb=name in rows and rows[name].intent == "color")
+            if texture is not None:
+                instance.set(name, texture)
+        elif isinstance(value, str):
+            instance.set_text(name, value)
+        else:
+            instance.set(name, value)
 
 
 def _set_light(instance: Instance, setting: Setting) -> None:

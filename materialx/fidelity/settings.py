@@ -21,6 +21,9 @@ from ...targets.runner.scene import Scene
 
 Floats = NDArray[np.float64]
 
+ALPHA_THRESHOLD = 0.001
+"""The coverage below which MaterialX's text draws nothing."""
+
 BACKGROUND = (-64.0, -64.0, -64.0, -64.0)
 """The colour of pixels where nothing is drawn: no document draws it, as it may draw zeros."""
 

@@ -14,7 +14,7 @@ import numpy as np
 from ...targets.runner.drivers.slots import BlockSlot, Place, UniformSlot
 from ...targets.runner.lamps import Lamp
 from .records import MOST_LIGHTS, Generated, Stream, Uniform
-from .settings import Floats, Setting, columns
+from .settings import ALPHA_THRESHOLD, Floats, Setting, columns
 
 _WHOLE = frozenset(("integer", "boolean", "string"))
 """The types whose uniforms hold whole numbers."""
@@ -26,9 +26,6 @@ _LANES = {
 INTENSITY = math.pi
 """The intensity of MaterialX's lights for those of Burnish, under which a white matt surface is
 white: of MaterialX's light, such a surface reflects 1/π."""
-
-ALPHA_THRESHOLD = 0.001
-"""The coverage below which MaterialX's text draws nothing."""
 
 
 @dataclass(slots=True)

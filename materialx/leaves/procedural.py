@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..expressions import Binary, Call, Expression, Member, Number, binary
-from ..values import as_float
-from .application import SUFFIXES, Application, Row
+from ..networks import Application, Row
+from .application import SUFFIXES
 
 
 def _noise(name: str, place: str, *others: str) -> Row:
@@ -75,25 +75,6 @@ def _over(node: Application) -> Expression:
     return Binary("+", foreground, rest)
 
 
-def _matte(node: Application) -> Expression:
-    """The colour in front, times its alpha, over the other one."""
-    foreground, background = node.inputs("fg", "bg")
-    alpha = _alpha(foreground)
-    rest = Binary("-", Number(1.0), alpha)
-    color = Binary(
-        "+",
-        Binary("*", Member(foreground, "rgb"), alpha),
-        Binary("*", Member(background, "rgb"), rest),
-    )
-    covered = Binary("+", alpha, Binary("*", _alpha(background), rest))
-    return Call("vec4", (color, covered))
-
-
-def _smoothstep(node: Application) -> Expression:
-    value, low, high = node.inputs("in", "low", "high")
-    return Call(node.library("smoothstep_between"), (as_float(value), low, high))
-
-
 def _outside(node: Application) -> Expression:
     value, mask = node.inputs("in", "mask")
     return Binary("*", value, Binary("-", Number(1.0), mask))
@@ -104,8 +85,6 @@ ROWS: dict[str, Row] = {
     "noise3d": _noise("noise3d", "position", "pivot"),
     "fractal2d": _noise("fractal2d", "texcoord", "octaves", "lacunarity", "diminish"),
     "fractal3d": _noise("fractal3d", "position", "octaves", "lacunarity", "diminish"),
-    "smoothstep": _smoothstep,
-    "matte": _blended(_matte),
     "plus": _blended(_plus),
     "minus": _blended(_minus),
     "difference": _blended(_difference),

@@ -17,6 +17,9 @@ class Look:
     """The name of the material in the file."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
     textures: Mapping[str, Texture] = field(default_factory=dict)
+    needs: Mapping[str, str] = field(default_factory=dict)
+    """What the file says beyond the core of its format, each with the word of a value that a
+    material needs for it."""
 
 
 PLAIN = Look()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from . import equivalent_cellular, equivalent_colors, equivalent_shapes
+from . import equivalent_cellular, equivalent_colors, equivalent_mtlx, equivalent_shapes
 from .equivalent_lights import OF_LIGHTS
 from .equivalent_reflectances import OF_REFLECTANCES
 
@@ -383,6 +383,7 @@ EQUIVALENT = {
         _BY_REASON,
         equivalent_cellular.BY_REASON,
         equivalent_colors.BY_REASON,
+        equivalent_mtlx.BY_REASON,
         equivalent_shapes.BY_REASON,
     )
     for reason, all_told in by_reason.items()

@@ -43,7 +43,9 @@ def drawn(base: str, knobs: Knobs, to_light: Floats) -> Floats:
 
 
 def written(value: Any) -> str:
-    """A number, a colour or a normal in the language."""
+    """A number, a colour, two numbers or a normal in the language."""
+    if isinstance(value, tuple) and len(value) == 2:
+        return f"vec2{value}"
     if isinstance(value, tuple):
         return f"rgb({', '.join(map(repr, value))})"
     if isinstance(value, np.ndarray):
@@ -81,15 +83,15 @@ def luminous(f0: Any, lh: float) -> Any:
     return np.asarray(f0) + (1 - np.asarray(f0)) * fifth(lh)
 
 
-def ggx(a: Angles, ax: float, ay: float) -> float:
+def ggx(a: Angles, ax: float, ay: float, along: Floats = ALONG, across: Floats = ACROSS) -> float:
     """Density and visibility of stretched facets (Burley 2012; Heitz 2014, equation 99)."""
     if ax == ay:
         return round_ggx(a, ax)
-    x, y = a.half @ ALONG, a.half @ ACROSS
+    x, y = a.half @ along, a.half @ across
     density = 1 / (np.pi * ax * ay * ((x / ax) ** 2 + (y / ay) ** 2 + a.nh**2) ** 2)
 
     def hidden(v: Floats, cosine: float) -> float:
-        slope2 = ((v @ ALONG * ax) ** 2 + (v @ ACROSS * ay) ** 2) / cosine**2
+        slope2 = ((v @ along * ax) ** 2 + (v @ across * ay) ** 2) / cosine**2
         return float(np.sqrt(1 + slope2) - 1) / 2
 
     if a.nl <= 0:
@@ -105,6 +107,21 @@ def round_ggx(a: Angles, width: float) -> float:
         return 0.0
     light, eye = (np.sqrt(c**2 + width**2 * (1 - c**2)) for c in (a.nl, a.nv))
     return float(density / (2 * (a.nl * eye + a.nv * light)))
+
+
+def through_wall(normal: Floats, light: Floats, eye: Floats, alpha: float) -> float:
+    """The microfacet BTDF of `KHR_materials_transmission`, "Implementation Notes"."""
+    nh = float(normal @ half_through(normal, light, eye))
+    density = alpha**2 / (np.pi * (nh**2 * (alpha**2 - 1) + 1) ** 2)
+    visible = 1.0
+    for cosine in (max(float(-normal @ light), 0), max(float(normal @ eye), 0)):
+        visible /= cosine + np.sqrt(alpha**2 + (1 - alpha**2) * cosine**2)
+    return float(density * visible)
+
+
+def half_through(normal: Floats, light: Floats, eye: Floats) -> Floats:
+    """The half vector of the same section."""
+    return unit(eye - 2 * (normal @ light) * normal + light)
 
 
 def fresnel(ior: float, cosine: float) -> float:

@@ -70,15 +70,20 @@ def found(expression: str) -> tuple[Floats, Around]:
     return shown(text, cube=cube), cube
 
 
+def matt_samples() -> Floats:
+    """The directions around +z in which matt surfaces look for light."""
+    x, y = hammersley(32).T
+    turn, share = np.append(x[1:], 32.5 / 32), np.append(y[1:], 1 / 64)
+    return np.concatenate(
+        [np.sqrt(1 - share)[:, None] * on_circle(turn), np.sqrt(share)[:, None]], 1
+    )
+
+
 @truth("std.image_light.matt_light_of", "std.image_light.matt_sample", "std.image_light.coarseness")
 def test_matt_surfaces_gather_light() -> None:
     """A linear light seems two thirds as steep as it is."""
     color, cube = found("matt_light_of(cube, normal)")
-    x, y = hammersley(32).T
-    turn, share = np.append(x[1:], 32.5 / 32), np.append(y[1:], 1 / 64)
-    local = np.concatenate(
-        [np.sqrt(1 - share)[:, None] * on_circle(turn), np.sqrt(share)[:, None]], 1
-    )
+    local = matt_samples()
     arrows = around(NORMAL_IN_WORLD, local)
     assert np.allclose([arrow for arrow, _ in cube.reads], arrows, atol=1e-9)
     levels = read_with(32 * local[:, 2] / np.pi)

@@ -17,6 +17,8 @@ SHARES = "vec3(0.5, 0.3, 0.2)"
 """How much each colour of the throughput counts in the one number that is compared."""
 IMPORTS = f"""import std.mtlx.asking
 import std.mtlx.closures
+import std.mtlx.facets
+import std.mtlx.fresnel
 import std.mtlx.matt
 fn lanes_of(b: Bsdf) -> vec4 = vec4(vec3(b.response), dot(vec3(b.throughput), {SHARES}))
 """
@@ -38,7 +40,7 @@ NARROW = 3e-4
 
 WEIGHT = "clamp(r.w + 1.0, 0.0, 1.0)"
 WIDTHS, EVEN_WIDTHS = "vec2(0.05 + q.w, 0.1 + abs(r.x))", "vec2(0.05 + q.w)"
-NO_FILM, FILM = ("0.0", "1.5"), ("max(p.w * 100.0, 0.0)", "1.2 + q.x")
+NO_FILM, FILM = ("0.0", "1.5"), ("max(p.w * 100.0, 0.0)", "1.05 + q.x")
 MODE, BACK = "int(q.y * 2.99)", "q.z > 0.8"
 ROUGHNESS = "clamp(0.7 * r.y + 0.5, 0.0, 1.0)"
 INDEX = "1.1 + abs(r.z)"
@@ -167,7 +169,43 @@ BELOW: Nodes = {
         (*AROUND, f"{PBR}/lib/mx_microfacet_diffuse.glsl"),
     ),
 }
-NODES: Nodes = {**GLOSS, **MATT, **CLOTH, **JOINED, **SENT, **BELOW}
+FRESNEL: Nodes = {
+    f"{model} {name}": Node(
+        f"FresnelData data = mx_init_fresnel_{model}({theirs}, {', '.join(film)}); "
+        f"three = mx_compute_fresnel(0.001 + 0.999 * q.w, data)",
+        f"vec3({model}_fresnel({ours}, {', '.join(film)}, 0.001 + 0.999 * q.w))",
+        3,
+        NARROW,
+        (f"{PBR}/lib/mx_microfacet_specular.glsl",),
+    )
+    for name, film in (("alone", NO_FILM), ("below a film", ("p.w * 100.0", "0.9 + 1.5 * q.x")))
+    for model, theirs, ours in (
+        ("dielectric", INDEX, INDEX),
+        ("conductor", "0.1 + 2.0 * q.zyx, abs(r.xyz)", "rgb(0.1 + 2.0 * q.zyx), rgb(abs(r.xyz))"),
+        (
+            "schlick",
+            "max(1.2 * q.xyz - 0.1, 0.0), q.zyx, r.xyz, 1.0 + 5.0 * q.y",
+            "max(rgb(1.2 * q.xyz - 0.1), 0.0), rgb(q.zyx), rgb(r.xyz), 1.0 + 5.0 * q.y",
+        ),
+    )
+}
+SHARED: Nodes = {
+    "share": Node(
+        "three = mx_ggx_dir_albedo(q.x, q.y, r.xyz, r.yzw)",
+        "vec3(facet_share(facet_shares(q.x, q.y), rgb(r.xyz), rgb(r.yzw)))",
+        3,
+        ROUNDED,
+        (f"{PBR}/lib/mx_microfacet_specular.glsl",),
+    ),
+    "compensation": Node(
+        "three = mx_ggx_energy_compensation(q.x, q.y, r.xyz)",
+        "vec3(facet_compensation(rgb(r.xyz), facet_shares(q.x, q.y)))",
+        3,
+        ROUNDED,
+        (f"{PBR}/lib/mx_microfacet_specular.glsl",),
+    ),
+}
+NODES: Nodes = {**GLOSS, **MATT, **CLOTH, **JOINED, **SENT, **BELOW, **FRESNEL, **SHARED}
 
 
 def of(module: str, names: str) -> list[str]:
@@ -181,15 +219,25 @@ SIDES = of("asking", "facing_normal cosine_of")
 
 @truth(*of("closures", "dielectric_bsdf conductor_bsdf generalized_schlick_bsdf"), *COMMON, *SIDES)
 @truth(*of("asking", "clear_bsdf"), *of("closures", "opaque opaque_bsdf"))
-@truth(*of("facets", "Facets facets_of facets_lit facet_density even_density facet_shares"))
-@truth(*of("facets", "fit_at_0 fit_at_1 fit_at_2 facet_compensation facet_share film_share"))
+@truth(*of("facets", "Facets facets_of facets_lit facet_density even_density film_share"))
 @truth(*of("facets", "facets_answer"))
-@truth(*of("fresnel", "hoffman_fresnel index_of_share Film film_of film_on film_orders film_rgb"))
-@truth(*of("fresnel", "even_rgb_of_xyz film_on_clear film_on_dielectric film_on_schlick grey"))
-@truth(*of("fresnel", "film_on_conductor metal_orders dielectric_fresnel conductor_fresnel"))
-@truth(*of("fresnel", "schlick_fresnel"), "std.iridescence.film_xyz")
 @pytest.mark.parametrize("name", GLOSS)
 def test_gloss(name: str) -> None:
+    assert_alike(NODES, name, IMPORTS)
+
+
+@truth(*of("fresnel", "hoffman_fresnel Film film_of film_on film_orders film_rgb grey"))
+@truth(*of("fresnel", "even_rgb_of_xyz film_on_clear film_on_dielectric film_on_schlick"))
+@truth(*of("fresnel", "film_on_conductor metal_orders dielectric_fresnel conductor_fresnel"))
+@truth(*of("fresnel", "schlick_fresnel"), "std.iridescence.film_xyz")
+@pytest.mark.parametrize("name", FRESNEL)
+def test_fresnel(name: str) -> None:
+    assert_alike(NODES, name, IMPORTS)
+
+
+@truth(*of("facets", "facet_shares fit_at_0 fit_at_1 fit_at_2 facet_compensation facet_share"))
+@pytest.mark.parametrize("name", SHARED)
+def test_even_light_on_facets(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 
@@ -203,8 +251,7 @@ def test_matt_surfaces(name: str) -> None:
 
 @truth(*of("closures", "sheen_bsdf chiang_hair_bsdf"))
 @truth(*of("sheen", "conty_kulla_share conty_kulla_even zeltner_even zeltner_density"))
-@truth(*of("hair", "other bessel_i0 strand_cone cone_factor strand_bell within_turn tilted"))
-@truth(*of("hair", "strand_light tilted_cone"))
+@truth(*of("hair", "other bessel_i0 strand_cones strand_bells within_turn strand_light"))
 @pytest.mark.parametrize("name", CLOTH)
 def test_cloth_and_hair(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
@@ -262,3 +309,42 @@ def test_questions() -> None:
             expression = f"vec3({call}.{part}) + 0 * (l + e + c)"
             lanes += list(called(IMPORTS, expression, 3, e=eye, l=light, c=colors)[0])
         assert lanes == pytest.approx(wanted)
+
+
+WHITE, ALL_LIGHT, UP = (
+    "rgb(1, 1, 1)",
+    "from_everywhere(normalize(e), rgb(1, 1, 1))",
+    "vec3(0, 0, 1)",
+)
+GREY = "rgb(0.3, 0.3, 0.3)"
+
+
+@truth(*of("closures", "dielectric_bsdf generalized_schlick_bsdf sheen_bsdf"))
+@pytest.mark.parametrize(
+    "closure",
+    [
+        f"dielectric_bsdf({ALL_LIGHT}, w, {WHITE}, 1.5, vec2(a), false, 0, 1, {UP}, {UP}, 0)",
+        f"generalized_schlick_bsdf({ALL_LIGHT}, w, {GREY}, {WHITE}, {WHITE}, 5, vec2(a), false, 0, "
+        f"1, {UP}, {UP}, 0)",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 0)",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 1)",
+    ],
+)
+def test_all_light_is_sent_or_reaches_what_lies_below(closure: str) -> None:
+    chance = np.random.default_rng(3).uniform(0.02, 1, (64, 5))
+    found = called(
+        IMPORTS, f"vec3({closure}.response + {closure}.throughput)", 3,
+        e=chance[:, :3] - [0.5, 0.5, 0], w=chance[:, 3], a=chance[:, 4],
+    )  # fmt: skip
+    assert found == pytest.approx(np.ones((64, 3)))
+
+
+@truth(*of("matt", "compensated_even compensated_share"))
+def test_white_plaster_sends_all_light() -> None:
+    chance = np.random.default_rng(4).uniform(0.02, 1, (64, 4))
+    response = f"oren_nayar_diffuse_bsdf({ALL_LIGHT}, 1, {WHITE}, a, {UP}, true).response"
+    found = called(
+        IMPORTS, f"vec3({response})", 3,
+        e=chance[:, :3] - [0.5, 0.5, 0], a=chance[:, 3],
+    )  # fmt: skip
+    assert found == pytest.approx(np.ones((64, 3)))

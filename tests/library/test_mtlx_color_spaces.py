@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 from functools import cache
 
 import numpy as np
@@ -21,7 +22,8 @@ def _graph(space: str) -> str:
     """The node graph of MaterialX that takes colours of a space to linear Rec. 709."""
     text = (libraries() / "cmlib" / "cmlib_ng.mtlx").read_text("utf-8")
     name = f"NG_{space}_to_lin_rec709_color3"
-    return re.findall(rf'<nodegraph name="{name}".*?</nodegraph>', text, re.DOTALL)[0]
+    (graph,) = re.findall(rf'<nodegraph name="{name}".*?</nodegraph>', text, re.DOTALL)
+    return str(graph)
 
 
 def _matrix(space: str) -> Floats:
@@ -47,7 +49,7 @@ def _from_srgb() -> Floats:
 
 
 ADOBE = 563 / 256
-EXPECTED = {
+EXPECTED: Mapping[str, Callable[[], Floats]] = {
     "g18_rec709": lambda: _decoded("g18_rec709"),
     "g22_rec709": lambda: _decoded("g22_rec709"),
     "rec709_display": lambda: _decoded("rec709_display"),

@@ -5,7 +5,8 @@ text. It prints a line for each document that is not alike as a whole, and a tab
 processes share the documents. Results are kept as they come, in ``build/materialx.jsonl``, and a
 later run does only what is not there yet; ``--again`` forgets them.
 
-    python -m burnish.tests.materialx.suite ~/MaterialX/resources/Materials --root ~/MaterialX
+    python -m burnish.tests.materialx.suite ~/MaterialX/resources/Materials \\
+        --images ~/MaterialX --images ~/MaterialX/resources
     python -m burnish.tests.materialx.suite tests/materialx/documents
 """
 
@@ -79,7 +80,7 @@ def _work(asked: Namespace, waiting: SimpleQueue[Path]) -> None:
 
 def _compare(asked: Namespace, worker: Worker, path: Path) -> None:
     name = _name(path, asked.folder)
-    request = {"document": str(path), "root": str(asked.root)}
+    request = {"document": str(path), "image_folders": list(map(str, asked.images))}
     answer = worker.ask(request, OF_DOCUMENT)
     if answer.ending == "ended":
         rows = answer.reply["rows"]
@@ -130,14 +131,17 @@ def _asked() -> Namespace:
         description=__doc__, formatter_class=RawDescriptionHelpFormatter,
     )  # fmt: skip
     parser.add_argument("folder", type=Path, help="the folder with documents")
-    parser.add_argument("--root", type=Path, help="the folder in which their images lie")
+    parser.add_argument(
+        "--images", type=Path, action="append", default=[], help="a further folder with images"
+    )
     parser.add_argument("--output", type=Path, default=OUTPUT, help="the file of the results")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--limit", type=float, default=7200.0, help="the seconds of the whole run")
     parser.add_argument("--again", action="store_true", help="forget what was found before")
     asked = parser.parse_args()
     # Processes run in no folder of the user's.
-    asked.folder, asked.root = asked.folder.resolve(), (asked.root or asked.folder).resolve()
+    asked.folder = asked.folder.resolve()
+    asked.images = [folder.resolve() for folder in asked.images]
     return asked
 
 

@@ -17,29 +17,35 @@ from burnish.targets.toolchain.pipe import Packet, serve
 ORPHAN_LIMIT = 1800.0
 
 
-def compared(checker: Checker, document: Path, root: Path) -> Iterator[Mapping[str, Any]]:
+def compared(
+    checker: Checker, document: Path, image_folders: tuple[Path, ...] = ()
+) -> Iterator[Mapping[str, Any]]:
     """A row for each renderable of a document, those that were not converted included."""
     try:
-        found = imported(document)
+        found = imported(document, image_folders=image_folders)
         names = checker.renderables(document)
     except Exception as error:  # a converter that fails is a result, too
         yield _not_run("", f"not imported: {_told(error)}")
         return
     with TemporaryDirectory(prefix="burnish-") as folder:
         _write(Path(folder), found)
-        rows = _rows(checker, document, found, Path(folder), root)
+        rows = _rows(checker, document, found, Path(folder), image_folders)
         for name in names:
             yield rows.pop(name) if name in rows else _not_run(name, _problem(found, name))
         yield from rows.values()
 
 
 def _rows(
-    checker: Checker, document: Path, found: Imported, folder: Path, root: Path
+    checker: Checker,
+    document: Path,
+    found: Imported,
+    folder: Path,
+    image_folders: tuple[Path, ...],
 ) -> dict[str, Mapping[str, Any]]:
     rows = {}
     try:
-        source = folder / next(iter(found.files))
-        for claim in claims_of(document, source, found.materials, root):
+        source = folder / found.main
+        for claim in claims_of(document, source, found.materials, image_folders):
             try:
                 rows[claim.renderable] = _row(check(checker, claim))
             except Exception as error:  # so is a compiler that fails
@@ -79,10 +85,10 @@ def _problem(found: Imported, name: str) -> str:
 
 
 def _write(folder: Path, found: Imported) -> None:
-    for name, text in found.files.items():
+    for name, content in found.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, "utf-8")
+        path.write_bytes(content)
 
 
 class _Worker:
@@ -91,8 +97,9 @@ class _Worker:
 
     def answer(self, request: Packet) -> Packet:
         """The rows of a document."""
-        document, root = (Path(request.content[name]) for name in ("document", "root"))
-        return Packet({"rows": list(compared(self._checker, document, root))})
+        document = Path(request.content["document"])
+        folders = tuple(map(Path, request.content["image_folders"]))
+        return Packet({"rows": list(compared(self._checker, document, folders))})
 
 
 if __name__ == "__main__":

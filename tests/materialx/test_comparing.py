@@ -73,6 +73,13 @@ def test_a_pixel_that_only_one_side_draws_is_different() -> None:
     assert (found.verdict, found.drawn, found.beyond) == ("different", 940, 40)
 
 
+def test_what_hardly_covers_a_pixel_is_not_drawn() -> None:
+    other = picture()
+    other[:, 4] = [0.5, 0.5, 0.5, 0.0005]
+    assert compare(other, picture()).verdict == "alike"
+    assert compare(picture(), other).verdict == "different"
+
+
 def test_black_is_drawn_and_nothing_is_not() -> None:
     black = np.where(picture() > 0, 0.0, picture())
     assert compare(black, black).verdict == "alike"

@@ -12,7 +12,7 @@ from burnish.materialx.importing import Imported
 from burnish.materialx.problems import Problem
 
 from . import suite_worker
-from .kit import DOCUMENTS, document
+from .kit import document
 from .suite import rows_of, table
 from .suite_worker import compared
 
@@ -39,7 +39,7 @@ def test_verdicts_are_counted_and_reasons_are_told() -> None:
 
 
 def test_a_material_is_compared(checker: Checker) -> None:
-    (found,) = compared(checker, document("unlit_constant"), DOCUMENTS)
+    (found,) = compared(checker, document("unlit_constant"))
     assert (found["renderable"], found["verdict"]) == ("Lamp", "alike"), found["reason"]
 
 
@@ -47,9 +47,9 @@ def test_what_is_not_converted_is_not_run(
     checker: Checker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told = Problem("Lamp", "unlit_constant.mtlx:9", "lamps are too bright")
-    nothing = Imported({"unlit_constant.burnish": "burnish 1\n"}, [], [told])
-    monkeypatch.setattr(suite_worker, "imported", lambda _path: nothing)
-    (found,) = compared(checker, document("unlit_constant"), DOCUMENTS)
+    nothing = Imported({"lamp.burnish": b"burnish 1\n"}, "lamp.burnish", [], [told])
+    monkeypatch.setattr(suite_worker, "imported", lambda _path, **_: nothing)
+    (found,) = compared(checker, document("unlit_constant"))
     assert (found["renderable"], found["verdict"]) == ("Lamp", "not run")
     assert found["reason"] == "not converted: lamps are too bright"
 
@@ -57,9 +57,9 @@ def test_what_is_not_converted_is_not_run(
 def test_a_converter_that_fails_is_not_run(
     checker: Checker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def failing(_path: Path) -> Imported:
+    def failing(_path: Path, **_: object) -> Imported:
         raise KeyError("luminance")
 
     monkeypatch.setattr(suite_worker, "imported", failing)
-    (found,) = compared(checker, document("unlit_constant"), DOCUMENTS)
+    (found,) = compared(checker, document("unlit_constant"))
     assert (found["verdict"], found["reason"]) == ("not run", "not imported: KeyError: 'luminance'")

@@ -32,6 +32,14 @@ rig Studio { sun : Directional  lamps : PunctualPoint[<= 4]  torch : PunctualSpo
 frame Shown { models scene  shown = Forward(scene)  output picture = shown.color }
 """
 
+LAYERED = FRAME.replace("std.gltf.{MetallicRoughness, ", "std.gltf.{").replace(
+    "material Scanned : MetallicRoughness",
+    "import std.gltf_layers.{Anisotropy, Dispersion, FileSurface, Ior, Iridescence, Specular}\n"
+    "import std.gltf_layers.{Transmission, Volume}\n"
+    "material Scanned : FileSurface + Anisotropy + Dispersion + Ior + Iridescence + Specular\n"
+    "    + Transmission + Volume",
+)
+
 VALUES = (1e38, -1e38, 3.4e38, 1e154, 1e300, -1.7e308, 5e-324, 1e-45, -0.0, 1e20)
 
 PLACES: Sequence[tuple[Any, ...]] = (
@@ -51,10 +59,34 @@ PLACES: Sequence[tuple[Any, ...]] = (
 """The paths of numbers, or of lists of numbers that all become the same."""
 
 
+EXTENSIONS: Sequence[tuple[Any, ...]] = tuple(
+    ("materials", 0, "extensions", f"KHR_materials_{name}", *place)
+    for name, *place in (
+        ("anisotropy", "anisotropyRotation"), ("dispersion", "dispersion"), ("ior", "ior"),
+        ("iridescence", "iridescenceIor"), ("iridescence", "iridescenceThicknessMaximum"),
+        ("specular", "specularColorFactor"), ("volume", "thicknessFactor"),
+        ("volume", "attenuationDistance"),
+        ("volume", "thicknessTexture", "extensions", "KHR_texture_transform", "offset"),
+        ("volume", "thicknessTexture", "extensions", "KHR_texture_transform", "rotation"),
+        ("volume", "thicknessTexture", "extensions", "KHR_texture_transform", "scale"),
+    )
+)  # fmt: skip
+"""Those in extensions of the material."""
+
+
 @pytest.fixture(scope="module")
 def frame(tmp_path_factory: pytest.TempPathFactory) -> FrameSubject:
-    path = tmp_path_factory.mktemp("frame") / "f.burnish"
-    path.write_text(FRAME)
+    return compiled(FRAME, tmp_path_factory.mktemp("frame"))
+
+
+@pytest.fixture(scope="module")
+def layered(tmp_path_factory: pytest.TempPathFactory) -> FrameSubject:
+    return compiled(LAYERED, tmp_path_factory.mktemp("layered"))
+
+
+def compiled(text: str, folder: Path) -> FrameSubject:
+    path = folder / "f.burnish"
+    path.write_text(text)
     (found,) = burnish.compile(path, ("wgsl",)).frames
     return found
 
@@ -67,9 +99,9 @@ def seen() -> Json:
     return whole
 
 
-def scenes(place: Sequence[Any]) -> Iterator[Json]:
+def scenes(place: Sequence[Any], values: Sequence[float]) -> Iterator[Json]:
     """The file with each value at this place, seen by the camera which that may belong to."""
-    for value in VALUES:
+    for value in values:
         whole = seen()
         whole["nodes"][2]["scale"] = whole["nodes"][4]["scale"] = [1.0, 1.0, 1.0]
         whole["nodes"][4]["translation"] = [0.0, 0.0, 0.0]
@@ -78,7 +110,7 @@ def scenes(place: Sequence[Any]) -> Iterator[Json]:
         at: Any = whole
         for step in place[:-1]:
             at = at[step]
-        several = isinstance(at[place[-1]], list)
+        several = isinstance(at.get(place[-1]) if isinstance(at, dict) else at[place[-1]], list)
         at[place[-1]] = [value] * len(at[place[-1]]) if several else value
         yield whole
 
@@ -86,8 +118,21 @@ def scenes(place: Sequence[Any]) -> Iterator[Json]:
 @pytest.mark.parametrize("place", PLACES, ids=lambda place: ".".join(map(str, place)))
 @pytest.mark.filterwarnings("error")
 def test_extreme_numbers(place: Sequence[Any], frame: FrameSubject, tmp_path: Path) -> None:
-    path = tmp_path / "m.gltf"
-    for whole in scenes(place):
+    check_extremes(place, VALUES, frame, tmp_path / "m.gltf")
+
+
+@pytest.mark.parametrize("place", EXTENSIONS, ids=lambda place: ".".join(map(str, place[3:])))
+@pytest.mark.filterwarnings("error")
+def test_extreme_numbers_of_extensions(
+    place: Sequence[Any], layered: FrameSubject, tmp_path: Path
+) -> None:
+    check_extremes(place, VALUES[::3], layered, tmp_path / "m.gltf")
+
+
+def check_extremes(
+    place: Sequence[Any], values: Sequence[float], frame: FrameSubject, path: Path
+) -> None:
+    for whole in scenes(place, values):
         path.write_text(json.dumps(whole))
         try:
             drawing = ReferenceFrames(

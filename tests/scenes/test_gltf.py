@@ -294,17 +294,19 @@ def test_materials(tmp_path: Path) -> None:
     (model,) = read_gltf(made.save(tmp_path)).objects
     look = model.look
     assert look.name == "Brass"
-    assert look.parameters == {
+    numbers = {
         "base_color": (0.5, 0.25, 1, 0.75), "metallic": 0.5, "roughness": 0.25, "normal_scale": 2,
         "occlusion_strength": 1, "emissive": (8, 4, 0), "is_opaque": False, "alpha_cutoff": 0.25,
         "is_two_sided": False,
     }  # fmt: skip
+    assert {name: look.parameters[name] for name in numbers} == numbers
+    assert look.needs == {}
     assert look.textures.keys() == {"base_color_map", "metallic_roughness_map", "normal_map"}
     # A colour is sRGB, of which 188 is a half of the light; everything else is numbers.
     (color,) = look.textures["base_color_map"].linear()
     assert np.allclose(color[0, 0], (0.5, 0, 1, 1), atol=0.005)
-    (numbers,) = look.textures["normal_map"].linear()
-    assert (255 * numbers[0, 0]).round().tolist() == [10, 20, 30, 40]
+    (texels,) = look.textures["normal_map"].linear()
+    assert (255 * texels[0, 0]).round().tolist() == [10, 20, 30, 40]
     assert look.textures["normal_map"] is look.textures["metallic_roughness_map"]
 
 
@@ -324,12 +326,12 @@ def test_a_binary_file(tmp_path: Path) -> None:
 
 def test_what_is_left_out_is_told(tmp_path: Path) -> None:
     made = triangle()
-    made.whole["extensionsUsed"] = ["KHR_materials_sheen", "KHR_lights_punctual"]
+    made.whole["extensionsUsed"] = ["KHR_materials_subsurface", "KHR_lights_punctual"]
     made.whole["animations"] = [{"channels": [], "samplers": []}]
     made.whole["nodes"][0]["extras"] = "what an application likes"
     scene = read_gltf(made.save(tmp_path))
     assert scene.notes == (
-        "the extension KHR_materials_sheen is left out", "animations are left out",
+        "the extension KHR_materials_subsurface is left out", "animations are left out",
     )  # fmt: skip
 
 
@@ -339,7 +341,7 @@ def test_how_a_texture_is_read_is_told_where_it_differs(tmp_path: Path) -> None:
     made.whole["samplers"] = [{"wrapS": 33071}, {"minFilter": 9987, "magFilter": 9729}]
     made.whole["textures"] = [{"source": 0, "sampler": 0}, {"source": 0, "sampler": 1}]
     made.whole["materials"] = [{
-        "normalTexture": {"index": 0}, "occlusionTexture": {"index": 1, "texCoord": 1},
+        "normalTexture": {"index": 0}, "occlusionTexture": {"index": 1, "texCoord": 2},
     }]  # fmt: skip
     assert read_gltf(made.save(tmp_path)).notes == (
         "material 0, normal_map: its sampler is left out, as materials say how they read",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.frontend import Frontend
@@ -14,6 +14,7 @@ from burnish.compiler.ir.node import Node
 from burnish.compiler.ir.operations import CROSS
 from burnish.compiler.ir.shader import Shader
 from burnish.compiler.ir.stages import TARGET
+from burnish.compiler.ir.types import Struct
 from burnish.compiler.reference.evaluate import LeafValues, evaluate
 from burnish.compiler.reference.namespace import Lanes
 
@@ -68,6 +69,9 @@ def leaves(whole: Shader, given: Given) -> LeafValues:
         leaf = node.data
         name = leaf.name if isinstance(leaf, Parameter | Attribute | Texture) else str(leaf)
         default = known.get(name) if node.op in LEAVES else None
+        if isinstance(leaf, Parameter) and isinstance(leaf.type, Struct):
+            members = cast(Sequence[Any], default)
+            return tuple(each if isinstance(each, tuple) else (each,) for each in members)
         return default if default is None or isinstance(default, tuple) else (default,)
 
     return found

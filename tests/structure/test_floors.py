@@ -87,6 +87,7 @@ FLOORS: dict[str, str] = {
     "compiler.passes": (
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
+    "compiler.equivalence": "frozen stdlib diagnostics ir reference",
     "compiler.reflection": (
         "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
         "passes"
@@ -122,22 +123,25 @@ FLOORS: dict[str, str] = {
     "api.narrowed_values": "frozen stdlib ir runner",
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.compiling": (
-        "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
+        "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection frontend "
         "description emit legalise availability selection graphs compiled specialising"
     ),
+    "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
-        "selection runner compiled remembered compiling"
+        "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
+    "materialx": "stdlib diagnostics syntax library_trees library",
     "materialx.fidelity": (
-        "installing diagnostics ir documents reflection closing runner conformance toolchain "
-        "entry_points"
+        "installing diagnostics ir documents reference reflection closing runner conformance "
+        "toolchain entry_points materialx"
     ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
-        "selection runner web_host web_view conformance toolchain serving compiled entry_points"
+        "selection runner web_host web_view conformance toolchain serving compiled sameness "
+        "entry_points materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

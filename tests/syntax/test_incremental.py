@@ -37,8 +37,8 @@ PIECES = [
     "burnish 1", "\nabstract material A {", "\nfn f(", "\nfn", "\nterm t(x: float) per", "\nx = y",
     "\nspace output", "\nextern block", "\nmixin M for", "\nmaterial\n", "\nimport", "\nrig R : ",
     "\nstruct S <", "from", "\nfn f() = 1 as output\n", "\n/// doc\n/* note */\n",
-    "sum i in 0..n : ", "::", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
-    "\n/// doc\n\n// note\n",
+    "sum i in 0..n : ", "::", "\n\u2028\n", "\n/*\n", "\n// */\n", "\n// */ a\n",
+    "\n/// doc\n\n// note\n", "f(x, width = 2)", "(\n    width = 2,\n", "(x: float = 1)",
 ]  # fmt: skip
 """Texts that edits insert: all words and marks, broken ones, and beginnings of declarations."""
 

@@ -27,6 +27,7 @@ def document(file: Path, query: dict[str, str] | None = None, **options: Any) ->
         mesh="cube",
         floor=options.get("floor", False),
         scene=options.get("scene"),
+        variant=options.get("variant"),
         environment=options.get("environment", "studio"),
         eye=options.get("eye"),
         look_at=None,

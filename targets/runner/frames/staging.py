@@ -5,12 +5,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..scene import Scene
+from ..scenes.notes import Notes
 from ..scenes.records import SceneError, SceneFile, SceneObject, short
 from .scenery import WHOLE, Model, Scenery, overview
 
@@ -35,6 +36,23 @@ def staged(file: SceneFile, materials: Sequence[str], names: Sequence[str]) -> S
     camera = file.cameras[0] if file.cameras else overview(middle, radius)
     distance = 3 * radius + float(np.linalg.norm(middle))
     return Scenery(models, Scene(camera, light_distance=distance, lamps=file.lamps))
+
+
+def left_out(scenery: Scenery, words: Mapping[str, Set[str]]) -> tuple[str, ...]:
+    """Notes about what a file says of surfaces, and their materials in the frame do not take.
+
+    ``words`` are those of the values that each material takes, by its name.
+    """
+    notes = Notes()
+    for model in scenery.models:
+        for said, word in model.look.needs.items():
+            if word not in words[model.material]:
+                notes.add(
+                    f"material {short(model.look.name)!r}: {said}",
+                    f" is left out, as {model.material} of the frame has no value for it: the "
+                    "mixins of std.gltf_layers do",
+                )
+    return notes.told()
 
 
 def _model(found: SceneObject, materials: Sequence[str]) -> Model:

@@ -85,9 +85,10 @@ class Asked:
     def __init__(self, folder: Path) -> None:
         shown = _filled(folder)
         request = ViewRequest(
-            file=shown, mesh="sphere", floor=False, scene=None, environment="studio", eye=None,
-            look_at=None, turn=(0.0, 0.0), instances=1, exposure=0.0, tone="none", values=(),
-            material=None, rig=None, pass_=None, search_path=(), hoist=True, plain=False,
+            file=shown, mesh="sphere", floor=False, scene=None, variant=None,
+            environment="studio", eye=None, look_at=None, turn=(0.0, 0.0), instances=1,
+            exposure=0.0, tone="none", values=(), material=None, rig=None, pass_=None,
+            search_path=(), hoist=True, plain=False,
         )  # fmt: skip
         self._server = Server(request)
         self._application = self._server.application()

@@ -187,7 +187,7 @@ def rich() -> Builder:
         },
         "normalTexture": {"index": 0, "scale": 2, "texCoord": 1},
         "occlusionTexture": {"index": 1, "strength": 0.5}, "emissiveTexture": {"index": 1},
-        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 2}},
+        "extensions": _extensions(),
     }]  # fmt: skip
     whole["cameras"] = [
         {"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1, "zfar": 10}},
@@ -199,7 +199,12 @@ def rich() -> Builder:
          "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.5}},
         {"type": "point"}, {"type": "directional"},
     ]  # fmt: skip
-    whole["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+    whole["extensions"] = {
+        "KHR_lights_punctual": {"lights": lights},
+        "KHR_materials_variants": {"variants": [{"name": "a"}, {"name": "b"}]},
+    }
+    shown = {"mappings": [{"material": 0, "variants": [0]}]}
+    primitive["extensions"] = {"KHR_materials_variants": shown}
     whole["extensionsUsed"] = ["KHR_lights_punctual", "EXT_other"]
     whole["animations"] = [{}]
     whole["nodes"] = [
@@ -215,6 +220,29 @@ def rich() -> Builder:
     uri = "data:;base64," + base64.b64encode(data).decode()
     whole["buffers"] = [{"byteLength": len(data), "uri": uri}]
     return made
+
+
+def _extensions() -> Json:
+    """Each extension of a material, with textures that lie on it in several ways."""
+    moved = {"offset": [0.5, 0.25], "rotation": 1, "scale": [2, -1], "texCoord": 1}
+    plain = {"index": 1}
+    placed = {"index": 0, "extensions": {"KHR_texture_transform": moved}}
+    return {
+        "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 2,
+                                     "anisotropyTexture": placed},
+        "KHR_materials_clearcoat": {"clearcoatFactor": 0.5, "clearcoatNormalTexture": placed},
+        "KHR_materials_dispersion": {"dispersion": 0.5},
+        "KHR_materials_emissive_strength": {"emissiveStrength": 2},
+        "KHR_materials_ior": {"ior": 1.25},
+        "KHR_materials_iridescence": {"iridescenceFactor": 0.5, "iridescenceIor": 1.5,
+                                      "iridescenceThicknessTexture": plain},
+        "KHR_materials_sheen": {"sheenColorFactor": [1, 0.5, 0], "sheenColorTexture": plain},
+        "KHR_materials_specular": {"specularColorFactor": [2, 1, 1], "specularTexture": placed},
+        "KHR_materials_transmission": {"transmissionFactor": 0.5, "transmissionTexture": plain},
+        "KHR_materials_unlit": {},
+        "KHR_materials_volume": {"thicknessFactor": 2, "thicknessTexture": placed,
+                                 "attenuationDistance": 3, "attenuationColor": [1, 0.5, 0]},
+    }  # fmt: skip
 
 
 def _sparse() -> Builder:

@@ -17,7 +17,11 @@ from ..records import SceneError, short
 from .schema import File
 
 SUPPORTED = frozenset({
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_mesh_quantization",
+    "KHR_lights_punctual", "KHR_materials_anisotropy", "KHR_materials_clearcoat",
+    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_iridescence", "KHR_materials_sheen", "KHR_materials_specular",
+    "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_variants",
+    "KHR_materials_volume", "KHR_mesh_quantization", "KHR_texture_transform",
 })  # fmt: skip
 """The extensions that a file may require."""
 

@@ -6,6 +6,8 @@ draws them.
 
 from __future__ import annotations
 
+from typing import Any
+
 from .....compiler.budget import Tally
 from ...looks import PLAIN, Look
 from ...textures.files import picture_in
@@ -15,8 +17,14 @@ from ..notes import Notes
 from ..records import SceneError
 from .accessors import Accessors
 from .folder import Folder
-from .schema import File, Image, Material, Sampler, TextureInfo
+from .layers import layers_of
+from .materials_schema import Material, TextureInfo
+from .schema import File, Image, Sampler
 
+IN_PLACE = {"set": 0, "offset": (0.0, 0.0), "rotation": 0.0, "scale": (1.0, 1.0)}
+"""A texture as it lies on a surface of which a file says nothing else."""
+_COORDINATES = 2
+"""The number of texture coordinates that a mesh has at most."""
 _FORMATS = ("PNG", "JPEG")
 """The formats that pictures may have: other formats are no part of glTF."""
 
@@ -48,41 +56,52 @@ class Looks:
 
     def _made(self, material: Material, what: str) -> Look:
         base = material.pbr_metallic_roughness
-        normal, occlusion = material.normal_texture, material.occlusion_texture
-        strength = material.extensions.emissive_strength
-        shining = strength.emissive_strength if strength else 1.0
-        red, green, blue = material.emissive_factor
-        masked = material.alpha_mode == "MASK"
-        pictures = {
-            "base_color_map": (base.base_color_texture, True),
-            "metallic_roughness_map": (base.metallic_roughness_texture, False),
-            "normal_map": (normal, False),
-            "occlusion_map": (occlusion, False),
-            "emissive_map": (material.emissive_texture, True),
+        layers = layers_of(material.extensions, what, self._notes)
+        infos = {
+            "base_color": (base.base_color_texture, True),
+            "metallic_roughness": (base.metallic_roughness_texture, False),
+            "normal": (material.normal_texture, False),
+            "occlusion": (material.occlusion_texture, False),
+            "emissive": (material.emissive_texture, True),
+            **layers.textures,
+        }
+        pictures = {name: info for name, (info, _) in infos.items() if info is not None}
+        textures = {
+            f"{name}_map": self._texture(info, infos[name][1], f"{what}, {name}_map")
+            for name, info in pictures.items()
+        }
+        places = {name: self._place(info, f"{what}, {name}_map") for name, info in pictures.items()}
+        moved = {
+            f"how {name}_map lies on the surface": f"{name}_place"
+            for name, place in places.items()
+            if place != IN_PLACE
         }
         return Look(
             material.name,
             {
-                "base_color": base.base_color_factor,
-                "metallic": base.metallic_factor,
-                "roughness": base.roughness_factor,
-                "normal_scale": normal.scale if normal else 1.0,
-                "occlusion_strength": occlusion.strength if occlusion else 1.0,
-                "emissive": (red * shining, green * shining, blue * shining),
-                "is_opaque": material.alpha_mode == "OPAQUE",
-                "is_two_sided": material.double_sided,
-                "alpha_cutoff": min(material.alpha_cutoff, 1.0) if masked else 0.0,
+                **_numbers(material),
+                **layers.parameters,
+                **{f"{name}_place": place for name, place in places.items()},
             },
-            {
-                word: self._texture(info, is_color, f"{what}, {word}")
-                for word, (info, is_color) in pictures.items()
-                if info is not None
-            },
+            textures,
+            {**layers.needs, **moved},
         )
 
-    def _texture(self, info: TextureInfo, is_color: bool, what: str) -> Texture:
-        if info.tex_coord:
+    def _place(self, info: TextureInfo, what: str) -> dict[str, Any]:
+        """How a texture lies on a surface, as a `TexturePlace` of `std.gltf_layers`."""
+        transform = info.extensions.transform
+        coordinates = info.tex_coord if transform.tex_coord is None else transform.tex_coord
+        if coordinates >= _COORDINATES:
             self._notes.add(what, ": it is read with the first texture coordinates")
+            coordinates = 0
+        return {
+            "set": coordinates,
+            "offset": transform.offset,
+            "rotation": transform.rotation,
+            "scale": transform.scale,
+        }
+
+    def _texture(self, info: TextureInfo, is_color: bool, what: str) -> Texture:
         if info.index >= len(self._file.textures):
             raise SceneError(f"{what}: there is no texture {info.index}")
         source = self._file.textures[info.index].source
@@ -120,3 +139,24 @@ class Looks:
             return self._accessors.bytes_of_view(image.buffer_view, what)
         assert image.uri is not None
         return self._folder.read(image.uri, what)
+
+
+def _numbers(material: Material) -> dict[str, Any]:
+    """The numbers that a material has without extensions; it shines by one of these."""
+    base = material.pbr_metallic_roughness
+    normal, occlusion = material.normal_texture, material.occlusion_texture
+    strength = material.extensions.emissive_strength
+    shining = strength.emissive_strength if strength else 1.0
+    red, green, blue = material.emissive_factor
+    masked = material.alpha_mode == "MASK"
+    return {
+        "base_color": base.base_color_factor,
+        "metallic": base.metallic_factor,
+        "roughness": base.roughness_factor,
+        "normal_scale": normal.scale if normal else 1.0,
+        "occlusion_strength": occlusion.strength if occlusion else 1.0,
+        "emissive": (red * shining, green * shining, blue * shining),
+        "is_opaque": material.alpha_mode == "OPAQUE",
+        "is_two_sided": material.double_sided,
+        "alpha_cutoff": min(material.alpha_cutoff, 1.0) if masked else 0.0,
+    }

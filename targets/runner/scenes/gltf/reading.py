@@ -2,9 +2,10 @@
 
 The modules of this folder are its steps: ``container.py`` takes the file apart into the records of
 ``schema.py``; ``folder.py`` reads what else it names; ``accessors.py`` decodes arrays, of which
-``meshes.py`` makes meshes; ``nodes.py`` places them, and ``looks.py`` reads materials. Whatever is
-wrong with a file becomes a ``SceneError``, and what is too large a ``BudgetError``, before much
-time or memory is spent.
+``meshes.py`` makes meshes; ``nodes.py`` places them, ``variants.py`` chooses their materials, and
+``looks.py`` reads these, with the extensions of ``layers.py``. Whatever is wrong with a file
+becomes a ``SceneError``, and what is too large a ``BudgetError``, before much time or memory is
+spent.
 """
 
 from __future__ import annotations
@@ -30,13 +31,14 @@ from .folder import Folder
 from .looks import Looks
 from .meshes import Size, is_drawn, mesh_of, size_of
 from .nodes import Placed, placed_nodes
+from .variants import ChosenVariant
 
 _BYTES_OF_JOINT = 4 * 4 * 8
 _RIGHT_ANGLE = np.pi / 2
 
 
-def read_gltf(path: Path) -> SceneFile:
-    """Read the scene of a ``.gltf`` or ``.glb`` file.
+def read_gltf(path: Path, variant: str | None = None) -> SceneFile:
+    """Read the scene of a ``.gltf`` or ``.glb`` file, in the variant of this name.
 
     Raises ``SceneError``, and ``BudgetError`` if it takes more than is allowed.
     """
@@ -46,7 +48,8 @@ def read_gltf(path: Path) -> SceneFile:
     accessors = Accessors(file, folder, binary, path, memory)
     notes = Notes()
     looks = Looks(file, folder, accessors, notes, memory)
-    return _Reader(path, file, accessors, looks, notes, memory).scene()
+    chosen = ChosenVariant(file, path, variant, notes)
+    return _Reader(path, file, accessors, looks, chosen, notes, memory).scene()
 
 
 class _Reader:
@@ -58,6 +61,7 @@ class _Reader:
         file: schema.File,
         accessors: Accessors,
         looks: Looks,
+        variant: ChosenVariant,
         notes: Notes,
         memory: Tally,
     ) -> None:
@@ -65,6 +69,7 @@ class _Reader:
         self._file = file
         self._accessors = accessors
         self._looks = looks
+        self._variant = variant
         self._notes = notes
         self._memory = memory
         check("nodes", len(file.nodes), f"{path} has")
@@ -118,7 +123,7 @@ class _Reader:
                 self._notes.add(what, ": it consists of lines, and is left out")
                 continue
             self._vertices.add(self._size(primitive, (number, index), what).drawn)
-            look = self._looks.look(primitive.material, what)
+            look = self._looks.look(self._variant.material_of(primitive, what), what)
             yield SceneObject(
                 placed.name,
                 self._mesh(primitive, (number, index, of_node), node.weights or mesh.weights, what),

@@ -11,20 +11,19 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Raw, Struct, field
 
-Index = Annotated[int, Meta(ge=0, lt=2**31)]
-Size = Annotated[int, Meta(ge=1, lt=2**31)]
-Share = Annotated[float, Meta(ge=0, le=1)]
-Positive = Annotated[float, Meta(gt=0)]
-NotNegative = Annotated[float, Meta(ge=0)]
-Distance = Annotated[float, Meta(ge=1e-30, le=1e30)]
-"""A distance of which a projection can be made: neither it nor its reciprocal is 0 or infinite."""
-Numbers3 = tuple[float, float, float]
-Numbers4 = tuple[float, float, float, float]
-Name = Annotated[str, Meta(max_length=10_000)]
-
-
-class Record(Struct, frozen=True, rename="camel"):
-    """The base of all records: immutable, with names in camel case in the JSON."""
+from .materials_schema import Material
+from .record import (
+    Distance,
+    Index,
+    Name,
+    NotNegative,
+    Numbers3,
+    Numbers4,
+    Positive,
+    Record,
+    Share,
+    Size,
+)
 
 
 class Asset(Record, frozen=True):
@@ -98,44 +97,19 @@ class Sampler(Record, frozen=True):
     wrap_t: Index = 10497
 
 
-class TextureInfo(Record, frozen=True):
-    index: Index
-    tex_coord: Index = 0
-    scale: float = 1.0
-    """The scale of a normal map."""
-    strength: Share = 1.0
-    """The strength of an occlusion map."""
+class VariantMapping(Record, frozen=True):
+    """The material of a primitive in some variants of a file."""
+
+    material: Index
+    variants: tuple[Index, ...]
 
 
-class Reflectance(Record, frozen=True):
-    base_color_factor: tuple[Share, Share, Share, Share] = (1.0, 1.0, 1.0, 1.0)
-    metallic_factor: Share = 1.0
-    roughness_factor: Share = 1.0
-    base_color_texture: TextureInfo | None = None
-    metallic_roughness_texture: TextureInfo | None = None
+class Mappings(Record, frozen=True):
+    mappings: tuple[VariantMapping, ...] = ()
 
 
-class EmissiveStrength(Record, frozen=True):
-    emissive_strength: NotNegative = 1.0
-
-
-class MaterialExtensions(Struct, frozen=True):
-    emissive_strength: EmissiveStrength | None = field(
-        default=None, name="KHR_materials_emissive_strength"
-    )
-
-
-class Material(Record, frozen=True):
-    name: Name = ""
-    pbr_metallic_roughness: Reflectance = Reflectance()
-    normal_texture: TextureInfo | None = None
-    occlusion_texture: TextureInfo | None = None
-    emissive_texture: TextureInfo | None = None
-    emissive_factor: tuple[Share, Share, Share] = (0.0, 0.0, 0.0)
-    alpha_mode: Literal["OPAQUE", "MASK", "BLEND"] = "OPAQUE"
-    alpha_cutoff: NotNegative = 0.5
-    double_sided: bool = False
-    extensions: MaterialExtensions = MaterialExtensions()
+class PrimitiveExtensions(Struct, frozen=True):
+    variants: Mappings = field(default=Mappings(), name="KHR_materials_variants")
 
 
 class Primitive(Record, frozen=True):
@@ -144,6 +118,7 @@ class Primitive(Record, frozen=True):
     material: Index | None = None
     mode: Annotated[int, Meta(ge=0, le=6)] = 4
     targets: tuple[dict[Name, Index], ...] = ()
+    extensions: PrimitiveExtensions = PrimitiveExtensions()
 
 
 class Mesh(Record, frozen=True):
@@ -227,8 +202,17 @@ class Scene(Record, frozen=True):
     nodes: tuple[Index, ...] = ()
 
 
+class Variant(Record, frozen=True):
+    name: Name
+
+
+class Variants(Record, frozen=True):
+    variants: tuple[Variant, ...] = ()
+
+
 class FileExtensions(Struct, frozen=True):
     punctual: Lights = field(default=Lights(()), name="KHR_lights_punctual")
+    variants: Variants = field(default=Variants(), name="KHR_materials_variants")
 
 
 class File(Record, frozen=True):
