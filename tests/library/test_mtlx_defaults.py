@@ -74,5 +74,7 @@ def test_defaults_are_those_of_materialx(name: str) -> None:
     node = re.sub(r"_vec\d$", "", function)
     for each, argument, default in defaults(library.FOLDER / "mtlx" / file):
         if each == function:
-            known = inputs()[node, argument]
-            assert known == {numbers(default)}, f"{function}: {argument}"
+            known = inputs()[node, argument.lower()]
+            # Words have a number in the library: that of the default is 0.
+            expected = {(0.0,)} if known == {()} else known
+            assert expected == {numbers(default)}, f"{function}: {argument}"

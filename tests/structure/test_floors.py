@@ -123,7 +123,7 @@ FLOORS: dict[str, str] = {
     "api.narrowed_values": "frozen stdlib ir runner",
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.compiling": (
-        "frozen garbage cache inputs diagnostics ir passes source_map names reflection frontend "
+        "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection frontend "
         "description emit legalise availability selection graphs compiled specialising"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
@@ -132,15 +132,16 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
+    "materialx": "stdlib diagnostics syntax library_trees library",
     "materialx.fidelity": (
-        "installing diagnostics ir documents reflection closing runner conformance toolchain "
-        "entry_points"
+        "installing diagnostics ir documents reference reflection closing runner conformance "
+        "toolchain entry_points materialx"
     ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points"
+        "entry_points materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
