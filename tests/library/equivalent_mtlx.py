@@ -76,6 +76,8 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         (
             "std.mtlx.patterns.filtered_step: 54757 * length(vec2( [ddx(value), ddy(value) "
             "-> ddy(value), ddx(value)] )) } /// One value o"
+        ),
+    ),
     "The least divisor is far below those that there are, and only promises something.": (
         (
             "std.mtlx.fresnel.film_orders: ed(passed) * share / [max(1 - mirrored * share, 1e-8) "
