@@ -17,7 +17,7 @@ from .boxes import Region, cut, whole
 from .domain import Domain
 from .names import NamedValue, named_values
 from .numbers import Array, Numbers
-from .programs import Lane, lanes_of
+from .programs import Lane, NotComparableError, lanes_of
 from .searching import Found, Search
 from .shrinking import simplest, start_of
 from .subdividing import Proof, subdivided
@@ -38,10 +38,6 @@ MOST_BOXES = 200_000
 """The most boxes that are looked at by default."""
 _FOR_CUT = 0.25
 """The part of the boxes that may go into what both programs have in common."""
-
-
-class NotComparableError(Exception):
-    """Two programs deliver different things; the text says which."""
 
 
 @frozen
