@@ -12,11 +12,13 @@ from typing import NamedTuple
 
 from ..stdlib.builtins import BUILTINS
 from .expressions import Call, Expression, Name, flat, laid_out
+from .leaves import network as network_of
 from .leaves.application import SUFFIXES
 from .leaves.catalogue import catalogue, module_of
 from .model import Definition, Graph, Node, Port
 from .names import Names, part_name, record_name, slot_name
-from .networks import Function, NeedsSurfaceError, NeedsTextsError, Network, Sampling, Scope
+from .networks import Network
+from .places import Function, NeedsSurfaceError, NeedsTextsError, Sampling, Scope
 from .problems import UnsupportedError
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import BARE, CLOSURES, literal, zero
@@ -132,7 +134,7 @@ class _Body:
         }
         bound = _Read(self._arguments)
         self._parts: list[Equation] = []
-        network = Network(self, Name("asked") if is_closure else None)
+        network = network_of(self, Name("asked") if is_closure else None)
         scope = Scope(graph, bound=bound)
         with network.counted():
             for _ in self._results(network, scope):
@@ -206,12 +208,14 @@ class _Body:
             head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
+        if "\n" in value and not isinstance(self._value, Call):
+            value = f"\n    {laid_out(self._value, 4, 1)}"
         doc = [
             f"/// {line}"
             for line in wrapped(one_line(self._definition.hints.get("doc", "")), 110)
             if line
         ]
-        lines = [*doc, f"{head} {value}"]
+        lines = [*doc, f"{head} {value}".replace(" \n", "\n")]
         if self._parts:
             lines += ["where {", *equations(self._parts), "}"]
         if self.result_function.is_closure:

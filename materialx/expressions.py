@@ -147,6 +147,8 @@ def binary(operator: str, left: Expression, right: Expression) -> Expression:
         if value is not None:
             return value
         left = Name(decimal(left))
+    if operator == "-" and other is not None and other < 0:
+        return Binary("+", left, number(-other))
     return Binary(operator, left, right)
 
 

@@ -14,6 +14,7 @@ Declaration = (
     | ast.Function
     | ast.Rig
     | ast.StructDeclaration
+    | ast.Enumeration
     | ast.ExternBlock
     | ast.Space
     | ast.Constant

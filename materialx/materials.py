@@ -6,12 +6,14 @@ from typing import NamedTuple
 
 from .definitions import Functions
 from .expressions import Call, Expression, Member, Name, flat
+from .leaves import network as network_of
 from .leaves.catalogue import module_of
 from .members import SURFACE, Members
 from .model import Graph, Node, Port
 from .models import Model, Models
 from .names import record_name, slot_name
-from .networks import Network, Scope
+from .networks import Network
+from .places import Scope
 from .problems import UnsupportedError
 from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
@@ -72,7 +74,7 @@ class Materials:
         scope = Scope(renderable.graph)
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
-            value = self._counted(network, renderable.port, scope)
+            value = members.without_last_name(self._counted(network, renderable.port, scope))
             return SURFACE, members, [Equation("color", _as_color(value, renderable.port.type))]
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
@@ -86,14 +88,14 @@ class Materials:
         if entered is None:
             raise UnsupportedError("no surface is connected", node.path)
         look = shown(members, network, *entered, name)
-        rows = [Equation("color", look.color)]
+        rows = [Equation("color", members.without_last_name(look.color))]
         if look.alpha is not None:
             rows.append(Equation("alpha", look.alpha))
         return SURFACE, members, rows
 
     def _plain(self) -> tuple[Members, Network]:
         members = Members(self._file, self._functions, ())
-        return members, Network(members)
+        return members, network_of(members)
 
     def _counted(self, network: Network, port: Port, scope: Scope) -> Expression:
         with network.counted():
@@ -104,7 +106,7 @@ class Materials:
         """The slots of a model that a node sets."""
         self._file.imported_from(model.file, model.name)
         members = Members(self._file, self._functions, model.taken)
-        network = Network(members)
+        network = network_of(members)
         names = [name for name in node.inputs if name in model.slots]
         with network.counted():
             for name in names:

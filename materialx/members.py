@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from functools import cache
 
 from ..compiler.syntax import ast
+from .constants import constant
 from .definitions import Functions
 from .expressions import Expression, Name, flat, is_literal
 from .leaves.catalogue import catalogue, module_of
-from .leaves.constants import constant
 from .library_files import declarations
 from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
-from .networks import Function, Sampling, Scope
+from .places import Function, Sampling, Scope
 from .texts import Equation, File, equations, one_line
 from .values import TYPES, zero
 
@@ -67,6 +67,12 @@ class Members:
     def take(self, names: Iterable[str]) -> None:
         """Keep names from being given to parts."""
         self._names.take(frozenset(names))
+
+    def without_last_name(self, value: Expression) -> Expression:
+        """A value that is the whole of a material, where it is a part that nothing else reads."""
+        if self.slots and value == Name(self.slots[-1].name):
+            return self.slots.pop().value or value
+        return value
 
     # ---- The ``Texts`` of networks
 

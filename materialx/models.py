@@ -6,14 +6,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from .constants import constant, property_named
 from .definitions import FOLDER, Functions
 from .expressions import Expression, Name, flat
-from .leaves.constants import constant
-from .leaves.geometry import property_named
+from .leaves import network as network_of
 from .members import SURFACE, Members, surface_slots
 from .model import Definition, Port
 from .names import record_name, slot_name
-from .networks import Network, Scope
+from .places import Scope
 from .surfaces import root, shown
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import CLOSURES, TYPES, zero
@@ -74,7 +74,7 @@ class Models:
             if name in slots and slots[name] not in _SHADED
         ]
         assert definition.graph is not None
-        network = Network(members)
+        network = network_of(members)
         scope = Scope(definition.graph, bound={name: Name(slot) for name, slot in slots.items()})
         found = root(network, next(iter(definition.graph.outputs.values())), scope)
         name = file.names.fresh(record_name(definition.category))

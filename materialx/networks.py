@@ -9,14 +9,14 @@ often each value is used, and the second time writes those down as parts that ar
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import NamedTuple, Protocol
 
+from .constants import constant, decoded, property_named
 from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
-from .model import Definition, Graph, Node, Port
+from .model import Node, Port
 from .names import slot_name
+from .places import Function, Sampling, Scope, Texts
 from .problems import UnsupportedError
 from .values import CLOSURES, zero
 
@@ -25,91 +25,17 @@ LONG = 84
 """Expressions longer than this become parts, in characters."""
 
 
-class Function(NamedTuple):
-    """A definition as a function or a term of Burnish.
-
-    ``inputs`` are the inputs of the definition that it takes, in its order, with the names of the
-    arguments for them. ``sees_surface`` is true
-    for a term, which reads slots of the surface and so cannot be called by functions.
-    """
-
-    name: str
-    inputs: Mapping[str, str]
-    sees_surface: bool
-    is_closure: bool
-    defaults: frozenset[str] = frozenset()
-    """The inputs that may be left out."""
-    members: Mapping[str, str] = MappingProxyType({})
-    """The members of its structure by the names of the outputs; none if there is only one output.
-    """
-
-
-class Texts(Protocol):
-    """What networks ask of the place that their expressions are written to."""
-
-    def surface(self, slot: str) -> Expression:
-        """A slot of the surface. Raises ``NeedsSurfaceError`` in a function."""
-
-    def parameter(self, scope: Scope, port: Port) -> Expression:
-        """The value of an input of a graph that a person may set."""
-
-    def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
-        """The texture of the file that a node reads, or nothing if the input names none."""
-
-    def text(self, name: str) -> str:
-        """The text that an argument of a function has. Raises ``NeedsTextsError``."""
-
-    def function(self, definition: Definition) -> Function | None:
-        """The function that a definition becomes, or nothing if it has to be written out."""
-
-    def attribute(self, name: str, kind: str, doc: str) -> str:
-        """An input of the vertices; gives its name."""
-
-    def library(self, name: str) -> str:
-        """A name of ``std.mtlx``, which is imported."""
-
-    def part(self, name: str, value: Expression, node: Node) -> Expression:
-        """Write a part down; gives the name by which it is used."""
-
-
-@dataclass(frozen=True, eq=False)
-class Scope:
-    """A graph at one place of use.
-
-    ``bound`` has its inputs as expressions where it is the body of a function or a model. ``node``
-    is the node that it stands for in ``outer``, or nothing for a graph that only groups nodes.
-    """
-
-    graph: Graph
-    outer: Scope | None = None
-    node: Node | None = None
-    bound: Mapping[str, Expression] | None = None
-
-
-class Sampling(NamedTuple):
-    """How a texture is read. ``is_encoded`` is true for colours in sRGB, which are decoded before
-    filtering."""
-
-    u: str
-    v: str
-    filter: str
-    is_encoded: bool
-
-
-class NeedsSurfaceError(Exception):
-    """A function would have to read the surface."""
-
-
-class NeedsTextsError(Exception):
-    """A function would have to know texts, such as the name of a geometric property."""
-
-
 class Network:
     """Expressions for the nodes of a graph and of the graphs inside it."""
 
     def __init__(
-        self, texts: Texts, asked: Expression | None = None, outer: Network | None = None
+        self,
+        row_of: Callable[[Node], Row | None],
+        texts: Texts,
+        asked: Expression | None = None,
+        outer: Network | None = None,
     ) -> None:
+        self._row_of = row_of
         self.texts, self.asked, self.outer = texts, asked, outer
         self._uses: Counter[tuple[Scope, str, str]] = Counter()
         self._values: dict[tuple[Scope, str, str], Expression] = {}
@@ -135,8 +61,6 @@ class Network:
         return self._constant(port if port.value is not None else wanted, port.type)
 
     def _constant(self, port: Port, kind: str) -> Expression:
-        from .leaves.constants import constant
-
         if kind in ("BSDF", "VDF"):
             return Name(self.texts.library("clear_bsdf"))
         if port.value is None:
@@ -144,8 +68,6 @@ class Network:
         return constant(self.texts, port, kind)
 
     def geometry(self, name: str) -> Expression:
-        from .leaves.geometry import property_named
-
         return property_named(self.texts, name)
 
     def _interface(self, name: str, scope: Scope, wanted: Port) -> Expression:
@@ -250,17 +172,13 @@ class Network:
         return value
 
     def _computed(self, node: Node, output: str, scope: Scope) -> Expression:
-        from .leaves import row_of
-
         if node.definition is None:
             raise UnsupportedError(f"MaterialX knows no {node.category} of these types", node.path)
         default = self._default_without_file(node, scope)
         if default is not None:
             return default
-        row = row_of(node)
+        row = self._row_of(node)
         if row is not None:
-            from .leaves.application import Application
-
             return self._decoded(row(Application(self, node, output, scope)), node, scope)
         if node.definition.graph is None:
             raise UnsupportedError(
@@ -381,8 +299,6 @@ class Network:
 
     def _decoded(self, value: Expression, node: Node, scope: Scope) -> Expression:
         """The value of a node that reads a file of colours which nobody has decoded yet."""
-        from .leaves.constants import decoded
-
         assert node.definition is not None
         if not _gives_color(node):
             return value
@@ -419,6 +335,57 @@ class Network:
                 return self.static(scope.node, port.interface, scope.outer)
             port = scope.graph.inputs.get(port.interface, port)
         return port.value or ""
+
+
+@dataclass(frozen=True)
+class Application:
+    """One output of one node, with what is asked for to write it."""
+
+    network: Network
+    node: Node
+    output: str
+    scope: Scope
+
+    @property
+    def texts(self) -> Texts:
+        return self.network.texts
+
+    @property
+    def type(self) -> str:
+        """The type of the output."""
+        return self.node.output_type(self.output)
+
+    def input(self, name: str) -> Expression:
+        """The value of an input, or its default."""
+        return self.network.input(self.node, name, self.scope)
+
+    def inputs(self, *names: str) -> tuple[Expression, ...]:
+        return tuple(map(self.input, names))
+
+    def input_type(self, name: str) -> str:
+        """The type of an input, as the definition has it."""
+        assert self.node.definition is not None
+        return self.node.definition.inputs[name].type
+
+    def has(self, name: str) -> bool:
+        """True if the node sets an input: by a value, a node or an input of its graph."""
+        return name in self.node.inputs
+
+    def static(self, name: str) -> str:
+        """The text of an input that no shader computes."""
+        return self.network.static(self.node, name, self.scope)
+
+    def texture(self, name: str) -> Expression | None:
+        """The texture of an input of the type ``filename``; nothing if no file is named."""
+        return self.network.texture(self.node, name, self.scope)
+
+    def library(self, name: str) -> str:
+        """A name of ``std.mtlx``, which is imported."""
+        return self.texts.library(name)
+
+
+Row = Callable[[Application], Expression]
+"""How nodes of a category are written."""
 
 
 class Counting:

@@ -9,10 +9,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from .expressions import Binary, Call, Expression, Member, Name, Number, binary, laid_out
+from .leaves import network as network_of
 from .members import Members
 from .model import Node, Port
 from .names import slot_name
-from .networks import Network, Scope
+from .networks import Network
+from .places import Scope
 from .problems import UnsupportedError
 from .texts import Equation, equations
 
@@ -118,8 +120,8 @@ def _lit(
 ) -> list[Expression]:
     """The terms of closures, and their sum over all questions."""
     file = members.file
-    term = file.names.fresh(name)
-    closures = Network(_Parts(members), _ASKED, network)
+    term = file.names.fresh(f"{name}_bsdf")
+    closures = network_of(_Parts(members), _ASKED, network)
     with closures.counted():
         closures.input(node, "bsdf", scope)
     value = closures.input(node, "bsdf", scope)

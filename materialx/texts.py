@@ -3,6 +3,7 @@ declarations, and what expressions ask of them."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -49,13 +50,15 @@ class File:
         return self._structures[key]
 
     def text(self) -> str:
-        """The whole file."""
+        """The whole file, with the imports that it uses."""
+        used = set(re.findall(r"\w+", "\n".join(self.declarations)))
+        imports = {module: names & used for module, names in self.imports.items() if names & used}
         parts = ["burnish 1"]
         if self.heading:
             parts.append(self.heading)
-        if self.imports:
+        if imports:
             parts.append(
-                "\n".join(_import(module, names) for module, names in sorted(self.imports.items()))
+                "\n".join(_import(module, names) for module, names in sorted(imports.items()))
             )
         return "\n\n".join(parts + self.declarations) + "\n"
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from ..expressions import Expression
 from ..model import Node
+from ..networks import Network, Row
+from ..places import Texts
 from . import arithmetic, catalogue, channels, closures, geometry, procedural, textures
-from .application import Row
 
 ROWS = MappingProxyType(
     arithmetic.ROWS
@@ -16,6 +18,11 @@ ROWS = MappingProxyType(
     | procedural.ROWS
     | closures.ROWS
 )
+
+
+def network(texts: Texts, asked: Expression | None = None, outer: Network | None = None) -> Network:
+    """A network of nodes whose leaves are those of these rows."""
+    return Network(row_of, texts, asked, outer)
 
 
 def row_of(node: Node) -> Row | None:

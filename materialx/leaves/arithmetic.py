@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ..expressions import Binary, Call, Choice, Expression, Name, Number, Unary, binary, flat, splat
+from ..networks import Application, Row
 from ..values import LANES, as_float
-from .application import Application, Row, builtin
+from .application import builtin
 
 _NEUTRAL = {"+": 0.0, "-": 0.0, "*": 1.0, "/": 1.0}
 """What leaves the other operand as it is; on the left only where operands may be exchanged."""

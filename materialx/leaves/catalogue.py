@@ -15,8 +15,9 @@ from ...compiler.syntax import ast
 from ..expressions import Expression, Given, Name, call_with
 from ..library_files import declarations
 from ..names import slot_name
+from ..networks import Application
 from ..problems import UnsupportedError
-from .application import SUFFIXES, Application
+from .application import SUFFIXES
 
 PACKAGE = "mtlx"
 _SPELLED = MappingProxyType({"in": ("value", "x", "color", "height"), "mix": ("amount",)})

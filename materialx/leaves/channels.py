@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..expressions import Call, Expression, Member, Name, Number, flat, is_literal
+from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
-from .application import Application, Row
 
 _LANE_NAMES = "xyzw"
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..expressions import Call, Expression, Name
+from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import CLOSURES
-from .application import Application, Row
 from .arithmetic import ROWS as ARITHMETIC
 
 

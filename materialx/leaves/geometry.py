@@ -2,37 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from ..constants import PROPERTIES
 from ..expressions import Binary, Call, Expression, Member, Name, Number
 from ..names import slot_name
+from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
-from .application import Application, Row
-
-if TYPE_CHECKING:
-    from ..networks import Texts
-
-_PROPERTIES = {
-    "Pobject": "position_object",
-    "Nobject": "normal_object",
-    "Tobject": "tangent_object",
-    "Bobject": "bitangent_object",
-    "Pworld": "position_world",
-    "Nworld": "normal_world",
-    "Tworld": "tangent_world",
-    "Bworld": "bitangent_world",
-    "Vworld": "view_world",
-    "UV0": "st",
-}
-"""The geometric properties of MaterialX, and the slots of ``std.mtlx.surface`` that have them."""
-
-
-def property_named(texts: Texts, name: str) -> Expression:
-    """The value of an unconnected input with a geometric default."""
-    if name not in _PROPERTIES:
-        raise UnsupportedError(f"there is no geometric property '{name}'")
-    return texts.surface(_PROPERTIES[name])
 
 
 def _in_space(letter: str) -> Row:
@@ -88,8 +63,8 @@ def _property(node: Application) -> Expression:
     name = node.static("geomprop")
     if not name:
         raise UnsupportedError("a geometric property has to have a name")
-    if name in _PROPERTIES and BARE[node.type] in ("vec2", "vec3"):
-        return node.texts.surface(_PROPERTIES[name])
+    if name in PROPERTIES and BARE[node.type] in ("vec2", "vec3"):
+        return node.texts.surface(PROPERTIES[name])
     if node.type not in LANES and node.type not in ("integer", "boolean"):
         raise UnsupportedError(f"a property of the type {node.type} cannot be read from a mesh")
     kind = {"boolean": "int"}.get(TYPES[node.type], TYPES[node.type])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ..expressions import Binary, Call, Expression, Member, Number, binary
-from .application import SUFFIXES, Application, Row
+from ..networks import Application, Row
+from .application import SUFFIXES
 
 
 def _noise(name: str, place: str, *others: str) -> Row:

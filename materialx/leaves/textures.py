@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..expressions import Call, Expression, Member, Name
-from .application import Application, Row
+from ..networks import Application, Row
 from .catalogue import application
 
 

@@ -59,6 +59,12 @@ COMPOSITING: Nodes = {
     **{f"{name} of {n}": _over(name, n) for name in ("burn", "dodge") for n in COLORS},
     "burn": Node("mx_burn_float(r.x, r.y, q.z, one)", "burn(r.x, r.y, q.z)", near=1e-4),
     "dodge": Node("mx_dodge_float(r.x, r.y, q.z, one)", "dodge(r.x, r.y, q.z)", near=1e-4),
+    **{
+        f"burn by {number}": Node(
+            f"mx_burn_float({number}, r.y, 1.0, one)", f"burn({number}, r.y, 1)"
+        )
+        for number in ("1.1e-8", "0.9e-8")
+    },
     "disjointover": Node("mx_disjointover_color4(q, r, q.x, four)", "disjointover(q, r, q.x)", 4),
     "disjointover nothing": Node(
         "mx_disjointover_color4(p, vec4(r.xyz, 0), q.x, four)",
@@ -195,7 +201,7 @@ SURFACES: Nodes = {
     "chiang_hair_roughness: trt": _hair_roughness("four.xy, four.zw, two", "roughness_trt"),
 }  # fmt: skip
 
-PLACED = "0.2 * s.xy, 1 + q.xy"
+PLACED = "0.06 * s.xy, 1 + q.xy"
 VARIED = "q.x, 45 * r.xy, q.z, 0.5 + q.zw, q.w, r.zw"
 
 
@@ -204,7 +210,7 @@ def _hextiled(lanes: int, falloff: str) -> Node:
     return Node(
         f"mx_hextiledimage_color{lanes}(p_given, {RESULTS[lanes]}, {rest}, {RESULTS[lanes]})",
         f"hextiledimage(picture, {rest})" + (".xyz" if lanes == 3 else ""),
-        lanes, near=0.02, rare=0.02, files=(LIBRARY + "mx_hextiledimage.glsl",),
+        lanes, near=0.007, files=(LIBRARY + "mx_hextiledimage.glsl",),
     )  # fmt: skip
 
 
@@ -213,7 +219,7 @@ def _hextiled_normal(falloff: str, flip: str) -> Node:
     return Node(
         f"mx_hextilednormalmap_vector3(p_given, three, {rest}, three)",
         f"hextilednormalmap(picture, {rest})",
-        3, near=0.02, rare=0.02, files=(LIBRARY + "mx_hextilednormalmap.glsl",),
+        3, near=0.015, rare=0.02, files=(LIBRARY + "mx_hextilednormalmap.glsl",),
     )  # fmt: skip
 
 

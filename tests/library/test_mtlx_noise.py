@@ -53,10 +53,10 @@ def worley(dimension: int, lanes: int) -> Node:
     return called("worleynoise", dimension, lanes, f"{{place}}{rest}", rest, 1e-6)
 
 
-def flake(dimension: int, glsl: str, member: str, lanes: int = 1) -> Node:
+def flake(dimension: int, glsl: str, member: str, lanes: int = 1, coverage: str = "q.z") -> Node:
     """An output of the flakes, among vectors that are not at right angles to each other."""
     place = PLACES[dimension]
-    rest = "0.1 + q.w, q.y, q.z", "r.xyz, p.yzw, q.xyz"
+    rest = f"0.1 + q.w, q.y, {coverage}", "r.xyz, p.yzw, q.xyz"
     ours = f"flake{dimension}d({place}, {', '.join(rest)}).{member}"
     return Node(
         f"mx_flake{dimension}d({rest[0]}, {place}, {rest[1]}, {glsl})",
@@ -85,7 +85,11 @@ FLAKES: Nodes = {
         ("flakenormal", "whole, single, single, three", 3),
     )
 }
-NODES: Nodes = {**GRADIENTS, **OCTAVES, **CELLS, **WORLEYS, **FLAKES}
+FLAKES_EVERYWHERE: Nodes = {
+    f"flake{d}d: all covered": flake(d, "whole, single, one, three", "presence", coverage="1.0")
+    for d in DIMENSIONS
+}
+NODES: Nodes = {**GRADIENTS, **OCTAVES, **CELLS, **WORLEYS, **FLAKES, **FLAKES_EVERYWHERE}
 
 HASHES = [f"std.mtlx.hashes.{name}" for name in ("hash", "last_word", "first_word", "turned_left")]
 MIXING = [f"std.mtlx.hashes.{name}" for name in ("HashWords", "mixed")]
@@ -139,6 +143,6 @@ def test_worley(name: str) -> None:
 
 @truth(*of("flake2d flake3d Flake Uppermost upper uppermost turned_flake flake_share half_flake"))
 @truth(*of("facet_of numbers_of"), *MIXING)
-@pytest.mark.parametrize("name", FLAKES)
+@pytest.mark.parametrize("name", [*FLAKES, *FLAKES_EVERYWHERE])
 def test_flakes(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)

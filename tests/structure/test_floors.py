@@ -132,15 +132,16 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
+    "materialx": "stdlib diagnostics syntax library_trees library",
     "materialx.fidelity": (
-        "installing diagnostics ir documents reflection closing runner conformance toolchain "
-        "entry_points"
+        "installing diagnostics ir documents reference reflection closing runner conformance "
+        "toolchain entry_points materialx"
     ),
     "commands": (
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points"
+        "entry_points materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

@@ -1,17 +1,14 @@
-"""Constants, with their colour spaces and units."""
+"""Values that are no nodes: constants with their colour spaces
+and units, and what the surface has."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ..expressions import Call, Expression
-from ..model import Port
-from ..problems import UnsupportedError
-from ..units import converted
-from ..values import literal
-
-if TYPE_CHECKING:
-    from ..networks import Texts
+from .expressions import Call, Expression
+from .model import Port
+from .places import Texts
+from .problems import UnsupportedError
+from .units import converted
+from .values import literal
 
 LINEAR = (
     "",
@@ -61,3 +58,25 @@ def decoded(texts: Texts, value: Expression, space: str) -> Expression:
     if space.lower() not in FROM:
         raise UnsupportedError(f"there is no colour space '{space}'")
     return Call(texts.library(FROM[space.lower()]), (value,))
+
+
+PROPERTIES = {
+    "Pobject": "position_object",
+    "Nobject": "normal_object",
+    "Tobject": "tangent_object",
+    "Bobject": "bitangent_object",
+    "Pworld": "position_world",
+    "Nworld": "normal_world",
+    "Tworld": "tangent_world",
+    "Bworld": "bitangent_world",
+    "Vworld": "view_world",
+    "UV0": "st",
+}
+"""The geometric properties of MaterialX, and the slots of ``std.mtlx.surface`` that have them."""
+
+
+def property_named(texts: Texts, name: str) -> Expression:
+    """The value of an unconnected input with a geometric default."""
+    if name not in PROPERTIES:
+        raise UnsupportedError(f"there is no geometric property '{name}'")
+    return texts.surface(PROPERTIES[name])
