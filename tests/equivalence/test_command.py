@@ -84,6 +84,21 @@ def test_what_cannot_be_compared_ends_with_two(words: tuple[str, ...], said: str
     assert result.exit_code == 2
 
 
+def test_a_parameter_is_one_in_both_whatever_its_default_and_range() -> None:
+    Path("f.burnish").write_text(PLAIN.replace("0..1 = 0.5", "0..2 = 0.75"))
+    result = invoke("same", "a.burnish", "f.burnish")
+    assert "note: `weight` is in 0..1 in A and in 0..2 in B: both ranges count" in result.output
+    assert result.exit_code == 0
+    Path("f.burnish").write_text(
+        PLAIN.replace("float in 0..1 = 0.5", "int in 0..1 = 1").replace(
+            "base * weight", "base * float(weight)"
+        )
+    )
+    result = invoke("same", "a.burnish", "f.burnish")
+    assert "`weight` is float in A and int in B" in result.output
+    assert result.exit_code == 2
+
+
 def test_kernels_are_compared_but_not_work_groups() -> None:
     kernels = """kernel Doubled { result twice : float[64] = 2 * float(index) }\n"""
     Path("k.burnish").write_text(kernels)
