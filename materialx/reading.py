@@ -90,31 +90,20 @@ def _sentence(text: str) -> str:
 
 
 def _renderables(top: Graph) -> Iterator[Renderable]:
-    """Materials, or else surfaces, or else outputs of graphs: as MaterialX's own viewers choose
-    them."""
+    """What MaterialX's own viewers draw: materials; without any, surfaces and outputs of graphs."""
     materials = [node for node in top.nodes.values() if node.type == "material"]
-    surfaces = [node for node in top.nodes.values() if node.type == "surfaceshader"]
     used = {
         port.link.node for node in top.nodes.values() for port in node.inputs.values() if port.link
     }
-    for node in materials:
-        yield Renderable(
-            node.path,
-            node.name,
-            Port("out", "material", link=Link(node.name)),
-            top,
-            node.hints.get("doc", ""),
-        )
-    for node in surfaces:
-        if node.name not in used:
-            yield Renderable(
-                node.path,
-                node.name,
-                Port("out", "surfaceshader", link=Link(node.name)),
-                top,
-                node.hints.get("doc", ""),
-            )
-    yield from _outputs(top)
+    surfaces = [
+        node for node in top.nodes.values()
+        if node.type == "surfaceshader" and node.name not in used
+    ]  # fmt: skip
+    for node in materials or surfaces:
+        port = Port("out", node.type, link=Link(node.name))
+        yield Renderable(node.path, node.name, port, top, node.hints.get("doc", ""))
+    if not materials:
+        yield from _outputs(top)
 
 
 def _outputs(top: Graph) -> Iterator[Renderable]:

@@ -31,7 +31,7 @@ _WORDS = MappingProxyType({
 
 
 _OF_SURFACE = MappingProxyType({
-    "to_eye": "view_world",
+    "to_eye": "to_eye",
     "position": "position_world",
     "normal": "normal_world",
 })  # fmt: skip

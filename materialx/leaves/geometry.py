@@ -42,12 +42,12 @@ def _view_direction(node: Application) -> Expression:
 
 def _coordinates(node: Application) -> Expression:
     index = _index(node)
-    name = (
-        "st"
-        if index == 0
-        else node.texts.attribute(f"st{index + 1}", "vec2", "Texture coordinates, v upwards")
-    )
-    found = node.texts.surface(name) if index == 0 else Name(name)
+    if index == 0:
+        found = node.texts.surface("st")
+    else:
+        # Meshes have v downwards, as the first coordinates do.
+        name = node.texts.attribute(f"vertex_uv{index + 1}", "vec2", "Further texture coordinates")
+        found = Call(node.library("upright"), (Name(name),))
     return Call("vec3", (found, Number(0.0))) if LANES[node.type] == 3 else found
 
 
