@@ -41,8 +41,34 @@ class Callee(NamedTuple):
                 continue
             found[name] = _word(name, value) if name in WORDS else value
             if isinstance(value, Picture):
-                found |= value.settings
+                found |= self._sampled(name, value)
         return found
+
+
+    def _sampled(self, name: str, picture: Picture) -> Mapping[str, str]:
+        """The inputs that say how a texture is sampled, unless the node has it so by itself."""
+        inputs = set(self.named.values())
+        if picture.settings.keys() <= inputs:
+            return picture.settings
+        if picture.settings != _inside(self.category, name):
+            raise UnsayableError(
+                f"`{self.category}` says by itself how `{picture.name}` is continued and filtered",
+                "leave out `wrap` and `filter`",
+            )
+        return {}
+
+
+def _inside(category: str, name: str) -> Mapping[str, str]:
+    """How the graph of a node samples a file that it is given."""
+    for definition in known(category):
+        for node in definition.graph.nodes.values() if definition.graph is not None else ():
+            if any(port.interface == name for port in node.inputs.values()):
+                usual = {"uaddressmode": "periodic", "vaddressmode": "periodic", "filtertype": "linear"}
+                return {
+                    word: value for word, default in usual.items()
+                    if word in node.inputs and (value := node.inputs[word].value or default) != default
+                }  # fmt: skip
+    return {}
 
 
 def _word(name: str, value: Value) -> Input:

@@ -10,6 +10,7 @@ from ...compiler.ir.leaves import Texture
 from ...compiler.ir.shader import Shader
 from ...compiler.semantics.inheritance.records import Definition as Declared
 from ...compiler.semantics.shading.assembly import Setting
+from ...compiler.semantics.state.scope import OUTERMOST
 from ...compiler.syntax import ast
 from .images import picture_of
 from .meanings import Meanings, Surface
@@ -179,7 +180,7 @@ class _Material:
         """The slots that the surface gets, with the inputs that they are, and their values."""
         own = dict(self._own_slots(root))
         assert root.definition is not None
-        for slot, definitions in self._record.definitions.items():
+        for slot, definitions in sorted(self._record.definitions.items(), key=_place):
             member = definitions[0].member
             if slot not in own and not (root.is_standard and slot in root.slots):
                 continue
@@ -204,16 +205,26 @@ class _Material:
 
     def _shown(self, meanings: Meanings, nodes: Nodes) -> None:
         """The colour that a material shows, as the output of a graph."""
+        slot = "color"
         try:
-            color = meanings.slot("color")
-            kind = type_of(color)
-            link(nodes, nodes.element.addOutput("out", kind), color, kind)
+            shown = meanings.slot(slot)
+            if self._record.at("alpha", OUTERMOST).level == 0:
+                slot = "alpha"
+                shown = _with_alpha(nodes, shown, meanings.slot(slot))
+            kind = type_of(shown)
+            link(nodes, nodes.element.addOutput("out", kind), shown, kind)
         except UnsayableError as error:
-            self._tell(error, "color")
+            self._tell(error, slot)
 
     def _tell(self, error: UnsayableError, slot: str = "") -> None:
         error.slot = error.slot or slot
         self._told.append(error)
+
+
+def _place(row: tuple[str, tuple[Declared, ...]]) -> tuple[int, int]:
+    """Bases first, and otherwise the order of the text."""
+    first = row[1][0]
+    return -first.level, first.member.span.start
 
 
 def _differs(root: Root, name: str, value: Value) -> bool:
@@ -229,6 +240,14 @@ def _differs(root: Root, name: str, value: Value) -> bool:
     if value.type == "boolean":
         return value.text != port.value
     return list(value.numbers) != numbers_of(port.value)
+
+
+def _with_alpha(nodes: Nodes, color: Value, alpha: Value) -> Value:
+    """A colour with its coverage; both may be lanes of one value."""
+    whole = nodes.whole(color, alpha)
+    if whole is not None:
+        return whole
+    return nodes.node("combine2", {"in1": color, "in2": alpha}, "color4", must=True)
 
 
 def type_of(value: Value) -> str:

@@ -194,11 +194,14 @@ class Expressions:
             return self.nodes.node(way.category, given, "integer", must=True)
         if any(kind.startswith("matrix") for kind in kinds):
             return self._of_matrices(operator, left, right)
-        if operator in "+*" and lanes_of(left.type) < lanes_of(right.type) and (
-            isinstance(left, Linked)
+        if operator in "+*" and 1 == lanes_of(getattr(left, "type", "")) < lanes_of(
+            getattr(right, "type", "")
         ):
             # Nodes take one number for all lanes on the right only.
             given = {"in1": right, "in2": left}
+        if operator == "-" and isinstance(left, Constant) and len(left.numbers) == 1:
+            # The node for this takes one number for all lanes.
+            return self.nodes.node("invert", {"in": right, "amount": left}, wanted)
         return self.nodes.node(way.category, given, wanted)
 
     def _of_matrices(self, operator: str, left: Value, right: Value) -> Value:

@@ -75,10 +75,23 @@ def built(nodes: Nodes, name: str, values: Sequence[Value], wanted: str) -> Valu
         return _of_one(nodes, kind, values[0])
     given = {f"in{place + 1}": value for place, value in enumerate(values)}
     shapes = [lanes_of(getattr(value, "type", "")) for value in values]
+    if _is_filled(kind, values):
+        return nodes.node("convert", {"in": values[0]}, kind, must=True)
     if shapes in ([3, 1], [2, 2]) and not all(isinstance(value, Constant) for value in values):
         target = kind if shapes == [3, 1] else "vector4"
         return nodes.node("combine2", given, target, must=True)
     return combined(nodes, [lane for value in values for lane in lanes(nodes, value)], kind)
+
+
+def _is_filled(kind: str, values: Sequence[Value]) -> bool:
+    """True for a vector with one lane more, which a conversion fills: with 0, and alpha with 1."""
+    if len(values) != 2:
+        return False
+    vector_value, last = values
+    if not isinstance(vector_value, Linked) or lanes_of(vector_value.type) != lanes_of(kind) - 1:
+        return False
+    filling = 1.0 if kind == "color4" else 0.0
+    return isinstance(last, Constant) and last.numbers == (filling,) and len(last.numbers) == 1
 
 
 def _of_one(nodes: Nodes, kind: str, value: Value) -> Value:
@@ -139,6 +152,11 @@ def matrix_column(nodes: Nodes, value: Value, place: int) -> Value:
 
 def upright(nodes: Nodes, value: Value) -> Value:
     """Coordinates with v downwards as those with v upwards, and back."""
-    x, y = (nodes.node("extract", {"in": value, "index": Constant("integer", (i,))}) for i in (0, 1))
-    turned = nodes.node("subtract", {"in1": vector((1,), "float"), "in2": y})
-    return nodes.node("combine2", {"in1": x, "in2": turned}, "vector2", must=True)
+    if isinstance(value, Linked) and value.node in nodes.upright:
+        return nodes.upright[value.node]
+    x, y = lanes(nodes, value)
+    down = nodes.node("subtract", {"in1": vector((1,), "float"), "in2": y})
+    found = nodes.node("combine2", {"in1": x, "in2": down}, "vector2", must=True)
+    if isinstance(found, Linked):
+        nodes.upright[found.node] = value
+    return found

@@ -25,8 +25,10 @@ class Nodes:
     def __init__(self, element: Any) -> None:
         self.element = element
         self._made: dict[tuple[object, ...], Linked] = {}
-        self._images: dict[str, Mapping[str, Input]] = {}
+        self._inputs: dict[str, tuple[str, Mapping[str, Input]]] = {}
         self._last = ""
+        self.upright: dict[str, Value] = {}
+        """Coordinates as they were before a node turned v upside down, by the nodes."""
 
     def interface(self, name: str, value: Constant, about: Mapping[str, str]) -> Linked:
         """An input of the graph, with its value and what people read of it."""
@@ -85,8 +87,7 @@ class Nodes:
                 types = {} if definition is None else definition.inputs
                 write(made, input_name, value, types[input_name].type if types else "")
             self._made[key] = Linked(kind, made.getName())
-            if category == "image":
-                self._images[made.getName()] = kept
+            self._inputs[made.getName()] = category, kept
             self._last = made.getName()
         return self._made[key]
 
@@ -102,6 +103,9 @@ class Nodes:
             key: replace(each, node=fresh) if each.node == self._last else each
             for key, each in self._made.items()
         }
+        self._inputs[fresh] = self._inputs.pop(self._last)
+        if self._last in self.upright:
+            self.upright[fresh] = self.upright.pop(self._last)
         self._last = ""
         if isinstance(value, Several):
             return Several({
@@ -113,11 +117,23 @@ class Nodes:
 
     def decoded(self, value: Linked, space: str) -> Value:
         """A colour of some colour space: an image tells of its file, all else has a node."""
-        inputs = self._images.get(value.node)
-        file = None if inputs is None else inputs["file"]
-        if inputs is not None and isinstance(file, Picture) and not file.space:
+        category, inputs = self._inputs.get(value.node, ("", {}))
+        file = inputs.get("file")
+        if category == "image" and isinstance(file, Picture) and not file.space:
             return self.node("image", {**inputs, "file": replace(file, space=space)}, value.type)
         return self.node(f"{space}_to_lin_rec709", {"in": value}, value.type)
+
+    def whole(self, color: Value, alpha: Value) -> Value | None:
+        """The value with four lanes whose first three are a colour, and whose last one is its
+        alpha; nothing if they come from different ones."""
+        if not isinstance(color, Linked) or not isinstance(alpha, Linked):
+            return None
+        category, first = self._inputs.get(color.node, ("", {}))
+        other, last = self._inputs.get(alpha.node, ("", {}))
+        is_split = (category, other) == ("convert", "extract") and first["in"] == last["in"]
+        is_last = last.get("index") == Constant("integer", (3.0,))
+        found = first["in"] if is_split and is_last else None
+        return None if isinstance(found, str) else found
 
     def prune(self) -> None:
         """Remove the nodes that no output reads."""
@@ -185,6 +201,8 @@ def _key(value: Input) -> object:
 def _is_default(definition: Definition, name: str, value: Input) -> bool:
     """True if an input has this value anyway."""
     port = definition.inputs[name]
+    if not _is_decided(definition, name):
+        return False
     if isinstance(value, str):
         return port.value == value and port.type != "filename"
     if not isinstance(value, Constant) or port.value is None or port.geometry or value.space:
@@ -193,6 +211,16 @@ def _is_default(definition: Definition, name: str, value: Input) -> bool:
         return port.value == value.text
     numbers = numbers_of(port.value)
     return tuple(numbers * (len(value.numbers) // len(numbers))) == value.numbers
+
+
+def _is_decided(definition: Definition, name: str) -> bool:
+    """True if the type of an input chooses between no definitions with the same result."""
+    first = next(iter(definition.outputs.values()))
+    others = [
+        other.inputs[name].type for other in known(definition.category)
+        if name in other.inputs and next(iter(other.outputs.values())).type == first.type
+    ]  # fmt: skip
+    return len(set(others)) == 1
 
 
 def _chosen(

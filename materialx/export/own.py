@@ -136,7 +136,7 @@ class OwnDefinitions:
             own_kind = kinds[argument.name.text]
             value = retyped(default, own_kind) if isinstance(default, Constant) else None
             if value is None:
-                definition.addInput(argument.name.text, own_kind).setValueString(_zero(own_kind))
+                definition.addInput(argument.name.text, own_kind)
             else:
                 write(definition, argument.name.text, value)
         for output, own_kind in outputs.items():
@@ -195,9 +195,3 @@ def _category(name: str) -> str:
     """The category of an own definition, which is none of the library's."""
     return f"own_{name}" if name in categories() else name
 
-
-def _zero(kind: str) -> str:
-    if kind == "boolean":
-        return "false"
-    sizes = {"matrix33": 9, "matrix44": 16}
-    return ", ".join(["0"] * (sizes.get(kind) or max(lanes_of(kind), 1)))

@@ -34,7 +34,7 @@ class Constant:
         """The value as documents have it."""
         if self.type == "boolean":
             return "true" if self.numbers[0] else "false"
-        return ", ".join(map(number_text, self.numbers))
+        return ", ".join(number_text(float(f"{number:.9g}")) for number in self.numbers)
 
 
 @dataclass(frozen=True)
