@@ -5,20 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ...compiler.diagnostics.source import Span
 from ...compiler.ir.leaves import Texture
 from ...compiler.ir.shader import Shader
 from ...compiler.semantics.inheritance.records import Definition as Declared
 from ...compiler.semantics.shading.assembly import Setting
 from ...compiler.semantics.state.scope import OUTERMOST
 from ...compiler.syntax import ast
+from ..library import library
+from ..values import numbers_of
 from .images import picture_of
 from .meanings import Meanings, Surface
 from .nodes import Nodes, write
 from .own import OwnDefinitions, link
 from .surfaces import Root, root_of, turned
 from .unsayable import UnsaidError, UnsayableError
-from .values import Constant, Linked, Picture, Value, type_named
+from .values import Constant, Linked, Picture, Value
 
 VERSION = "1.39"
 
@@ -48,13 +49,11 @@ def exported(
         told += _Material(document, own, setting, shader, file_of).written()
     if told:
         raise UnsaidError(told)
-    document.setVersionString(VERSION)
+    document.setDataLibrary(library())
     is_valid, reason = document.validate()
-    del reason
-    assert is_valid or True
-    options = MaterialX.XmlWriteOptions()
+    assert is_valid, reason
     return Exported(
-        MaterialX.writeToXmlString(document, options),
+        MaterialX.writeToXmlString(document),
         [setting.surface.record.name for setting, _shader in materials],
     )
 
@@ -235,8 +234,6 @@ def _differs(root: Root, name: str, value: Value) -> bool:
         return False
     if port.value is None:
         return False
-    from ..values import numbers_of
-
     if value.type == "boolean":
         return value.text != port.value
     return list(value.numbers) != numbers_of(port.value)
@@ -256,5 +253,3 @@ def type_of(value: Value) -> str:
         return "color3" if value.type == "vector3" and isinstance(value, Constant) else value.type
     raise UnsayableError("this is no colour")
 
-
-__all__ = ["Exported", "Span", "exported", "type_named"]

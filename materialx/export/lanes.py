@@ -26,7 +26,8 @@ def lanes(nodes: Nodes, value: Value) -> list[Value]:
 def _lane(nodes: Nodes, value: Value, place: int) -> Value:
     if isinstance(value, Constant):
         return Constant("float", (value.numbers[place],))
-    return nodes.node("extract", {"in": value, "index": Constant("integer", (float(place),))})
+    assert isinstance(value, Linked)
+    return nodes.lane(value, place)
 
 
 def picked(nodes: Nodes, value: Value, names: str) -> Value:
@@ -66,7 +67,7 @@ def built(nodes: Nodes, name: str, values: Sequence[Value], wanted: str) -> Valu
     kind = {own: other for other, own in reversed({**BARE, **TYPES}.items())}.get(name, "")
     kind = {"vec2": "vector2", "vec3": "vector3", "vec4": "vector4"}.get(name, kind)
     if not kind:
-        raise UnsayableError(f"MaterialX has no type `{name}`")
+        raise UnsayableError(f"MaterialX has no type `{name}`", "use numbers, vectors or colours")
     if SAME_LANES.get(kind) == wanted:
         kind = wanted
     if kind.startswith("matrix"):

@@ -35,6 +35,13 @@ from .values import (
 
 _SPACES = {function: space for space, function in reversed(FROM.items())}
 _COLORS = "std.mtlx.color"
+_OWN_NOISE = "std.mtlx.noise has the noises that are nodes of MaterialX"
+_INSTEAD = {
+    "std.noise": _OWN_NOISE,
+    "std.cellular": _OWN_NOISE,
+    "std.patterns": "std.mtlx.patterns has patterns that are nodes of MaterialX",
+}
+"""What can be used in place of functions of the library."""
 _SURFACE = "std.mtlx.surface"
 
 
@@ -224,6 +231,21 @@ class Meanings:
 
     def _function(self, symbols: list[Symbol], e: ast.Call, at: At, wanted: str) -> Value:
         symbol, given = self._chosen(symbols, e, at)
+        try:
+            return self._applied(symbol, given, at, wanted)
+        except UnsayableError as error:
+            if symbol.module.is_standard and not at.where.module.is_standard:
+                # People look at their own text, where they can do something about it.
+                own, path = symbol.name, symbol.module.import_path
+                raise UnsayableError(
+                    f"`{own}` of {path} cannot be nodes: {error.text}",
+                    _INSTEAD.get(path, error.advice), e.span,
+                ) from None  # fmt: skip
+            raise
+
+    def _applied(
+        self, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
+    ) -> Value:
         function, path = symbol.declaration, symbol.module.import_path
         assert isinstance(function, ast.Function)
         if function.per is not None:

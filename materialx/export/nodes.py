@@ -15,6 +15,8 @@ from .values import SAME_LANES, Constant, Linked, Picture, Several, Value, lanes
 
 Input = Value | str
 """A value, or a text, of an input."""
+NO_NODE = "compute it by other nodes, or give the document a texture of it"
+"""What can be done where no node fits."""
 _NEVER = 1000
 """The cost of what cannot be converted."""
 
@@ -115,6 +117,18 @@ class Nodes:
         assert isinstance(value, Linked)
         return replace(value, node=fresh)
 
+    def lane(self, value: Linked, place: int) -> Value:
+        """A lane of a vector; of one that is put together of single lanes, what was put in."""
+        category, inputs = self._inputs.get(value.node, ("", {}))
+        put_in = inputs.get(f"in{place + 1}")
+        singles = all(
+            isinstance(each, Constant | Linked) and lanes_of(each.type) == 1
+            for each in inputs.values()
+        )
+        if category.startswith("combine") and singles and isinstance(put_in, Constant | Linked):
+            return put_in
+        return self.node("extract", {"in": value, "index": Constant("integer", (float(place),))})
+
     def decoded(self, value: Linked, space: str) -> Value:
         """A colour of some colour space: an image tells of its file, all else has a node."""
         category, inputs = self._inputs.get(value.node, ("", {}))
@@ -160,7 +174,7 @@ class Nodes:
             if _cost(value, kind) < _NEVER:
                 return self.plain("convert", kind, {"in": value})
         have = getattr(value, "type", "structure")
-        raise UnsayableError(f"a {have} cannot become a {kind}")
+        raise UnsayableError(f"a {have} cannot become a {kind} in MaterialX", "convert it")
 
 
 def several(made: Linked, outputs: Mapping[str, str]) -> Several:
@@ -233,7 +247,7 @@ def _chosen(
         types = " and ".join(
             dict.fromkeys(value.type for value in given.values() if isinstance(value, Constant | Linked))
         )
-        raise UnsayableError(f"MaterialX has no node `{category}` of {types or 'this kind'}")
+        raise UnsayableError(f"MaterialX has no node `{category}` of {types or 'this kind'}", NO_NODE)
     return next(each for cost, each in costs if cost == best)
 
 
