@@ -25,10 +25,12 @@ _MOST = 1 << 20
 _NAMED = re.compile(r"`([^`]+)`")
 
 
-class Pictures:
+class ExportedFiles:
     """The files of one export, by the paths that lead to them from the document's folder."""
 
-    def __init__(self, file: Path, source: str, given: Iterable[tuple[str, str]], out: Path) -> None:
+    def __init__(
+        self, file: Path, source: str, given: Iterable[tuple[str, str]], out: Path
+    ) -> None:
         self._folder, self._out = file.parent, out
         wished = asked(source, file.name, file.parent.resolve(), 64, render).options
         self._wished = dict(wished.get("values", ()))
@@ -60,10 +62,10 @@ class Pictures:
         return Path(os.path.relpath(path, self._out)).as_posix()
 
 
-def pictures_of(file: Path, given: Iterable[tuple[str, str]], out: Path) -> Pictures:
+def pictures_of(file: Path, given: Iterable[tuple[str, str]], out: Path) -> ExportedFiles:
     """The files for an export to the folder ``out``."""
     try:
         source = file.read_text(encoding="utf-8", errors="replace")[:_MOST]
     except (OSError, ValueError):
         source = ""  # Compiling tells it.
-    return Pictures(file, source, given, out)
+    return ExportedFiles(file, source, given, out)

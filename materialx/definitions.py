@@ -141,8 +141,7 @@ class _Body:
         )
         self._names = Names((), catalogue())
         self._arguments = {
-            name: Name(argument)
-            for name, argument in arguments_of(definition, self._names).items()
+            name: Name(argument) for name, argument in arguments_of(definition, self._names).items()
         }
         bound = _Read(self._arguments)
         self._parts: list[Equation] = []
@@ -171,7 +170,8 @@ class _Body:
         }
         defaults = frozenset(
             name for name in used
-            if _default(definition.inputs[name]) is not None and functions.is_shared(definition, name)
+            if _default(definition.inputs[name]) is not None
+            and functions.is_shared(definition, name)
         )  # fmt: skip
         name = function_name(definition.category or definition.name)
         self.result_function = Function(name, used, is_term, is_closure, defaults, members)

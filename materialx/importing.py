@@ -110,4 +110,3 @@ def _continued(words: Sequence[str]) -> list[str]:
         else:
             lines[-1] += f" {word}"
     return lines
-

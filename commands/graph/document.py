@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from ...compiler.diagnostics.source import Span
 from ...compiler.documents.equation_graph import (
     EquationGraphs,
-    NodeInput,
-    MaterialGraph,
     GraphNode,
+    MaterialGraph,
+    NodeInput,
     SourcePlace,
 )
 from ...compiler.semantics.equations.model import EquationNode, Equations

@@ -11,6 +11,7 @@ from ..definitions import FOLDER, arguments_of
 from ..known import categories, known
 from ..leaves.catalogue import OF_SURFACE, WORDS, catalogue, input_named
 from ..names import Names
+from .closures import ASKED
 from .nodes import Input
 from .table import leaf_category
 from .unsayable import UnsayableError
@@ -24,14 +25,12 @@ class Callee(NamedTuple):
     named: Mapping[str, str]
     """The inputs by the arguments; empty for what nodes read of the surface by themselves."""
 
-    def inputs(
-        self, given: Mapping[str, Value], slot: Callable[[str], Value]
-    ) -> dict[str, Input]:
+    def inputs(self, given: Mapping[str, Value], slot: Callable[[str], Value]) -> dict[str, Input]:
         """The inputs of a node for the arguments of a call. Raises ``UnsayableError``."""
         found: dict[str, Input] = {}
         for argument, value in given.items():
             name = self.named.get(argument, "")
-            if argument == "asked":
+            if value == ASKED:
                 continue
             if not name:
                 if argument not in OF_SURFACE or value != slot(OF_SURFACE[argument]):
@@ -44,6 +43,15 @@ class Callee(NamedTuple):
                 found |= self._sampled(name, value)
         return found
 
+    def gives(self, kind: str) -> bool:
+        """True if there are nodes of the category with results of a type."""
+        outputs = (port.type for each in known(self.category) for port in each.outputs.values())
+        return kind in outputs
+
+    @property
+    def is_closure(self) -> bool:
+        """True if its nodes scatter light."""
+        return self.gives("BSDF")
 
     def _sampled(self, name: str, picture: Picture) -> Mapping[str, str]:
         """The inputs that say how a texture is sampled, unless the node has it so by itself."""
@@ -63,10 +71,15 @@ def _inside(category: str, name: str) -> Mapping[str, str]:
     for definition in known(category):
         for node in definition.graph.nodes.values() if definition.graph is not None else ():
             if any(port.interface == name for port in node.inputs.values()):
-                usual = {"uaddressmode": "periodic", "vaddressmode": "periodic", "filtertype": "linear"}
+                own = {word: port.value for word, port in node.inputs.items()}
+                usual = {
+                    "uaddressmode": "periodic",
+                    "vaddressmode": "periodic",
+                    "filtertype": "linear",
+                }
                 return {
                     word: value for word, default in usual.items()
-                    if word in node.inputs and (value := node.inputs[word].value or default) != default
+                    if (value := own.get(word) or default) != default
                 }  # fmt: skip
     return {}
 

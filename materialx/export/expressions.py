@@ -1,7 +1,8 @@
 """Turns expressions of Burnish into nodes.
 
 ``Expressions`` walks the checked syntax of an equation, and gives the value of the nodes that it
-has written for it. What names mean is asked of ``Names``: a material, or the body of a function.
+has written for it. What names mean is asked of a ``Vocabulary``: that of a
+material, or of the body of a function.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from .lanes import built, lanes, matrix_column, picked
 from .nodes import Nodes
 from .table import ways, written_out
 from .unsayable import UnsayableError
-from .values import Constant, Linked, Picture, Several, Value, lanes_of, type_named, vector
+from .values import Constant, Linked, Several, Value, lanes_of, type_named, vector
 
 DEEPEST = 200
 """How deep expressions and calls may nest."""
@@ -53,7 +54,7 @@ class Later:
     value: Value | None = None
 
 
-class Meanings(Protocol):
+class Vocabulary(Protocol):
     """What expressions ask of their surroundings."""
 
     def slot(self, name: str, level: int) -> Value:
@@ -75,7 +76,7 @@ class Meanings(Protocol):
 class Expressions:
     """The nodes of expressions, in one graph."""
 
-    def __init__(self, nodes: Nodes, meanings: Meanings) -> None:
+    def __init__(self, nodes: Nodes, meanings: Vocabulary) -> None:
         self.nodes, self._meanings = nodes, meanings
         self._forms: Mapping[type, Callable[[Any, At, str], Value]] = {
             ast.Number: self._number, ast.Color: self._color, ast.Boolean: self._boolean,

@@ -19,7 +19,9 @@ def export(
     rig: str | None = None,
     pass_: str | None = None,
     search_path: Sequence[str | Path] = (),
-    file_of: Callable[[str, ast.Texture], str] = lambda _material, texture: f"{texture.name.text}.png",
+    file_of: Callable[[str, ast.Texture], str] = lambda _material, texture: (
+        f"{texture.name.text}.png"
+    ),
 ) -> Exported:
     """The materials of a file, or of a text, as a document of MaterialX.
 

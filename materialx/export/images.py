@@ -55,7 +55,9 @@ def with_space(nodes: Nodes, value: Value, space: str) -> Value | None:
     if isinstance(value, Constant):
         found = nodes.converted(value, "color3")
         assert isinstance(found, Constant)
-        return nodes.plain("constant", "color3", {"value": Constant("color3", found.numbers, space=space)})
+        return nodes.plain(
+            "constant", "color3", {"value": Constant("color3", found.numbers, space=space)}
+        )
     if isinstance(value, Linked) and value.type == "color3":
         return nodes.decoded(value, space)
     return None

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..values import BARE, TYPES
 from .nodes import Nodes
 from .unsayable import UnsayableError
-from .values import SAME_LANES, Constant, Linked, Value, lanes_of, retyped, vector
+from .values import (
+    SAME_LANES,
+    Constant,
+    Linked,
+    Value,
+    lanes_of,
+    retyped,
+    type_of_constructor,
+    vector,
+)
 
 _LETTERS = ("xyzw", "rgba")
 
@@ -64,8 +72,7 @@ def combined(nodes: Nodes, values: Sequence[Value], kind: str) -> Value:
 
 def built(nodes: Nodes, name: str, values: Sequence[Value], wanted: str) -> Value:
     """The value of a constructor, such as ``vec3(a, 0, 1)``."""
-    kind = {own: other for other, own in reversed({**BARE, **TYPES}.items())}.get(name, "")
-    kind = {"vec2": "vector2", "vec3": "vector3", "vec4": "vector4"}.get(name, kind)
+    kind = type_of_constructor(name)
     if not kind:
         raise UnsayableError(f"MaterialX has no type `{name}`", "use numbers, vectors or colours")
     if SAME_LANES.get(kind) == wanted:

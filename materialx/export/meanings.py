@@ -14,6 +14,7 @@ from ...compiler.syntax import ast
 from ..constants import FROM
 from ..leaves.geometry import MOVED
 from .callees import Callee, leaf_of, node_of
+from .closures import ASKED, ASKING, closure_node
 from .expressions import At, Expressions
 from .geometry import attribute, property_of, seen_from
 from .images import read, with_space
@@ -45,7 +46,7 @@ _INSTEAD = {
 _SURFACE = "std.mtlx.surface"
 
 
-class Surface:
+class ExportedSurface:
     """A material, for all of the graphs in which its names are read."""
 
     def __init__(
@@ -58,7 +59,7 @@ class Surface:
 class Meanings:
     """The meanings of names in one graph; see the protocol in ``expressions``."""
 
-    def __init__(self, surface: Surface, nodes: Nodes, is_function: bool = False) -> None:
+    def __init__(self, surface: ExportedSurface, nodes: Nodes, is_function: bool = False) -> None:
         self._surface, self._nodes, self._is_function = surface, nodes, is_function
         self._slots: dict[tuple[str, int], Value] = {}
         self.expressions = Expressions(nodes, self)
@@ -142,11 +143,15 @@ class Meanings:
         if isinstance(meaning, MeantSlot):
             return self._read(meaning)
         for symbol in meaning or ():
+            if _is(symbol, ASKING, "clear_bsdf"):
+                return ASKED
             if isinstance(symbol.declaration, ast.Constant):
                 declared = symbol.declaration
                 where = Where(symbol.module, self._surface.instance)
                 kind = type_named(declared.type) if declared.type is not None else ""
-                return self.expressions.value(declared.value, replace(at, where=where, own={}), kind)
+                return self.expressions.value(
+                    declared.value, replace(at, where=where, own={}), kind
+                )
         return None
 
     def _read(self, found: MeantSlot) -> Value:
@@ -205,9 +210,11 @@ class Meanings:
         return value if isinstance(value, Picture) else None
 
     def _coordinate(self, e: ast.Call, at: At) -> Value | None:
-        """Where a texture is read, with v upwards; nothing for the first coordinates of the mesh."""
+        """Where a texture is read, with v upwards; nothing for the mesh's first coordinates."""
         if len(e.arguments) != 1:
-            raise UnsayableError("MaterialX reads flat pictures only", "leave out layers and offsets")
+            raise UnsayableError(
+                "MaterialX reads flat pictures only", "leave out layers and offsets"
+            )
         coordinate = e.arguments[0]
         if isinstance(coordinate, ast.Call) and isinstance(coordinate.callee, ast.Reference):
             found = called(coordinate.callee.name, at.where)
@@ -226,7 +233,9 @@ class Meanings:
             value = self.expressions.value(argument, at, kinds[number])
             is_same = isinstance(value, Linked) and SAME_LANES.get(value.type) == kinds[number]
             is_plain = isinstance(value, Several | Picture) or is_same or not kinds[number]
-            values[names[number]] = value if is_plain else self._nodes.converted(value, kinds[number])
+            values[names[number]] = (
+                value if is_plain else self._nodes.converted(value, kinds[number])
+            )
         return Several(values)
 
     def _function(self, symbols: list[Symbol], e: ast.Call, at: At, wanted: str) -> Value:
@@ -243,14 +252,12 @@ class Meanings:
                 ) from None  # fmt: skip
             raise
 
-    def _applied(
-        self, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
-    ) -> Value:
+    def _applied(self, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str) -> Value:
         function, path = symbol.declaration, symbol.module.import_path
         assert isinstance(function, ast.Function)
         if function.per is not None:
             raise UnsayableError(
-                f"`{symbol.name}` is summed over lights, which surfaces of MaterialX do by themselves",
+                f"`{symbol.name}` is summed over lights, as whole surfaces of MaterialX are",
                 "extend a model of std.models, or an imported one",
             )
         if symbol.module.is_standard and path == _COLORS and symbol.name in _SPACES:
@@ -265,6 +272,9 @@ class Meanings:
         if symbol.module.is_standard and path == _SURFACE and symbol.name == "upright":
             (argument,) = given.values()
             return upright(self._nodes, argument)
+        closure = closure_node(self._nodes, symbol, given)
+        if closure is not None:
+            return closure
         callee = leaf_of(symbol) or node_of(symbol)
         if callee is not None:
             return self._node(callee, function, given, wanted)
@@ -275,11 +285,17 @@ class Meanings:
     ) -> Value:
         kind = type_named(function.result) if function.result is not None else ""
         is_known = bool(kind) and not function.type_parameters
+        if callee.gives("EDF") and not callee.gives(kind):
+            kind = "EDF"
         if is_known and SAME_LANES.get(kind) != wanted:
             wanted = kind
         inputs = callee.inputs(given, self.slot)
         if any(isinstance(value, Picture) and value.is_color for value in inputs.values()):
-            wanted = SAME_LANES[wanted] if wanted.startswith("vector") and wanted in SAME_LANES else wanted
+            wanted = (
+                SAME_LANES[wanted]
+                if wanted.startswith("vector") and wanted in SAME_LANES
+                else wanted
+            )
         return self._nodes.node(callee.category, inputs, wanted, must=is_known)
 
     def _chosen(
@@ -343,4 +359,3 @@ def _about(member: ast.Param) -> dict[str, str]:
     if not doc:
         return {}
     return {"uiname": doc} if len(doc) <= 40 else {"doc": doc}
-

@@ -59,13 +59,12 @@ class Nodes:
         }  # fmt: skip
         return self.defined(category, definition, inputs)
 
-    def defined(
-        self, category: str, definition: Definition, inputs: Mapping[str, Input]
-    ) -> Value:
+    def defined(self, category: str, definition: Definition, inputs: Mapping[str, Input]) -> Value:
         """A node of this definition, whose inputs have the types that it asks for."""
         outputs = {name: port.type for name, port in definition.outputs.items()}
         if len(outputs) == 1:
-            return self.plain(category, *outputs.values(), inputs, definition)
+            (kind,) = outputs.values()
+            return self.plain(category, kind, inputs, definition)
         made = self.plain(category, "multioutput", inputs, definition)
         return several(made, outputs)
 
@@ -164,6 +163,8 @@ class Nodes:
 
     def converted(self, value: Value, kind: str) -> Value:
         """A value as another type. Raises ``UnsayableError``."""
+        if kind == "EDF" and _cost(value, "color3") < _NEVER:
+            return self.node("uniform_edf", {"color": value})
         if isinstance(value, Constant):
             found = retyped(value, kind)
             if found is not None:
@@ -237,17 +238,19 @@ def _is_decided(definition: Definition, name: str) -> bool:
     return len(set(others)) == 1
 
 
-def _chosen(
-    category: str, given: Mapping[str, Input], wanted: str, must: bool
-) -> Definition:
+def _chosen(category: str, given: Mapping[str, Input], wanted: str, must: bool) -> Definition:
     """The definition of a category that fits best. Raises ``UnsayableError``."""
     costs = [(_price(each, given, wanted, must), each) for each in known(category)]
     best = min((cost for cost, _each in costs), default=_NEVER)
     if best >= _NEVER:
         types = " and ".join(
-            dict.fromkeys(value.type for value in given.values() if isinstance(value, Constant | Linked))
+            dict.fromkeys(
+                value.type for value in given.values() if isinstance(value, Constant | Linked)
+            )
         )
-        raise UnsayableError(f"MaterialX has no node `{category}` of {types or 'this kind'}", NO_NODE)
+        raise UnsayableError(
+            f"MaterialX has no node `{category}` of {types or 'this kind'}", NO_NODE
+        )
     return next(each for cost, each in costs if cost == best)
 
 
@@ -275,12 +278,15 @@ def _check_color(category: str, definition: Definition, given: Mapping[str, Inpu
     first = next(iter(definition.outputs.values()))
     if is_color and not first.type.startswith("color"):
         raise UnsayableError(
-            f"`{category}` would read a picture of colours as numbers", "declare it with `intent = data`"
+            f"`{category}` would read a picture of colours as numbers",
+            "declare it with `intent = data`",
         )
 
 
 def _cost(value: Value, kind: str) -> int:
     """What it costs to make a value one of a type."""
+    if kind == "EDF" and getattr(value, "type", "") != "EDF":
+        return _cost(value, "color3")
     if isinstance(value, Constant):
         if retyped(value, kind) is None:
             return _NEVER

@@ -16,13 +16,12 @@ from .unsayable import ReadsMaterialError, UnsayableError
 from .values import SAME_LANES, Constant, Linked, Several, Value, lanes_of, retyped, type_named
 
 
-
-class Meanings(Protocol):
+class Caller(Protocol):
     """The meanings of names where functions are called, and inside them."""
 
     expressions: Expressions
 
-    def within(self, nodes: Nodes) -> Meanings:
+    def within(self, nodes: Nodes) -> Caller:
         """The meanings in the body of a function, which has a graph of its own."""
 
 
@@ -43,7 +42,7 @@ class OwnDefinitions:
         self._made: dict[tuple[object, ...], OwnDefinition | None] = {}
 
     def applied(
-        self, outer: Meanings, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
+        self, outer: Caller, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
     ) -> Value:
         """The value of a call: a node of a definition, or the function written out."""
         function = symbol.declaration
@@ -61,11 +60,12 @@ class OwnDefinitions:
         nodes = outer.expressions.nodes
         inputs = {name: nodes.converted(value, kinds[name]) for name, value in given.items()}
         if len(found.outputs) == 1:
-            return nodes.plain(found.category, *found.outputs.values(), inputs)
+            (kind,) = found.outputs.values()
+            return nodes.plain(found.category, kind, inputs)
         return several(nodes.plain(found.category, "multioutput", inputs), found.outputs)
 
     def _written_out(
-        self, outer: Meanings, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
+        self, outer: Caller, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str
     ) -> Value:
         function = symbol.declaration
         assert isinstance(function, ast.Function)
@@ -74,20 +74,24 @@ class OwnDefinitions:
         for argument in function.arguments:
             name = argument.name.text
             if name in given:
-                own[name] = _argument(outer.expressions.nodes, given[name], argument.type)
+                own[name] = _argument(given[name], argument.type)
             elif argument.default is not None:
-                own[name] = outer.expressions.value(argument.default, replace(inside, own=dict(own)))
+                own[name] = outer.expressions.value(
+                    argument.default, replace(inside, own=dict(own))
+                )
         return outer.expressions.body(function, inside, own, wanted)
 
     def _defined(
-        self, outer: Meanings, symbol: Symbol, kinds: Mapping[str, str], at: At, wanted: str
+        self, outer: Caller, symbol: Symbol, kinds: Mapping[str, str], at: At, wanted: str
     ) -> OwnDefinition | None:
         """A new definition; nothing if the function has to be written out."""
         function = symbol.declaration
         assert isinstance(function, ast.Function)
         if not all(kinds.values()):
             return None
-        graph = self._document.addNodeGraph(self._document.createValidChildName(f"NG_{symbol.name}"))
+        graph = self._document.addNodeGraph(
+            self._document.createValidChildName(f"NG_{symbol.name}")
+        )
         try:
             return self._written(outer, symbol, kinds, at, wanted, graph)
         except (ReadsMaterialError, UnsayableError) as error:
@@ -97,7 +101,7 @@ class OwnDefinitions:
             return None
 
     def _written(
-        self, outer: Meanings, symbol: Symbol, kinds: Mapping[str, str], at: At, wanted: str,
+        self, outer: Caller, symbol: Symbol, kinds: Mapping[str, str], at: At, wanted: str,
         graph: Any,
     ) -> OwnDefinition | None:  # fmt: skip
         function = symbol.declaration
@@ -122,7 +126,7 @@ class OwnDefinitions:
         return OwnDefinition(_category(symbol.name), kinds, outputs)
 
     def _declare(
-        self, function: ast.Function, inner: Meanings, inside: At, kinds: Mapping[str, str],
+        self, function: ast.Function, inner: Caller, inside: At, kinds: Mapping[str, str],
         outputs: Mapping[str, str], graph: Any,
     ) -> None:  # fmt: skip
         document, category = self._document, _category(function.name.text)
@@ -158,7 +162,7 @@ def link(nodes: Nodes, output: Any, value: Value, kind: str) -> None:
         output.setOutputString(found.output)
 
 
-def _argument(nodes: Nodes, value: Value, written: ast.TypeName) -> Value:
+def _argument(value: Value, written: ast.TypeName) -> Value:
     """A constant that is given has the type of its argument."""
     kind = type_named(written)
     found = retyped(value, kind) if isinstance(value, Constant) and kind else None
@@ -170,12 +174,12 @@ def _inside(at: At, symbol: Symbol) -> At:
     return replace(at, where=Where(symbol.module, at.where.surface), own={})
 
 
-def _kind(
-    function: ast.Function, argument: ast.Argument, value: Value | None, wanted: str
-) -> str:
+def _kind(function: ast.Function, argument: ast.Argument, value: Value | None, wanted: str) -> str:
     """The type of an input: as it is declared, or a colour where one is given or wanted."""
     kind = type_named(argument.type)
-    if isinstance(value, Several) or (value is not None and not isinstance(value, Constant | Linked)):
+    if isinstance(value, Several) or (
+        value is not None and not isinstance(value, Constant | Linked)
+    ):
         return ""
     is_generic = argument.type.name.text in {each.name.text for each in function.type_parameters}
     if is_generic and value is not None:
@@ -194,4 +198,3 @@ def _kind(
 def _category(name: str) -> str:
     """The category of an own definition, which is none of the library's."""
     return f"own_{name}" if name in categories() else name
-

@@ -1,8 +1,8 @@
-"""Which surface of MaterialX a material extends: a model that was imported, or one of ``std.models``."""
+"""Finds the surface of MaterialX that a material extends: an imported one, or of ``std.models``."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from math import atan2
 from typing import NamedTuple
 
@@ -13,9 +13,9 @@ from ..members import SURFACE
 from ..model import Definition
 from ..models import model_name, slots_of
 from ..names import slot_name
+from .lanes import lanes
 from .nodes import Nodes
-from .unsayable import UnsayableError
-from .values import Constant, Linked, Value
+from .values import Constant, Value
 
 _STANDARD = {
     "OpenPbr": "open_pbr_surface",
@@ -30,7 +30,8 @@ _SPELLED = {
 }  # fmt: skip
 """Slots of all surfaces, by the names that inputs of a model have for them."""
 
-Turned = Callable[[Nodes, Value], Value]
+ALONG, TURNED = "anisotropy_direction", "anisotropy_rotation"
+"""A slot of ``GltfSurface`` that MaterialX states as an angle, and the input for it."""
 
 
 class Root(NamedTuple):
@@ -73,15 +74,10 @@ def _root(level: int, category: str, *, is_standard: bool) -> Root:
     return Root(level, definition, slots, is_standard)
 
 
-def turned(nodes: Nodes, name: str, value: Value) -> tuple[str, Value] | None:
-    """A slot of ``std.models`` that MaterialX states in another way; nothing if there is none."""
-    if name != "anisotropy_direction":
-        return None
-    if isinstance(value, Constant):
-        x, y = value.numbers
-        return "anisotropy_rotation", Constant("float", (atan2(y, x),))
-    if not isinstance(value, Linked):
-        raise UnsayableError("this is no direction")
-    places = (Constant("integer", (1.0,)), Constant("integer", (0.0,)))
-    y_lane, x_lane = (nodes.node("extract", {"in": value, "index": place}) for place in places)
-    return "anisotropy_rotation", nodes.node("atan2", {"iny": y_lane, "inx": x_lane}, "float")
+def turned(nodes: Nodes, direction: Value) -> Value:
+    """The angle of a direction in the plane of tangents."""
+    if isinstance(direction, Constant):
+        x, y = direction.numbers
+        return Constant("float", (atan2(y, x),))
+    x_lane, y_lane = lanes(nodes, direction)
+    return nodes.node("atan2", {"iny": y_lane, "inx": x_lane}, "float")

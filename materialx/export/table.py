@@ -36,7 +36,7 @@ def ways() -> dict[str, Way]:
 @cache
 def closure_ways() -> dict[str, Way]:
     """The nodes for functions of ``std.mtlx.asking`` that put closures together."""
-    rows = {category: row for category, row in CLOSURE_ROWS.items()}
+    rows = dict(CLOSURE_ROWS)
     layer = ROWS["layer"]
     assert isinstance(layer, Written)
     rows["layer"] = layer

@@ -14,6 +14,10 @@ SAME_LANES = MappingProxyType(
     {"color3": "vector3", "vector3": "color3", "color4": "vector4", "vector4": "color4"}
 )
 """Types that differ by their meaning alone."""
+_OWN = MappingProxyType({
+    other: own for own, other in TYPES.items() if own not in ("EDF", "VDF")
+})  # fmt: skip
+"""The types of MaterialX by those of Burnish."""
 _MEANT = ("point", "vector", "direction", "normal", "covector", "offset")
 _MATRICES = MappingProxyType({"matrix33": 9, "matrix44": 16})
 
@@ -82,7 +86,12 @@ def type_named(written: ast.TypeName) -> str:
         return ""
     if name in _MEANT:
         return "vector3"
-    return {other: own for own, other in reversed(TYPES.items())}.get(name, "")
+    return type_of_constructor(name)
+
+
+def type_of_constructor(name: str) -> str:
+    """The type of what a constructor makes; empty if MaterialX has none."""
+    return _OWN.get(name, "")
 
 
 def lanes_of(kind: str) -> int:

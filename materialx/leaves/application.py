@@ -1,8 +1,8 @@
 """Ways in which many rows are written, and the names of functions by the lanes of their results.
 
 A row that is one call or one operation of Burnish is ``Written``: it says the word and the inputs
-that its operands are, so that it is read in both directions. Importers call it; ``materialx.export``
-finds by the word which node an expression becomes.
+that its operands are, so that it is read in both directions. Importers call it, and
+``materialx.export`` finds by the word which node an expression becomes.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from ..expressions import Call, Expression, called
+from ..expressions import Expression, called
 from ..networks import Application, Row
 
 

@@ -133,6 +133,10 @@ FLOORS: dict[str, str] = {
     ),
     # Documents of MaterialX.
     "materialx": "stdlib diagnostics syntax library_trees library",
+    "materialx.export": (
+        "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
+        "compiling materialx"
+    ),
     "materialx.fidelity": (
         "installing diagnostics ir documents reference reflection closing runner conformance "
         "toolchain entry_points materialx"
