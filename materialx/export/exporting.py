@@ -11,7 +11,7 @@ from ...compiler.syntax import ast
 from ..library import library
 from .materials import MaterialWriter
 from .own import OwnDefinitions
-from .unsayable import UnsaidError
+from .unsayable import UnsaidError, UnsayableError
 
 VERSION = "1.39"
 
@@ -21,6 +21,10 @@ class Exported(NamedTuple):
 
     text: str
     materials: Sequence[str]
+
+
+def _place(error: UnsayableError) -> tuple[str, int]:
+    return ("", 0) if error.span is None else (error.span.source.name, error.span.start)
 
 
 def exported(
@@ -42,7 +46,7 @@ def exported(
     beside_surfaces = any(writer.is_surface for writer in writers)
     told = [error for writer in writers for error in writer.written(beside_surfaces)]
     if told:
-        raise UnsaidError(told)
+        raise UnsaidError(sorted(told, key=_place))
     document.setDataLibrary(library())
     is_valid, reason = document.validate()
     assert is_valid, reason

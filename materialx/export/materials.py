@@ -86,6 +86,10 @@ class MaterialWriter:
         else:
             self._drawn(name, meanings, nodes)
         nodes.prune()
+        nodes.ordered(
+            name for name, definitions in sorted(self._record.definitions.items(), key=_place)
+            if isinstance(definitions[0].member, ast.Param)
+        )  # fmt: skip
         if not graph.getOutputs():
             self._document.removeChild(graph.getName())
         return self._told

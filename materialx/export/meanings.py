@@ -240,6 +240,11 @@ class Meanings:
 
     def _function(self, symbols: list[Symbol], e: ast.Call, at: At, wanted: str) -> Value:
         symbol, given = self._chosen(symbols, e, at)
+        if isinstance(symbol.declaration, ast.Function) and symbol.declaration.per is not None:
+            raise UnsayableError(
+                f"`{symbol.name}` is summed over lights, which only whole surfaces of MaterialX are",
+                "extend a model of std.models, or an imported one",
+            )
         try:
             return self._applied(symbol, given, at, wanted)
         except UnsayableError as error:
@@ -247,7 +252,7 @@ class Meanings:
                 # People look at their own text, where they can do something about it.
                 own, path = symbol.name, symbol.module.import_path
                 raise UnsayableError(
-                    f"`{own}` of {path} cannot be nodes: {error.text}",
+                    f"`{own}` of {path} is no node: {error.text}",
                     _INSTEAD.get(path, error.advice), e.span,
                 ) from None  # fmt: skip
             raise
@@ -255,11 +260,6 @@ class Meanings:
     def _applied(self, symbol: Symbol, given: Mapping[str, Value], at: At, wanted: str) -> Value:
         function, path = symbol.declaration, symbol.module.import_path
         assert isinstance(function, ast.Function)
-        if function.per is not None:
-            raise UnsayableError(
-                f"`{symbol.name}` is summed over lights, as whole surfaces of MaterialX are",
-                "extend a model of std.models, or an imported one",
-            )
         if symbol.module.is_standard and path == _COLORS and symbol.name in _SPACES:
             (argument,) = given.values()
             decoded = with_space(self._nodes, argument, _SPACES[symbol.name])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -149,7 +149,7 @@ class Nodes:
         return None if isinstance(found, str) else found
 
     def prune(self) -> None:
-        """Remove the nodes that no output reads."""
+        """Remove the nodes that no output reads, and the inputs that no node reads."""
         waiting = [output.getNodeName() for output in self.element.getOutputs()]
         read: set[str] = set()
         while waiting:
@@ -160,6 +160,19 @@ class Nodes:
         for node in self.element.getNodes():
             if node.getName() not in read:
                 self.element.removeChild(node.getName())
+        named = {
+            port.getInterfaceName() for node in self.element.getNodes()
+            for port in node.getInputs()
+        }  # fmt: skip
+        for port in self.element.getInputs():
+            if port.getName() not in named:
+                self.element.removeChild(port.getName())
+
+    def ordered(self, names: Iterable[str]) -> None:
+        """Bring the inputs of the graph into an order."""
+        inputs = [name for name in names if self.element.getInput(name) is not None]
+        for place, name in enumerate(inputs):
+            self.element.setChildIndex(name, place)
 
     def converted(self, value: Value, kind: str) -> Value:
         """A value as another type. Raises ``UnsayableError``."""
