@@ -15,6 +15,15 @@ def known(category: str) -> list[Definition]:
     return [found for name in names if (found := _records().definition(name)) is not None]
 
 
+def surface(category: str) -> Definition:
+    """The definition of a category that documents mean who name no version."""
+    found = library().getMatchingNodeDefs(category)
+    usual = next((each for each in found if each.getDefaultVersion()), found[0])
+    definition = _records().definition(usual.getName())
+    assert definition is not None
+    return definition
+
+
 @cache
 def categories() -> dict[str, list[str]]:
     """The categories of all nodes of the library, by their names as those of Burnish."""

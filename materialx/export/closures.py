@@ -23,6 +23,14 @@ ASKED = Several({})
 _QUESTIONS = ("from_everywhere", "passing")
 
 
+class MixedColor(NamedTuple):
+    """Two colours side by side, of which one at least is lit."""
+
+    back: SurfaceColor
+    front: SurfaceColor
+    amount: ast.Expression
+
+
 class LitColor(NamedTuple):
     """A colour as the parts of a surface."""
 
@@ -35,8 +43,27 @@ class LitColor(NamedTuple):
     """True if it is asked what passes."""
 
 
-def surface_of(e: ast.Expression, where: Where) -> LitColor | None:
+SurfaceColor = LitColor | MixedColor | ast.Expression
+"""A colour as a surface; an expression is a colour without light."""
+
+
+def surface_of(e: ast.Expression, where: Where) -> LitColor | MixedColor | None:
     """The surface that a colour is; nothing if it is not made of closures."""
+    if isinstance(e, ast.Call) and _is_mix(e):
+        back, front = (surface_of(each, where) for each in e.arguments[:2])
+        if back is None and front is None:
+            return None
+        return MixedColor(back or e.arguments[0], front or e.arguments[1], e.arguments[2])
+    return _lit_color(e, where)
+
+
+def _is_mix(e: ast.Call) -> bool:
+    is_named_so = isinstance(e.callee, ast.Reference) and e.callee.name == "mix"
+    return is_named_so and len(e.arguments) == 3 and not e.names
+
+
+def _lit_color(e: ast.Expression, where: Where) -> LitColor | None:
+    """A colour of closures in the form that importing writes."""
     opacity = None
     summands = _summands(e)
     if len(summands) == 1 and isinstance(e, ast.Binary) and e.operator == "*":

@@ -14,7 +14,7 @@ from ...compiler.semantics.state.scope import OUTERMOST
 from ...compiler.syntax import ast
 from ..model import Definition
 from ..values import numbers_of
-from .closures import ASKED, LitColor, emission, surface_of
+from .closures import ASKED, LitColor, MixedColor, SurfaceColor, emission, surface_of
 from .expressions import At, Later
 from .images import picture_of
 from .meanings import ExportedSurface, Meanings
@@ -22,7 +22,7 @@ from .nodes import Nodes, write
 from .own import OwnDefinitions, link
 from .surfaces import ALONG, TURNED, Root, root_of, turned
 from .unsayable import UnsayableError
-from .values import Constant, Linked, Picture, Value
+from .values import Constant, Linked, Picture, Value, vector
 
 _NO_SURFACE = (
     "extend a model of std.models or one that `burnish import` writes; or write its graph as "
@@ -98,7 +98,7 @@ class MaterialWriter:
         found = {}
         for name, definitions in self._record.definitions.items():
             member = definitions[0].member
-            if isinstance(member, ast.Texture) and not definitions[0].owner.module.is_standard:
+            if isinstance(member, ast.Texture) and self._is_own(definitions[0]):
                 file = self._file_of(self._record.name, member)
                 found[name] = picture_of(member, file, name in self._colors)
         return found
@@ -120,6 +120,10 @@ class MaterialWriter:
                     f"`{root.definition.category if root.definition else 'a surface'}`",
                     "set inputs of the model", definition.member.name.span,
                 ))  # fmt: skip
+
+    def _is_own(self, definition: Declared) -> bool:
+        """True for what stands before the model: the material's, of its bases and mixins."""
+        return self._root is not None and definition.level < self._root.level
 
     def _is_shown(self, root: Root, name: str) -> bool:
         return root.definition is None and name in ("color", "alpha")
@@ -187,7 +191,7 @@ class MaterialWriter:
                     error.span = error.span or member.span
                     self._tell(error, slot)
 
-    def _closures(self) -> LitColor | None:
+    def _closures(self) -> LitColor | MixedColor | None:
         """The closures that the material's colour is made of; nothing if it is not."""
         member = self._record.at("color", OUTERMOST).member
         if not isinstance(member, ast.Slot) or member.value is None:
@@ -215,11 +219,18 @@ class MaterialWriter:
         shown = self._material(name).addInput("surfaceshader", "surfaceshader")
         shown.setAttribute("nodegraph", graph.getName())
 
-    def _surface(self, found: LitColor, meanings: Meanings, nodes: Nodes) -> Value:
-        """The node of a surface, with its closures, what it sends out, and its opacity."""
+    def _lit_surface(
+        self, found: SurfaceColor, meanings: Meanings, nodes: Nodes
+    ) -> tuple[Value, Value | None]:
+        """The node of a surface, and its opacity if it has any."""
+        expressions, at = meanings.expressions, At(self._where, {})
+        if isinstance(found, MixedColor):
+            return self._mixed(found, meanings, nodes)
+        if not isinstance(found, LitColor):
+            color = {"emission_color": expressions.value(found, at, "color3")}
+            return nodes.node("surface_unlit", color, "surfaceshader", must=True), None
         function = found.closures.declaration
         assert isinstance(function, ast.Function)
-        expressions, at = meanings.expressions, At(self._where, {})
         own: dict[str, Value | Later] = {function.arguments[0].name.text: ASKED}
         inside = At(Where(found.closures.module, self._setting.surface), {})
         inputs = {"bsdf": expressions.body(function, inside, own, "BSDF")}
@@ -227,11 +238,36 @@ class MaterialWriter:
         if sent:
             inputs["edf"] = emission(nodes, sent)
         if found.opacity is not None:
-            alpha = meanings.slot("alpha")
             inputs["opacity"] = expressions.value(found.opacity, at, "float")
-            if alpha != inputs["opacity"]:
-                raise UnsayableError("the surface has another opacity than its `alpha`", "set both")
-        return nodes.node("surface", inputs, "surfaceshader", must=True)
+        return nodes.node("surface", inputs, "surfaceshader", must=True), inputs.get("opacity")
+
+    def _mixed(
+        self, found: MixedColor, meanings: Meanings, nodes: Nodes
+    ) -> tuple[Value, Value | None]:
+        """Two surfaces side by side, and the opacity of both."""
+        back, front = (
+            self._lit_surface(side, meanings, nodes) for side in (found.back, found.front)
+        )
+        amount = meanings.expressions.value(found.amount, At(self._where, {}), "float")
+        sides = {"bg": back[0], "fg": front[0], "mix": amount}
+        surface = nodes.node("mix", sides, "surfaceshader", must=True)
+        if back[1] is None and front[1] is None:
+            return surface, None
+        one = vector((1,), "float")
+        return surface, nodes.node(
+            "mix", {"bg": back[1] or one, "fg": front[1] or one, "mix": amount}, "float"
+        )
+
+    def _surface(self, found: SurfaceColor, meanings: Meanings, nodes: Nodes) -> Value:
+        """The node of a surface whose opacity is the material's."""
+        has_alpha = self._record.at("alpha", OUTERMOST).level == 0
+        alpha = meanings.slot("alpha") if has_alpha else None
+        surface, opacity = self._lit_surface(found, meanings, nodes)
+        if alpha != opacity:
+            raise UnsayableError(
+                "the surface has another opacity than the material's `alpha`", "set both alike"
+            )
+        return surface
 
     def _unlit(self, meanings: Meanings, nodes: Nodes) -> Value:
         """The node of a surface that shows a colour without light."""

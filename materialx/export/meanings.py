@@ -84,6 +84,8 @@ class Meanings:
             known = property_of(self._nodes, owner.name, name)
             if known is not None:
                 return known
+            if owner.name == "Bumped" and name == "normal":
+                return self._bumped()
         if self._is_function:
             raise ReadsMaterialError
         match member:
@@ -103,6 +105,15 @@ class Meanings:
                 found = self.expressions.value(value, At(where, {}), kind or wanted)
                 return self._nodes.named(found, name) if definition.level == 0 else found
         raise UnsayableError(f"no node gives `{name}`", "set it by a texture or a parameter")
+
+    def _bumped(self) -> Value:
+        """The normal of the mixin ``Bumped``, which reads a map as MaterialX does."""
+        picture, coordinate = self.slot("normal_map"), self.slot("uv")
+        assert isinstance(picture, Picture)
+        is_plain = self._surface.record.at("uv", OUTERMOST).owner.module.is_standard
+        place = None if is_plain else upright(self._nodes, coordinate)
+        texel = read(self._nodes, picture, place, "xyz")
+        return self._nodes.node("normalmap", {"in": texel}, "vector3")
 
     def _parameter(self, member: ast.Param, is_of_library: bool) -> Value:
         name, kind = member.name.text, type_named(member.type)
@@ -242,7 +253,7 @@ class Meanings:
         symbol, given = self._chosen(symbols, e, at)
         if isinstance(symbol.declaration, ast.Function) and symbol.declaration.per is not None:
             raise UnsayableError(
-                f"`{symbol.name}` is summed over lights, which only whole surfaces of MaterialX are",
+                f"`{symbol.name}` is summed over lights, as only whole surfaces of MaterialX are",
                 "extend a model of std.models, or an imported one",
             )
         try:

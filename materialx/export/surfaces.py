@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ...compiler.semantics.names.modules import Symbol
 from ..definitions import FOLDER
-from ..known import categories, known
+from ..known import categories, surface
 from ..members import SURFACE
 from ..model import Definition
 from ..models import model_name, slots_of
@@ -65,7 +65,7 @@ def root_of(chain: tuple[Symbol, ...]) -> Root | None:
 
 
 def _root(level: int, category: str, *, is_standard: bool) -> Root:
-    definition = known(category)[-1]
+    definition = surface(category)
     if not is_standard:
         slots = {slot: name for name, slot in slots_of(definition).items()}
     else:

@@ -19,7 +19,7 @@ SAME_TEXT = (
 )  # fmt: skip
 SAME_MEANING = (
     "channels", "closure_film", "compositing", "image_hexagons", "math_matrices",
-    "own_multioutput", "several_outputs", "upgraded_1_36",
+    "own_multioutput", "several_outputs", "surface_mix", "upgraded_1_36",
 )  # fmt: skip
 """Documents whose text changes, such as ``.w`` in place of ``.a``."""
 

@@ -29,8 +29,11 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_the_document_of_models(folder: Path) -> None:
-    result = invoke("export", folder / "models.burnish", "--set", f"albedo={folder / 'paint.png'}",
-                    "-o", folder / "models.mtlx")  # fmt: skip
+    given = [
+        word for name in ("albedo", "Bumpy.paint", "normal_map")
+        for word in ("--set", f"{name}={folder / 'paint.png'}")
+    ]  # fmt: skip
+    result = invoke("export", folder / "models.burnish", *given, "-o", folder / "models.mtlx")
     assert (result.exit_code, result.stderr) == (0, "")
     assert_golden((folder / "models.mtlx").read_text(), MATERIALS / "models.mtlx")
 
@@ -69,7 +72,7 @@ def test_what_cannot_be_said_is_told_and_nothing_is_written(tmp_path: Path) -> N
 
 
 def test_a_file_that_is_not_known_is_told(folder: Path) -> None:
-    result = invoke("export", folder / "models.burnish", "-o", folder / "models.mtlx")
+    result = invoke("export", folder / "models.burnish", "--material", "Paint", "--format", "mtlx")
     assert result.exit_code == 0
     assert result.stderr == (
         "note: no file is known for the texture `albedo`: the document names `albedo.png`\n"
@@ -82,7 +85,8 @@ def test_the_comment_of_a_file_names_its_textures(folder: Path) -> None:
     command = "//!     burnish render models.burnish -o models.png --set albedo=paint.png\n"
     (folder / "models.burnish").write_text(text.replace("burnish 1\n", f"burnish 1\n{command}", 1))
     (folder / "deep").mkdir()
-    result = invoke("export", folder / "models.burnish", "-o", folder / "deep" / "models.mtlx")
+    out = folder / "deep" / "models.mtlx"
+    result = invoke("export", folder / "models.burnish", "--material", "Paint", "-o", out)
     assert (result.exit_code, result.stderr) == (0, "")
     assert 'value="../paint.png"' in (folder / "deep" / "models.mtlx").read_text()
 
