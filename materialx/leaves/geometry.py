@@ -11,7 +11,7 @@ from ..values import BARE, LANES, TYPES
 
 
 def _in_space(letter: str) -> Row:
-    names = {"P": "position", "N": "normal", "T": "tangent", "B": "bitangent"}
+    names = {"P": "point", "N": "normal", "T": "tangent", "B": "binormal"}
 
     def row(node: Application) -> Expression:
         space = node.static("space") or "object"
@@ -37,7 +37,7 @@ def _view_direction(node: Application) -> Expression:
     space = node.static("space") or "world"
     if space not in ("world", "object", "model"):
         raise UnsupportedError(f"there is no space '{space}'")
-    return node.texts.surface("view_world" if space == "world" else "view_object")
+    return node.texts.surface("to_eye_world" if space == "world" else "to_eye_object")
 
 
 def _coordinates(node: Application) -> Expression:
