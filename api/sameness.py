@@ -11,13 +11,12 @@ from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.equivalence.comparing import (
     EPSILON,
     Comparison,
-    NotComparableError,
     Settings,
     Witness,
     compare,
 )
 from ..compiler.equivalence.domain import Domain, is_of
-from ..compiler.equivalence.programs import TooLargeError
+from ..compiler.equivalence.programs import NotComparableError, TooLargeError
 from ..compiler.frontend import Frontend
 from ..compiler.ir.shader import Shader
 from ..compiler.ir.types import Scalar, Vector

@@ -73,7 +73,8 @@ class _Side(NamedTuple):
 )  # fmt: skip
 @click.option(
     "--set", "values", metavar="NAME=VALUE", multiple=True, callback=pairs,
-    help="Give a parameter or an input one value in both; may be given many times.",
+    help="Give a parameter or an input one value in both, or a range, as 0.3..0.5; may be given "
+    "many times.",
 )  # fmt: skip
 @click.option(
     "--set-a", "first_values", metavar="NAME=VALUE", multiple=True, callback=pairs,
@@ -161,12 +162,14 @@ def _worse(one: int, other: int) -> int:
 def _comparison(request: _Request, one: _Side, other: _Side, progress: Progress) -> Comparison:
     from ..api.sameness import same as compared
 
+    spread = [pair for pair in request.values if ".." in pair[1]]
+    set_ = [pair for pair in request.values if ".." not in pair[1]]
     return compared(
         one.path, other.path, material=one.material, second_material=other.material,
         rig=request.rig, pass_=request.pass_, search_path=request.search_path,
-        epsilon=request.epsilon, boxes=request.boxes, values=_values(request.values),
+        epsilon=request.epsilon, boxes=request.boxes, values=_values(set_),
         first_values=_values(request.first_values), second_values=_values(request.second_values),
-        ranges=_ranges(request.ranges), seed=request.seed, tell=progress.tell,
+        ranges=_ranges((*spread, *request.ranges)), seed=request.seed, tell=progress.tell,
     )  # fmt: skip
 
 

@@ -61,15 +61,15 @@ def decoded(texts: Texts, value: Expression, space: str) -> Expression:
 
 
 PROPERTIES = {
-    "Pobject": "point_object",
+    "Pobject": "position_object",
     "Nobject": "normal_object",
     "Tobject": "tangent_object",
-    "Bobject": "binormal_object",
-    "Pworld": "point_world",
+    "Bobject": "bitangent_object",
+    "Pworld": "position_world",
     "Nworld": "normal_world",
     "Tworld": "tangent_world",
-    "Bworld": "binormal_world",
-    "Vworld": "to_eye_world",
+    "Bworld": "bitangent_world",
+    "Vworld": "view_world",
     "UV0": "st",
 }
 """The geometric properties of MaterialX, and the slots of ``std.mtlx.surface`` that have them."""

@@ -62,6 +62,17 @@ class Functions:
             self.files[path] = File(path, heading=heading)
         return self.files[path]
 
+    def is_shared(self, definition: Definition, name: str) -> bool:
+        """True for an input that all definitions of a category have, with one type.
+
+        The others choose between functions of one name, so no call may leave them out.
+        """
+        others = self._known(definition.category) if definition.is_library else [definition]
+        types = {
+            BARE.get(each.inputs[name].type) if name in each.inputs else None for each in others
+        }
+        return len(types) == 1
+
     def _write_if_possible(self, definition: Definition) -> None:
         try:
             self._places[definition] = self._written(definition)
@@ -157,12 +168,11 @@ class _Body:
         used = {
             name: self._arguments[name].text for name in definition.inputs if name in bound.read
         }
-        # Of `f(color, float)` and `f(color, color)`, a call that leaves the second one out means
-        # the latter.
-        has_defaults = not definition.name.endswith("FA")
         defaults = frozenset(
-            name for name in used if has_defaults and _default(definition.inputs[name]) is not None
-        )
+            name for name in used
+            if _default(definition.inputs[name]) is not None
+            and functions.is_shared(definition, name)
+        )  # fmt: skip
         name = slot_name(
             definition.category if definition.is_library else definition.category or definition.name
         )

@@ -74,8 +74,8 @@ class Materials:
         scope = Scope(renderable.graph)
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
-            value = members.without_last_name(self._counted(network, renderable.port, scope))
-            return SURFACE, members, [Equation("color", _as_color(value, renderable.port.type))]
+            value = self._counted(network, renderable.port, scope)
+            return SURFACE, members, _as_colors(members, value, renderable.port.type)
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
         if found is None:
@@ -131,20 +131,21 @@ def _unit(value: Expression) -> Expression | None:
     return Call("normalize", (value,))
 
 
-def _as_color(value: Expression, kind: str) -> Expression:
-    """A value of any type as a picture shows it: one number is grey."""
-    if kind in ("integer", "boolean"):
-        return Call("vec3", (Call("float", (value,)),))
-    lanes = LANES.get(kind)
+def _as_colors(members: Members, value: Expression, kind: str) -> list[Equation]:
+    """A value of any type as a picture shows it: one number is grey, and a fourth one is alpha."""
     if kind.startswith("matrix"):
         # MaterialX's generators show black in place of what is no colour.
-        return Call("vec3", (Name("0"),))
-    if lanes is None:
+        return [Equation("color", Call("vec3", (Name("0"),)))]
+    if kind in ("integer", "boolean"):
+        value = Call("float", (value,))
+    lanes = LANES.get(kind, 1 if kind in ("integer", "boolean") else 0)
+    if not lanes:
         raise UnsupportedError(f"a {kind} cannot be shown")
-    if lanes == 1:
-        return Call("vec3", (value,))
-    if lanes == 2:
-        return Call("vec3", (value, Name("0")))
     if lanes == 4:
-        return Member(value, "xyz")
-    return value
+        if not isinstance(value, Name):
+            value = members.part("shown", value)
+        return [Equation("color", Member(value, "rgb")), Equation("alpha", Member(value, "a"))]
+    value = members.without_last_name(value)
+    if lanes == 3:
+        return [Equation("color", value)]
+    return [Equation("color", Call("vec3", (value,) if lanes == 1 else (value, Name("0"))))]

@@ -95,7 +95,7 @@ class Members:
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         if not port.value:
             return None
-        path = port.file_prefix + port.value
+        path = port.value
         key = (path, sampling)
         if key not in self._maps:
             stem = slot_name(path.replace("\\", "/").rpartition("/")[2].rpartition(".")[0])
@@ -126,9 +126,11 @@ class Members:
     def library(self, name: str) -> str:
         return self.file.imported(module_of(name), name)
 
-    def part(self, name: str, value: Expression, node: Node) -> Expression:
+    def part(self, name: str, value: Expression, node: Node | None = None) -> Expression:
         fresh = self._names.fresh(part_name(name, value))
-        self.slots.append(Equation(fresh, value, doc=one_line(node.hints.get("doc", ""))))
+        self.slots.append(
+            Equation(fresh, value, doc=one_line(node.hints.get("doc", "") if node else ""))
+        )
         return Name(fresh)
 
 
@@ -167,7 +169,8 @@ def _number(value: float) -> str:
 
 def _settings(sampling: Sampling) -> str:
     """The state of a sampler, as far as it is none of the usual."""
-    settings = []
+    # Whatever is no sRGB is decoded in the shader, or is none: hosts leave its numbers as they are.
+    settings = [] if sampling.is_encoded else ["intent = data"]
     if sampling.filter in _FILTERS:
         settings.append(f"filter = {_FILTERS[sampling.filter]}")
     u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")

@@ -36,7 +36,6 @@ class Port:
     color_space: str = ""
     unit: str = ""
     unit_type: str = ""
-    file_prefix: str = ""
     hints: Mapping[str, str] = field(default_factory=dict)
     """Attributes for people: ``doc``, ``uiname``, ``uimin`` and so on, ``enum``."""
 

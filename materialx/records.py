@@ -120,7 +120,11 @@ def _port(element: Any) -> Port:
     output = element.getAttribute("output")
     if node or graph or output:
         link = Link(node, graph, output)
-    value = element.getValueString() if element.hasAttribute("value") else None
+    value = None
+    if element.hasAttribute("value"):
+        # Of files, with the prefix and the tokens of the graph.
+        is_file = element.getType() == "filename"
+        value = element.getResolvedValueString() if is_file else element.getValueString()
     return Port(
         element.getName(),
         element.getType(),
@@ -131,7 +135,6 @@ def _port(element: Any) -> Port:
         element.getActiveColorSpace(),
         element.getAttribute("unit"),
         element.getAttribute("unittype"),
-        element.getActiveFilePrefix(),
         _hints(element),
     )
 

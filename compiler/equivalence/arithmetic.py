@@ -47,6 +47,7 @@ class Arithmetic(Maker):
 
     def __init__(self) -> None:
         self._known: dict[Key, Term] = {}
+        self._variables: dict[str, Variable] = {}
         self.all: list[Term] = []
         """All terms; the arguments of each come before it."""
         self.units: dict[int, tuple[Term, ...]] = {}
@@ -84,8 +85,9 @@ class Arithmetic(Maker):
         return self.constant(lane if isinstance(lane, Fraction | int) else float(lane))
 
     def variable(self, variable: Variable) -> Term:
-        """A value from outside."""
-        return self.node("variable", (), variable)
+        """A value from outside: of one name, it is one in both programs."""
+        known = self._variables.setdefault(variable.name, variable)
+        return self.node("variable", (), known)
 
     # --- arithmetic -------------------------------------------------------------------------------
 

@@ -15,9 +15,10 @@ from ...support.frozen import frozen
 from ..ir.shader import Shader
 from .boxes import Region, cut, whole
 from .domain import Domain
+from .interfaces import check_types, notes_of, with_common
 from .names import NamedValue, named_values
 from .numbers import Array, Numbers
-from .programs import Lane, lanes_of
+from .programs import Lane, NotComparableError, lanes_of
 from .searching import Found, Search
 from .shrinking import simplest, start_of
 from .subdividing import Proof, subdivided
@@ -38,10 +39,6 @@ MOST_BOXES = 200_000
 """The most boxes that are looked at by default."""
 _FOR_CUT = 0.25
 """The part of the boxes that may go into what both programs have in common."""
-
-
-class NotComparableError(Exception):
-    """Two programs deliver different things; the text says which."""
 
 
 @frozen
@@ -124,11 +121,13 @@ def compare(first: Shader, second: Shader, settings: Settings) -> Comparison:
 class _Comparing:
     def __init__(self, terms: Terms, first: Shader, second: Shader, settings: Settings) -> None:
         self._terms, self._shaders, self._settings = terms, (first, second), settings
-        lanes = lanes_of(first, terms, settings.first)
-        others = lanes_of(second, terms, settings.second)
+        check_types(first, second)
+        ours, theirs = (with_common(first, second, d) for d in (settings.first, settings.second))
+        lanes = lanes_of(first, terms, ours)
+        others = lanes_of(second, terms, theirs)
         self._lanes = lanes
         self._pairs = list(_paired(lanes, others, first.name, second.name))
-        self._notes = tuple(_notes(first, second))
+        self._notes = tuple(notes_of(first, second))
         self._points, self._seen = 0, 0.0
 
     def result(self) -> Comparison:
@@ -285,25 +284,6 @@ def _paired(
             raise NotComparableError(f"{delivers} delivers {names}, and {lacks} does not")
     for each in first:
         yield each, theirs[each.name]
-
-
-def _notes(first: Shader, second: Shader) -> Iterator[str]:
-    """What is to be known of parameters and textures that only one of both has."""
-    for one, other, which in ((first, second, "A"), (second, first, "B")):
-        there = {info.leaf.name for info in other.leaves}
-        alone = [
-            info.leaf.name
-            for info in (*one.parameters, *one.textures)
-            if info.leaf.name not in there
-        ]
-        if alone:
-            yield (
-                f"{', '.join(alone)}: only {which} has it, and it has any value here"
-                if len(alone) == 1
-                else f"{', '.join(alone)}: only {which} has them, and they have any values here"
-            )
-    if first.targets != second.targets:
-        yield "the formats or the blending of the render targets differ, which is not compared"
 
 
 def _numbered(read: Mapping[str, float]) -> Iterator[tuple[str, float]]:

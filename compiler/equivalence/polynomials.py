@@ -33,7 +33,7 @@ MOST_WORK = 40_000
 """The most products that one difference may take."""
 
 
-class TooLargeError(Exception):
+class UnwieldyError(Exception):
     """A difference has too many products, or takes too many steps."""
 
 
@@ -81,7 +81,7 @@ class Algebra:
         self._until = self.work + MOST_WORK
         try:
             return self._sum(self._expanded(difference(x, y), shared))
-        except TooLargeError:
+        except UnwieldyError:
             return plain
 
     def _sum(self, polynomial: Polynomial) -> Term:
@@ -101,7 +101,7 @@ class Algebra:
             try:
                 if self._vanishes(polynomial, kept, 0):
                     return True
-            except TooLargeError:
+            except UnwieldyError:
                 continue
         return False
 
@@ -122,7 +122,7 @@ class Algebra:
                     break
             else:
                 return self._without_quotients(polynomial, atoms, kept, depth)
-        raise TooLargeError
+        raise UnwieldyError
 
     def _is_kept(self, atom: int, kept: Container[int]) -> bool:
         return atom in kept and atom not in self._asked and self._terms.all[atom].op != "constant"
@@ -184,7 +184,7 @@ class Algebra:
     def _spend(self, products: int, made: Polynomial) -> None:
         self.work += products
         if len(made) > LARGEST or self.work > self._until:
-            raise TooLargeError
+            raise UnwieldyError
 
     def _reduced(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial with what follows from relations in place of powers of atoms."""
@@ -312,7 +312,7 @@ class Algebra:
             self._same[term.id] = alone(term)
             try:
                 asked = self._expanded(difference(y, x))
-            except TooLargeError:
+            except UnwieldyError:
                 return None
             if asked:
                 scale = abs(asked[max(asked)])
@@ -335,7 +335,7 @@ class Algebra:
                     break
             else:
                 return polynomial
-        raise TooLargeError
+        raise UnwieldyError
 
     def _choice(self, condition: object, x: Term, y: Term) -> Polynomial:
         """``x`` where a condition holds, else ``y``."""

@@ -14,7 +14,7 @@ from ..ir.operations import CROSS, builtin_of
 from ..ir.shader import Result, Shader
 from ..ir.stages import DISCARD, TARGET
 from ..ir.types import Scalar, Vector
-from ..reference.evaluate import Evaluator, TooLongError
+from ..reference.evaluate import Evaluator, NotConstantError, TooLongError
 from ..reference.namespace import Lanes
 from .arithmetic import TooManyTermsError
 from .domain import Domain
@@ -30,6 +30,10 @@ MOST_OPERATIONS = 400_000
 
 class TooLargeError(Exception):
     """A program is too large to be written out as terms."""
+
+
+class NotComparableError(Exception):
+    """Programs cannot be compared; the text says why."""
 
 
 @frozen
@@ -60,6 +64,10 @@ def lanes_of(shader: Shader, terms: Terms, domain: Domain) -> list[Lane]:
         values = evaluator.values([result.value for result in shader.results])
     except (TooLongError, TooManyTermsError) as error:
         raise TooLargeError(shader.name) from error
+    except NotConstantError as error:
+        raise NotComparableError(
+            f"{shader.name} joins the values of a work group, which is not compared"
+        ) from error
     found = [
         Lane(name, name_of(result), terms.term(lane))
         for result, value in zip(shader.results, values, strict=True)

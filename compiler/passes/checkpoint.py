@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..ir.shader import Result, Shader
 
 Checkpoint = Literal[
-    "semantics", "open_binders", "replace_aggregates", "simplify", "fuse", "inline",
+    "semantics", "open_binders", "replace_aggregates", "simplify", "fuse", "inline", "skip_loops",
     "expand_builtins", "guard", "move_to_vertices", "hoist", "move_to_corners", "lift_lambdas",
     "lower_reads", "rename_variables", "legalise",
 ]  # fmt: skip

@@ -11,6 +11,7 @@ from functools import partial
 from ...support.frozen import changed, frozen
 from ..ir.full_screen import full_screen, whole_texels, writes_images
 from ..ir.node import Graph, Roots
+from ..ir.operations import LOOPS
 from ..ir.program import Program
 from ..ir.ranges import Ranges
 from ..ir.shader import Notes, Shader
@@ -174,12 +175,18 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 def _simplified(
     graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: InvariantResults
 ) -> Roots:
-    """Simplifies, fuses sums over lights, and inlines bodies that are used once."""
+    """Simplifies, fuses sums over lights, inlines bodies, and lets weights skip loops."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
     fused = apart.each(roots, lambda some, _: fuse(graph, some, notes, simplifier))
     roots = verified("fuse", "flat", fused)
     inlined = apart.each(roots, lambda some, _: inline(graph, some, notes, simplifier))
-    return verified("inline", "flat", inlined)
+    roots = verified("inline", "flat", inlined)
+    if LOOPS.isdisjoint(roots.ops):
+        return roots
+    from .skip_loops import skip_loops
+
+    skipped = apart.each(roots, lambda some, _: skip_loops(graph, some, notes, simplifier.ranges))
+    return verified("skip_loops", "flat", skipped)
 
 
 def _guarded(

@@ -31,8 +31,8 @@ _WORDS = MappingProxyType({
 
 
 _OF_SURFACE = MappingProxyType({
-    "to_eye": "to_eye_world",
-    "position": "point_world",
+    "to_eye": "to_eye",
+    "position": "position_world",
     "normal": "normal_world",
 })  # fmt: skip
 """What functions take of the surface where their nodes have no such input."""

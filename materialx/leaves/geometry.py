@@ -11,7 +11,7 @@ from ..values import BARE, LANES, TYPES
 
 
 def _in_space(letter: str) -> Row:
-    names = {"P": "point", "N": "normal", "T": "tangent", "B": "binormal"}
+    names = {"P": "position", "N": "normal", "T": "tangent", "B": "bitangent"}
 
     def row(node: Application) -> Expression:
         space = node.static("space") or "object"
@@ -37,17 +37,17 @@ def _view_direction(node: Application) -> Expression:
     space = node.static("space") or "world"
     if space not in ("world", "object", "model"):
         raise UnsupportedError(f"there is no space '{space}'")
-    return node.texts.surface("to_eye_world" if space == "world" else "to_eye_object")
+    return node.texts.surface("view_world" if space == "world" else "view_object")
 
 
 def _coordinates(node: Application) -> Expression:
     index = _index(node)
-    name = (
-        "st"
-        if index == 0
-        else node.texts.attribute(f"st{index + 1}", "vec2", "Texture coordinates, v upwards")
-    )
-    found = node.texts.surface(name) if index == 0 else Name(name)
+    if index == 0:
+        found = node.texts.surface("st")
+    else:
+        # Meshes have v downwards, as the first coordinates do.
+        name = node.texts.attribute(f"vertex_uv{index + 1}", "vec2", "Further texture coordinates")
+        found = Call(node.library("upright"), (Name(name),))
     return Call("vec3", (found, Number(0.0))) if LANES[node.type] == 3 else found
 
 

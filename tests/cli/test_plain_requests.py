@@ -49,7 +49,7 @@ def test_they_mean_the_same(line: list[str]) -> None:
 @pytest.mark.parametrize("row", OPTIONS, ids=lambda row: str(row.field))
 def test_each_option_can_be_plain(row: Option) -> None:
     for name in filter(None, (*row.names, row.off)):
-        line = ["m.burnish", "-o", "out", name, *(["value"] if row.metavar else [])]
+        line = ["m.burnish", "-o", "out", name, *(["name=value"] if row.metavar else [])]
         found = plain_request(["compile", *line])
         assert found is not None
         assert found == read_by_click(line)

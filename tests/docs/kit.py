@@ -4,7 +4,7 @@ What stands behind a block's language says how it is tried:
 
 ```burnish                       a whole file; one without a material gets an empty one
 ```burnish in-material           members of a material that imports the library's lights and terms
-```burnish file=shared/x.burnish a whole file that later blocks of the page can import
+```burnish file=shared/x.burnish a whole file that later blocks and commands of the page can use
 ```burnish error=B0203           must fail with this code and no other
 ```burnish rig=R pass=P          compiled with that rig and pass
 ```burnish targets=glsl,hlsl     compiled for these instead of the default ones

@@ -25,13 +25,18 @@ def whole(block: Block) -> str:
     return f"{block.text}\nmaterial Sample {{}}\n"
 
 
-def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
-    """The diagnostics of a block, compiled beside the files that its page declares before it."""
+def declare_files(block: Block, folder: Path) -> None:
+    """Writes the files that a page declares before a block."""
     for other in blocks(block.page, "burnish"):
         if (name := other.value("file")) and other.line < block.line:
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(whole(other), encoding="utf-8")
+
+
+def outcome(block: Block, folder: Path) -> tuple[Diagnostic, ...]:
+    """The diagnostics of a block, compiled beside the files that its page declares before it."""
+    declare_files(block, folder)
     path = folder / "sample.burnish"
     path.write_text(whole(block), encoding="utf-8")
     rig, pass_ = block.value("rig"), block.value("pass")

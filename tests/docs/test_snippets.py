@@ -19,7 +19,7 @@ from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.documents.writing import to_json
 
 from .kit import EXAMPLES, PAGES, ROOT, Block, all_blocks, blocks
-from .outcomes import outcome, source_of, told
+from .outcomes import declare_files, outcome, source_of, told
 from .pictures import among_examples, assert_alike, output_of
 
 (PLASTIC,) = burnish.compile(EXAMPLES / "plastic.burnish").materials
@@ -119,6 +119,7 @@ def test_python(page: Path) -> None:
 @pytest.mark.parametrize("block", all_blocks("console"), ids=str)
 def test_console(block: Block) -> None:
     """Every command succeeds, and prints what is quoted below it; `…` stands for other lines."""
+    declare_files(block, Path.cwd())
     for part in re.split(r"^(?=\$)", block.text, flags=re.MULTILINE):
         line, _, quoted = part.partition("\n")
         command = shlex.split(line.partition("#")[0])

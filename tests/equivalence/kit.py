@@ -46,7 +46,7 @@ def numbers(given: Shader, count: int, seed: int) -> dict[str, list[Any]]:
     with np.errstate(all="ignore"):
         values = [evaluator.value(root) for root in roots]
     return {
-        name_of(result): [np.broadcast_to(lane, (count,)) for lane in flat(value)]
+        name_of(result): [np.broadcast_to(lane, (count, 1, 1)) for lane in flat(value)]
         for result, value in zip(given.results, values, strict=True)
     }
 
@@ -56,7 +56,8 @@ class _Values:
 
     def __init__(self, given: Shader, count: int, seed: int) -> None:
         self._leaves = Leaves(Terms(), EVERYWHERE, given.parameters)
-        self._count, self._seed = count, seed
+        self._shape, self._seed = (count, 1, 1), seed
+        """Each point is a quad of pixels that are all alike."""
 
     def __call__(self, node: Node) -> Lanes | None:
         found = self._leaves(node)
@@ -74,10 +75,10 @@ class _Values:
         """The numbers of one variable: some at the ends of its range."""
         variable = lane.data
         chance = np.random.default_rng(crc32(variable.name.encode()) + self._seed)
-        found = chance.uniform(variable.low, variable.high, self._count)
+        found = chance.uniform(variable.low, variable.high, self._shape)
         ends = np.asarray([variable.low, variable.high, 0.0, 1.0])
-        end = np.clip(ends[chance.integers(0, 4, self._count)], variable.low, variable.high)
-        found = np.where(chance.uniform(0.0, 1.0, self._count) < 0.2, end, found)
+        end = np.clip(ends[chance.integers(0, 4, self._shape)], variable.low, variable.high)
+        found = np.where(chance.uniform(0.0, 1.0, self._shape) < 0.2, end, found)
         if variable.kind == "b":
             return found > 0.5
         if variable.vector:  # A fixed direction has length one at all points.

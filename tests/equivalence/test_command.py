@@ -44,6 +44,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         (("a.burnish", "a.burnish", "--set-b", "weight=1"), 1, "differs  Plain"),
         (("a.burnish", "a.burnish", "--set-a", "base=#ffffff", "--set-b", "base=1,1,1"), 0, "same"),
         (("a.burnish", "c.burnish", "--range", "weight=0..0.05"), 0, "difference is at most 5e-05"),
+        (("a.burnish", "c.burnish", "--set", "weight=0..0.05"), 0, "difference is at most 5e-05"),
         (("two.burnish#Plain", "two.burnish#Other"), 0, "same  Plain, Other"),
         (("two.burnish", "a.burnish"), 0, "note: only one of both files has Other"),
     ],
@@ -80,6 +81,34 @@ def test_a_difference_is_told_with_values_and_the_place_where_it_begins() -> Non
 def test_what_cannot_be_compared_ends_with_two(words: tuple[str, ...], said: str) -> None:
     result = invoke("same", *words)
     assert said in result.output
+    assert result.exit_code == 2
+
+
+def test_a_parameter_is_one_in_both_whatever_its_default_and_range() -> None:
+    Path("f.burnish").write_text(PLAIN.replace("0..1 = 0.5", "0..2 = 0.75"))
+    result = invoke("same", "a.burnish", "f.burnish")
+    assert "note: `weight` is in 0..1 in A and in 0..2 in B: both ranges count" in result.output
+    assert result.exit_code == 0
+    Path("f.burnish").write_text(
+        PLAIN.replace("float in 0..1 = 0.5", "int in 0..1 = 1").replace(
+            "base * weight", "base * float(weight)"
+        )
+    )
+    result = invoke("same", "a.burnish", "f.burnish")
+    assert "`weight` is float in A and int in B" in result.output
+    assert result.exit_code == 2
+
+
+def test_kernels_are_compared_but_not_work_groups() -> None:
+    kernels = """kernel Doubled { result twice : float[64] = 2 * float(index) }\n"""
+    Path("k.burnish").write_text(kernels)
+    Path("l.burnish").write_text(kernels.replace("2 * float(index)", "float(index + index)"))
+    assert invoke("same", "k.burnish", "l.burnish").exit_code == 0
+    Path("g.burnish").write_text(
+        "kernel Doubled { result twice : float[64] = group_sum(float(index)) }\n"
+    )
+    result = invoke("same", "k.burnish", "g.burnish")
+    assert "Doubled joins the values of a work group, which is not compared" in result.output
     assert result.exit_code == 2
 
 

@@ -10,8 +10,8 @@ from random import Random
 import pytest
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.compiler.equivalence.comparing import NotComparableError, Settings, compare
-from burnish.compiler.equivalence.programs import TooLargeError
+from burnish.compiler.equivalence.comparing import Settings, compare
+from burnish.compiler.equivalence.programs import NotComparableError, TooLargeError
 
 from ..fuzz.programs import program
 from ..fuzz.rewritings import rewritten
@@ -39,17 +39,17 @@ def _changed(text: str, chance: Random) -> Iterator[str]:
             yield text[:at] + other + text[at + len(one) :]
 
 
-@pytest.mark.parametrize("number", range(24))
+@pytest.mark.parametrize("number", range(8))
 def test_what_is_proven_of_random_programs_is_so(number: int) -> None:
     chance = Random(number)
     tree = program(f"same {number}")
     text = str(tree)
     others = [*_changed(text, chance)]
     chance.shuffle(others)
-    for other in others[:3]:
+    for other in others[:2]:
         try:
             first, second = shaders(text)[-1], shaders(other)[-1]
-            found = compare(first, second, Settings(boxes=200))
+            found = compare(first, second, Settings(boxes=100))
         except (CompileError, NotComparableError, TooLargeError):
             continue
         if found.verdict != "same":
@@ -60,17 +60,17 @@ def test_what_is_proven_of_random_programs_is_so(number: int) -> None:
                 assert difference <= 1e-4, (name, other)
 
 
-@pytest.mark.parametrize("number", range(24, 36))
+@pytest.mark.parametrize("number", range(8, 12))
 def test_no_point_tells_programs_apart_that_mean_the_same(number: int) -> None:
     tree = program(f"same {number}")
     found = list(rewritten(tree, str(number)))
     Random(number).shuffle(found)
-    for name, other in found[:3]:
+    for name, other in found[:2]:
         if name == "declare more":  # It may deliver more than the original.
             continue
         try:
             first, second = shaders(str(tree))[-1], shaders(str(other))[-1]
-            verdict = compare(first, second, Settings(boxes=200)).verdict
+            verdict = compare(first, second, Settings(boxes=100)).verdict
         except (CompileError, NotComparableError, TooLargeError):
             continue
         assert verdict != "different", name

@@ -140,6 +140,28 @@ def test_rows_of_texture_reads_are_called_as_the_kind_of_texture_has_them() -> N
     assert rows(nodes["sharp"]) == ["map lamps", "coordinate normal", "layer 1", "reference 0.5"]
 
 
+def test_arguments_stand_in_rows_by_their_names() -> None:
+    nodes = of_text("""
+        fn ring(p: vec2, radius: float = 1, width: float = 0.1) -> float = radius + width * p.x
+        struct Layer { tint : rgb  weight : float }
+        term bent(k: rgb, n: vec3 = normal) = k * n.z
+        material M {
+            map wood : texture2d
+            normal = normalize(vec3(uv, 1))
+            edge  = ring(uv, width = 0.5)
+            layer = Layer(weight = edge, tint = #fff)
+            read  = wood.level(level = 2, coordinate = uv)
+            first = bent(read.rgb)
+            other = bent(n = position, k = layer.tint)
+            color = first + other
+        }""")
+    assert rows(nodes["edge"]) == ["p uv", "width 0.5"]
+    assert rows(nodes["layer"]) == ["weight edge", "tint #fff"]
+    assert rows(nodes["read"]) == ["map wood", "level 2", "coordinate uv"]
+    assert rows(nodes["first"]) == ["k read.rgb", "normal normal"]
+    assert rows(nodes["other"]) == ["n position", "k layer.tint"]
+
+
 def test_lanes_of_a_vector_have_names_if_each_is_written() -> None:
     nodes = of_text("""material M {
         apart   = vec3(uv.x, 0, 1)

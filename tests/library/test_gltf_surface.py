@@ -58,7 +58,7 @@ GLTF: dict[str, Knobs] = {
                "base_color": (0.9, 0.6, 0.2)},
     "pane": {"metallic": 0.2, "roughness": 0.6, "transmission": 0.7, "base_color": (0.5, 0.9, 0.3),
              "ior": 1.3, "specular": 0.8, "attenuation_color": (0.5, 0.3, 0.2), "occlusion": 0.5,
-             "attenuation_distance": 0.4},
+             "attenuation_distance": 0.4, "specular_color": (0.3, 1.0, 0.6)},
     "lens": {"metallic": 0.0, "roughness": 0.7, "transmission": 1.0, "thickness": 0.3,
              "attenuation_color": (0.5, 0.3, 0.8), "attenuation_distance": 0.4, "ior": 2.0,
              "clearcoat": 0.5, "sheen_color": (0.3, 0.1, 0.2), "sheen_roughness": 0.5,

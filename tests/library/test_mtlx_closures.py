@@ -205,7 +205,33 @@ SHARED: Nodes = {
         (f"{PBR}/lib/mx_microfacet_specular.glsl",),
     ),
 }
-NODES: Nodes = {**GLOSS, **MATT, **CLOTH, **JOINED, **SENT, **BELOW, **FRESNEL, **SHARED}
+ANGLES = "0.01 + 0.99 * q.x, 0.01 + 0.99 * q.y, q.z"
+"""Any cosines of the eye, of the light, and between both, whether these can be together or not."""
+SPREAD: Nodes = {
+    name: Node(
+        f"three = vec3(1.0) * {theirs}",
+        f"vec3({ours}) * vec3(1)",
+        3,
+        near,
+        (f"{PBR}/lib/mx_microfacet_diffuse.glsl",),
+    )
+    for name, near, theirs, ours in (
+        (
+            "oren_nayar",
+            ROUNDED,
+            f"mx_oren_nayar_diffuse({ANGLES}, q.w)",
+            f"oren_nayar_share({ANGLES}, q.w)",
+        ),
+        (
+            "compensated",
+            NARROW,
+            f"mx_oren_nayar_compensated_diffuse({ANGLES}, q.w, q.zxy)",
+            f"compensated_share({ANGLES}, q.w, rgb(q.zxy))",
+        ),
+        ("burley", ROUNDED, f"mx_burley_diffuse({ANGLES}, q.w)", f"burley_share({ANGLES}, q.w)"),
+    )
+}
+NODES: Nodes = {**GLOSS, **MATT, **CLOTH, **JOINED, **SENT, **BELOW, **FRESNEL, **SHARED, **SPREAD}
 
 
 def of(module: str, names: str) -> list[str]:
@@ -246,6 +272,13 @@ def test_even_light_on_facets(name: str) -> None:
 @truth(*of("matt", "scattered fujii_even fujii_mean burley_share burley_even"), *SIDES, *COMMON)
 @pytest.mark.parametrize("name", MATT)
 def test_matt_surfaces(name: str) -> None:
+    assert_alike(NODES, name, IMPORTS)
+
+
+@truth(*of("matt", "oren_nayar_share compensated_share scattered fujii_even fujii_mean"))
+@truth(*of("matt", "burley_share"))
+@pytest.mark.parametrize("name", SPREAD)
+def test_cosines_on_matt_surfaces(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 

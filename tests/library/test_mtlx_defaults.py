@@ -22,6 +22,8 @@ from .materialx import libraries
 from .truth import truth
 
 Numbers = tuple[float, ...]
+WORDS = {"R": "0", "conty_kulla": "0"}
+"""Words that are defaults in MaterialX, and the numbers of the same choices here."""
 
 
 def defaults(path: Path) -> Iterator[tuple[str, str, str]]:
@@ -54,6 +56,7 @@ def inputs() -> dict[tuple[str, str], set[Numbers]]:
 
 def numbers(text: str) -> Numbers:
     """The numbers in a value; one, if all of them are equal, and 0 or 1 for a condition."""
+    text = WORDS.get(text, text)
     text = re.sub(r"\bvec\d", "", text.replace("true", "1").replace("false", "0"))
     lanes = tuple(float(number) for number in re.findall(r"[-+.\d][-+.\de]*", text))
     return lanes[:1] if len(set(lanes)) == 1 else lanes

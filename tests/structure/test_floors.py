@@ -123,8 +123,8 @@ FLOORS: dict[str, str] = {
     "api.narrowed_values": "frozen stdlib ir runner",
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.compiling": (
-        "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection frontend "
-        "description emit legalise availability selection graphs compiled specialising"
+        "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection "
+        "frontend description emit legalise availability selection graphs compiled specialising"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
