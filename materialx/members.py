@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
+from math import isfinite
 
 from ..compiler.syntax import ast
 from .constants import constant
@@ -158,7 +159,10 @@ def _range(port: Port, value: Expression) -> str:
 
 
 def _numbers(text: str) -> list[float]:
-    return [float(part) for part in text.split(",")]
+    numbers = [float(part) for part in text.split(",")]
+    if not all(map(isfinite, numbers)):
+        raise ValueError
+    return numbers
 
 
 def _number(value: float) -> str:

@@ -44,7 +44,8 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
     except (LookupError, MaterialX.ExceptionFoundCycle) as error:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    return Document(path.name, version, top, texts.lines), list(_renderables(top))
+    found = Document(path.name, version, top, texts.lines, texts.repeated)
+    return found, list(_renderables(top))
 
 
 class _Texts:
@@ -53,6 +54,7 @@ class _Texts:
     def __init__(self, path: Path) -> None:
         self.texts: list[str] = []
         self.lines: dict[str, tuple[str, int]] = {}
+        self.repeated: dict[str, tuple[str, int]] = {}
         self._root = path.parent.resolve()
         self._seen: set[Path] = set()
         self._left = LARGEST
@@ -71,6 +73,7 @@ class _Texts:
         self._left -= len(text)
         outline = Outline(name, text.decode("utf-8", "replace"))
         self.lines = outline.places | self.lines
+        self.repeated |= outline.repeated
         try:
             self.texts.append(text.decode("utf-8"))
         except UnicodeDecodeError:
