@@ -173,7 +173,7 @@ class _Body:
             for name in used
             if functions.is_shared(definition, name)
             and _default(definition.inputs[name]) is not None
-        )  # fmt: skip
+        )
         name = slot_name(
             definition.category if definition.is_library else definition.category or definition.name
         )
