@@ -176,7 +176,7 @@ def _settings(sampling: Sampling) -> str:
     # Whatever is no sRGB is decoded in the shader, or is none: hosts leave its numbers as they are.
     settings = [] if sampling.is_encoded else ["intent = data"]
     if sampling.filter in _FILTERS:
-        settings.append(f"filter = {_FILTERS[sampling.filter]}")
+        settings += [f"filter = {_FILTERS[sampling.filter]}", f"mip = {_FILTERS[sampling.filter]}"]
     u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")
     if u == v:
         settings += [f"wrap = {u}"] if u != "repeat" else []

@@ -200,7 +200,7 @@ class Network:
                 f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
             )
         function = self.texts.function(node.definition)
-        if function is None:
+        if function is None or self._has_borders(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
             return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
@@ -273,9 +273,29 @@ class Network:
         if port.interface:
             assert place.bound is not None
             return place.bound[port.interface]
-        is_encoded = _gives_color(node) and is_srgb(self._file_space(node, name, scope))
-        return self.texts.texture(
-            port, Sampling(*self._sampling(node, name, scope), is_encoded), node
+        sampling = Sampling(*self._sampling(node, name, scope), self.is_encoded(node, name, scope))
+        return self.texts.texture(port, sampling, node)
+
+    def is_encoded(self, node: Node, name: str, scope: Scope) -> bool:
+        """True for a file of colours in sRGB, which are decoded before filtering."""
+        return _gives_color(node) and is_srgb(self._file_space(node, name, scope))
+
+    def borders(self, node: Node, name: str, scope: Scope) -> tuple[bool, bool]:
+        """The axes, u and v, at which the images that read a file end in their default colour.
+
+        In a function there are none: what has borders is written out where it is used.
+        """
+        if self._file(node, name, scope)[0].interface:
+            return False, False
+        u, v, _ = self._sampling(node, name, scope)
+        return u == "constant", v == "constant"
+
+    def _has_borders(self, node: Node, scope: Scope) -> bool:
+        assert node.definition is not None
+        return any(
+            any(self.borders(node, name, scope))
+            for name, port in node.definition.inputs.items()
+            if port.type == "filename"
         )
 
     def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
