@@ -179,10 +179,11 @@ class _Body:
             name: self._arguments[name].text for name in definition.inputs if name in bound.read
         }
         defaults = frozenset(
-            name for name in used
-            if _default(definition.inputs[name]) is not None
-            and functions.is_shared(definition, name)
-        )  # fmt: skip
+            name
+            for name in used
+            if functions.is_shared(definition, name)
+            and _default(definition.inputs[name]) is not None
+        )
         name = slot_name(
             definition.category if definition.is_library else definition.category or definition.name
         )
