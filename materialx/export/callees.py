@@ -7,10 +7,11 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from ...compiler.semantics.names.modules import Symbol
-from ..definitions import FOLDER, arguments_of
+from ..definitions import FOLDER, Functions, arguments_of
 from ..known import categories, known
 from ..leaves.catalogue import OF_SURFACE, WORDS, catalogue, input_named
 from ..names import Names
+from ..texts import File
 from .closures import ASKED
 from .nodes import Input
 from .table import leaf_category
@@ -110,10 +111,12 @@ def node_of(symbol: Symbol) -> Callee | None:
     path = symbol.module.path
     if symbol.module.is_standard or path is None or path.parent.name != FOLDER:
         return None
+    functions = Functions(File(""), known)
     for category in categories().get(path.stem, ()):
         named: dict[str, str] = {}
         for definition in known(category):
-            rows = arguments_of(definition, Names((), catalogue()))
+            names = Names((), {*catalogue(), *functions.called_by(definition)})
+            rows = arguments_of(definition, names)
             named |= {argument: name for name, argument in rows.items()}
         return Callee(category, named)
     return None

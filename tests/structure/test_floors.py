@@ -22,6 +22,7 @@ FLOORS: dict[str, str] = {
     "support.frozen": "initialisers",
     "support.arguments": "",
     "support.stack": "",
+    "support.depth": "",
     "support.locks": "",
     "support.installing": "",
     "support.garbage": "stack locks",
@@ -132,7 +133,7 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
-    "materialx": "stdlib diagnostics syntax library_trees library",
+    "materialx": "depth stdlib diagnostics syntax library_trees library",
     "materialx.export": (
         "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
         "compiling materialx"

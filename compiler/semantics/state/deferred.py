@@ -39,7 +39,12 @@ class Deferred:
         There are copies of them, or parts of them have been taken.
         """
         self._weights: dict[Node, int] = {}
-        """The weight of the gravest finding about what a node needs, on whatever side; else 0."""
+        """The weight of the gravest finding about what a node needs, on whatever side.
+
+        Nodes are left out whose weight is 0: nearly all of them.
+        """
+        self._weighed = 0
+        """The number of nodes whose weights are known: all up to it, in the order of the tree."""
         self._reached: set[Node] = set()
         """The nodes that the program can come to, as far as ``report`` has walked."""
         self._first = 0
@@ -110,14 +115,16 @@ class Deferred:
         """Report the errors that the program can come to."""
         first, self._first = self._first, len(self._tree)
         if self._found:
-            outermost = list(self._outermost(self._tree.nodes[first:]))
-            self._tell(self._errors(outermost, self._reached))
+            leading = self._leading()
+            nodes = [node for node in self._tree.nodes[first:] if node in leading]
+            outermost = list(self._outermost(nodes))
+            self._tell(self._errors(outermost, self._reached, leading))
 
     def is_wrong(self, node: Node) -> bool:
         """True if a value that is needed now has errors, which are reported."""
         if not self._weight(node):
             return False
-        return self._tell(self._errors([node], set()))
+        return self._tell(self._errors([node], set(), None))
 
     def _tell(self, wrong: Iterable[Node]) -> bool:
         """Report the errors of nodes in the order found, so that the first of equal ones stays.
@@ -129,11 +136,25 @@ class Deferred:
         self._report.extend(told)
         return any(found.severity == "error" for found in told)
 
-    def _errors(self, pending: list[Node], reached: set[Node]) -> Iterator[Node]:
-        """The wrong nodes that a program comes to on the way to values, but for the ``reached``."""
+    def _leading(self) -> set[Node]:
+        """The nodes that need a wrong one, on whatever side: there is nothing to find in others."""
+        leading = {*self._found, *self._also}
+        first = min(node.id for node in leading)
+        for node in self._tree.nodes[first:]:
+            if not leading.isdisjoint(node.operands):
+                leading.add(node)
+        return leading
+
+    def _errors(
+        self, pending: list[Node], reached: set[Node], leading: set[Node] | None
+    ) -> Iterator[Node]:
+        """The wrong nodes that a program comes to on the way to values, but for the ``reached``.
+
+        Only the ``leading`` nodes are looked at, if it is known which these are.
+        """
         while pending:
             node = pending.pop()
-            if node in reached:
+            if node in reached or (leading is not None and node not in leading):
                 continue
             reached.add(node)
             if node in self._found:
@@ -141,7 +162,10 @@ class Deferred:
             pending += self._taken(node)
 
     def _outermost(self, nodes: list[Node]) -> Iterator[Node]:
-        """The nodes that no other one needs, but for those that were passed; marks do not count."""
+        """Of nodes and all that need these, those that no other one needs, but for passed ones.
+
+        Marks do not count.
+        """
         needed = {node for others in self._also.values() for node in others}
         for node in reversed(nodes):
             if node not in needed:
@@ -188,19 +212,21 @@ class Deferred:
         yield from loop.operands[bodies.start :]
 
     def _weight(self, root: Node) -> int:
+        """The weight of the gravest finding about what a node needs, on whatever side; else 0."""
         if not self._found:
             return 0
-        weights, pending = self._weights, [root]
-        while pending:
-            node = pending[-1]
-            missing = [operand for operand in node.operands if operand not in weights]
-            if node not in weights and missing:
-                pending += missing
-                continue
-            if node not in weights:
-                weights[node] = max((weights[operand] for operand in node.operands), default=0)
-            pending.pop()
-        return weights[root]
+        if root.id >= self._weighed:
+            self._weigh(self._tree.nodes[self._weighed :])
+        return self._weights.get(root, 0)
+
+    def _weigh(self, nodes: list[Node]) -> None:
+        """Note the weights of the nodes that were made since this was last done."""
+        weights = self._weights
+        for node in nodes:
+            for operand in node.operands:
+                if operand in weights:
+                    weights[node] = max(weights.get(node, 0), weights[operand])
+        self._weighed += len(nodes)
 
 
 def _weight(found: Diagnostic) -> int:
