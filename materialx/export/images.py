@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from ...compiler.syntax import ast
 from .lanes import picked
 from .nodes import Input, Nodes
 from .unsayable import UnsayableError
-from .values import Constant, Linked, Picture, Value
+from .values import Constant, Linked, Picture, Value, lanes_of, vector
 
 _TYPES = {"r": "float", "x": "float", "xy": "vector2", "xyz": "vector3", "rgb": "color3"}
 """The types of images whose lanes are read."""
@@ -30,7 +32,31 @@ def picture_of(member: ast.Texture, file: str, is_color: bool) -> Picture:
     return Picture(member.name.text, file, "srgb_texture" if is_color else "", settings)
 
 
-def read(nodes: Nodes, picture: Picture, coordinate: Value | None, lanes: str) -> Value:
+class Border(NamedTuple):
+    """The colour beyond an image, and the axes at which it ends."""
+
+    beyond: Value
+    axes: Value
+
+    def inputs(self, kind: str) -> dict[str, Input]:
+        """The inputs of an image of a type."""
+        if not isinstance(self.axes, Constant) or not isinstance(self.beyond, Constant):
+            raise UnsayableError("borders and colours beyond them are constants in MaterialX", "")
+        sides = zip(("uaddressmode", "vaddressmode"), self.axes.numbers * 2, strict=False)
+        numbers = self.beyond.numbers[: lanes_of(kind)]
+        return {
+            **{name: "constant" for name, is_bordered in sides if is_bordered},
+            "default": vector(numbers, kind),
+        }
+
+
+def read(
+    nodes: Nodes,
+    picture: Picture,
+    coordinate: Value | None,
+    lanes: str,
+    border: Border | None = None,
+) -> Value:
     """The node that reads a texture; ``lanes`` are those that are picked, or empty for all.
 
     ``coordinate`` has v upwards, and is nothing for the first coordinates of the mesh. Colours are
@@ -41,6 +67,8 @@ def read(nodes: Nodes, picture: Picture, coordinate: Value | None, lanes: str) -
         kind = "color4" if "w" in lanes or "a" in lanes else "color3"
     inputs: dict[str, Input] = {"file": picture, **picture.settings}
     place = {} if coordinate is None else {"texcoord": coordinate}
+    if border is not None:
+        inputs |= border.inputs(kind)
     found = nodes.node("image", {**inputs, **place}, kind, must=True)
     if isinstance(found, Linked) and (not lanes or _TYPES.get(lanes) == found.type):
         return found
@@ -53,11 +81,10 @@ def with_space(nodes: Nodes, value: Value, space: str) -> Value | None:
     A constant keeps its numbers, and an image tells of its file.
     """
     if isinstance(value, Constant):
-        found = nodes.converted(value, "color3")
+        kind = "color4" if len(value.numbers) == 4 else "color3"
+        found = nodes.converted(value, kind)
         assert isinstance(found, Constant)
-        return nodes.plain(
-            "constant", "color3", {"value": Constant("color3", found.numbers, space=space)}
-        )
-    if isinstance(value, Linked) and value.type == "color3":
+        return nodes.plain("constant", kind, {"value": Constant(kind, found.numbers, space=space)})
+    if isinstance(value, Linked) and value.type in ("color3", "color4"):
         return nodes.decoded(value, space)
     return None

@@ -17,7 +17,7 @@ from .callees import Callee, leaf_of, node_of
 from .closures import ASKED, ASKING, closure_node
 from .expressions import At, Expressions
 from .geometry import attribute, property_of, seen_from
-from .images import read, with_space
+from .images import Border, read, with_space
 from .lanes import upright
 from .nodes import Nodes
 from .own import OwnDefinitions
@@ -43,7 +43,7 @@ _INSTEAD = {
     "std.patterns": "std.mtlx.patterns has patterns that are nodes of MaterialX",
 }
 """What can be used in place of functions of the library."""
-_SURFACE = "std.mtlx.surface"
+_SURFACE, _TEXTURES = "std.mtlx.surface", "std.mtlx.textures"
 
 
 class ExportedSurface:
@@ -182,19 +182,14 @@ class Meanings:
 
     def swizzled(self, e: ast.Field, at: At) -> Value | None:
         """A texture that is read with lanes, such as ``paint(uv).rgb``."""
-        call = e.operand
-        picture = self._picture(call, at) if isinstance(call, ast.Call) else None
-        if picture is None:
-            return None
-        assert isinstance(call, ast.Call)
-        return read(self._nodes, picture, self._coordinate(call, at), e.name.text)
+        return self._texel(e.operand, at, e.name.text)
 
     # ---- Calls
 
     def called(self, e: ast.Call, at: At, wanted: str) -> Value | None:
-        picture = self._picture(e, at)
-        if picture is not None:
-            return read(self._nodes, picture, self._coordinate(e, at), "")
+        texel = self._texel(e, at, "")
+        if texel is not None:
+            return texel
         if not isinstance(e.callee, ast.Reference):
             return None
         found = called(e.callee.name, at.where)
@@ -206,11 +201,31 @@ class Meanings:
         functions = [each for each in found if isinstance(each.declaration, ast.Function)]
         return self._function(functions, e, at, wanted)
 
-    def _picture(self, e: ast.Call, at: At) -> Picture | None:
-        """The texture that a call reads."""
-        if not isinstance(e.callee, ast.Reference):
+    def _texel(self, e: ast.Expression, at: At, lanes: str) -> Value | None:
+        """A texture that is read, plainly or with borders; nothing for all else."""
+        if not isinstance(e, ast.Call) or not isinstance(e.callee, ast.Reference):
             return None
-        name = e.callee.name
+        picture = self._picture(e.callee.name, at)
+        if picture is not None:
+            if len(e.arguments) != 1:
+                advice = "leave out layers and offsets"
+                raise UnsayableError("MaterialX reads flat pictures only", advice)
+            return read(self._nodes, picture, self._coordinate(e.arguments[0], at), lanes)
+        if not self._calls(e, at, _TEXTURES, "bordered", "bordered_nearest") or e.names:
+            return None
+        file, place, axes, beyond = e.arguments
+        picture = self._picture(file.name, at) if isinstance(file, ast.Reference) else None
+        if picture is None:
+            return None
+        if picture.is_color and self._calls(beyond, at, _COLORS, "from_srgb_texture"):
+            # The colour is encoded as the file is.
+            assert isinstance(beyond, ast.Call)
+            beyond = beyond.arguments[0]
+        border = Border(self.expressions.value(beyond, at), self.expressions.value(axes, at))
+        return read(self._nodes, picture, self._coordinate(place, at), lanes, border)
+
+    def _picture(self, name: str, at: At) -> Picture | None:
+        """The texture that a name means."""
         if name in at.own:
             own = at.own[name]
             return own if isinstance(own, Picture) else None
@@ -220,20 +235,21 @@ class Meanings:
         value = self.slot(*found.key)
         return value if isinstance(value, Picture) else None
 
-    def _coordinate(self, e: ast.Call, at: At) -> Value | None:
+    def _coordinate(self, e: ast.Expression, at: At) -> Value | None:
         """Where a texture is read, with v upwards; nothing for the mesh's first coordinates."""
-        if len(e.arguments) != 1:
-            raise UnsayableError(
-                "MaterialX reads flat pictures only", "leave out layers and offsets"
-            )
-        coordinate = e.arguments[0]
-        if isinstance(coordinate, ast.Call) and isinstance(coordinate.callee, ast.Reference):
-            found = called(coordinate.callee.name, at.where)
-            symbols = () if isinstance(found, MeantSlot) or not found else found
-            if any(_is(symbol, _SURFACE, "upright") for symbol in symbols):
-                return self.expressions.value(coordinate.arguments[0], at, "vector2")
-        value = self.expressions.value(coordinate, at, "vector2")
+        if self._calls(e, at, _SURFACE, "upright"):
+            assert isinstance(e, ast.Call)
+            return self.expressions.value(e.arguments[0], at, "vector2")
+        value = self.expressions.value(e, at, "vector2")
         return None if value == self.slot("uv") else upright(self._nodes, value)
+
+    def _calls(self, e: ast.Expression, at: At, path: str, *names: str) -> bool:
+        """True for the call of one of some functions of the library."""
+        if not isinstance(e, ast.Call) or not isinstance(e.callee, ast.Reference):
+            return False
+        found = called(e.callee.name, at.where)
+        symbols = () if isinstance(found, MeantSlot) or not found else found
+        return any(_is(symbol, path, name) for symbol in symbols for name in names)
 
     def _structure(self, declared: ast.StructDeclaration, e: ast.Call, at: At) -> Value:
         names = [member.name.text for member in declared.members]

@@ -44,6 +44,7 @@ def test_a_document_reads_back_as_the_same_meaning(name: str, tmp_path: Path) ->
         assert same(first, second, material=material.name).verdict == "same", material.name
 
 
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # Of values without bounds.
 def test_each_operator_and_builtin_means_the_same_afterwards(tmp_path: Path) -> None:
     """Tangents have no bounds, so this is no proof: it is compared at many points."""
     first = MATERIALS / "numbers.burnish"
@@ -53,6 +54,7 @@ def test_each_operator_and_builtin_means_the_same_afterwards(tmp_path: Path) -> 
     assert found.seen < 1.0
 
 
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_a_difference_would_be_found(tmp_path: Path) -> None:
     first = MATERIALS / "numbers.burnish"
     document = exported(first)
