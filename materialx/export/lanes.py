@@ -118,12 +118,11 @@ def _of_one(nodes: Nodes, kind: str, value: Value) -> Value:
     if value.type == kind or SAME_LANES.get(value.type) == kind:
         return value
     if kind == "integer" and value.type != "boolean":
-        # A float is cut off towards zero, by nodes that round down.
-        size = nodes.node("absval", {"in": value})
-        return nodes.node("multiply", {
-            "in1": nodes.node("floor", {"in": size}, "integer", must=True),
-            "in2": nodes.node("floor", {"in": nodes.node("sign", {"in": value})}, "integer", True),
-        }, "integer", must=True)  # fmt: skip
+        # A float is cut off towards zero.
+        down = nodes.node("floor", {"in": value}, "integer", must=True)
+        up = nodes.node("ceil", {"in": value}, "integer", must=True)
+        sides: dict[str, Value] = {"value1": value, "value2": vector((0,), "float")}
+        return nodes.node("ifgreatereq", {**sides, "in1": down, "in2": up}, "integer", must=True)
     if kind == "boolean" and value.type == "float":
         zero = nodes.node(
             "ifequal", {"value1": value, "value2": vector((0,), "float")}, "boolean", must=True

@@ -57,6 +57,11 @@ class MaterialWriter:
         """True if it is a surface that is lit; all else is a colour."""
         return self._root is not None and bool(self._root.definition or self._lit)
 
+    @property
+    def has_alpha(self) -> bool:
+        """True if the material says how far it covers."""
+        return self._record.at("alpha", OUTERMOST).level == 0
+
     def written(self, beside_surfaces: bool) -> list[UnsayableError]:
         """Write the material; gives what cannot be said.
 
@@ -260,8 +265,7 @@ class MaterialWriter:
 
     def _surface(self, found: SurfaceColor, meanings: Meanings, nodes: Nodes) -> Value:
         """The node of a surface whose opacity is the material's."""
-        has_alpha = self._record.at("alpha", OUTERMOST).level == 0
-        alpha = meanings.slot("alpha") if has_alpha else None
+        alpha = meanings.slot("alpha") if self.has_alpha else None
         surface, opacity = self._lit_surface(found, meanings, nodes)
         if alpha != opacity:
             raise UnsayableError(

@@ -48,7 +48,7 @@ def test_a_document_reads_back_as_the_same_meaning(name: str, tmp_path: Path) ->
 def test_each_operator_and_builtin_means_the_same_afterwards(tmp_path: Path) -> None:
     """Tangents have no bounds, so this is no proof: it is compared at many points."""
     first = MATERIALS / "numbers.burnish"
-    found = same(first, read_back(exported(first), tmp_path, "numbers"))
+    found = same(first, read_back(exported(first), tmp_path, "numbers"), boxes=8)
     assert found.verdict != "different", found.witness
     assert found.points > 500
     assert found.seen < 1.0
@@ -60,4 +60,4 @@ def test_a_difference_would_be_found(tmp_path: Path) -> None:
     document = exported(first)
     assert 'value="0.7"' in document
     wrong = read_back(document.replace('value="0.7"', 'value="0.71"', 1), tmp_path, "numbers")
-    assert same(first, wrong).verdict == "different"
+    assert same(first, wrong, boxes=8).verdict == "different"
