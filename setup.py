@@ -73,7 +73,10 @@ setup(
             # Pages link to these.
             *("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE"),
             *(f"docs/**/*.{ending}" for ending in ("md", "png")),
-            *(f"examples/**/*.{ending}" for ending in ("burnish", "md", "said", "png", "hdr")),
+            *(
+                f"examples/**/*.{ending}"
+                for ending in ("burnish", "md", "mtlx", "said", "png", "hdr")
+            ),
         ],
         "burnish.stdlib": ["**/*.burnish", "*.toml", "*.txt"],
         # Not every folder below these is a package.

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from ..stdlib.builtins import BUILTINS
 from .expressions import Call, Expression, Name, flat, laid_out
 from .leaves import network as network_of
+from .leaves import row_of
 from .leaves.application import SUFFIXES
 from .leaves.catalogue import catalogue, module_of
 from .model import Definition, Graph, Node, Port
@@ -72,6 +73,14 @@ class Functions:
             BARE.get(each.inputs[name].type) if name in each.inputs else None for each in others
         }
         return len(types) == 1
+
+    def called_by(self, definition: Definition) -> set[str]:
+        """The names of functions that the bodies for all definitions of a category may call: their
+        arguments are called alike."""
+        others = self._known(definition.category) if definition.is_library else [definition]
+        graphs = [each.graph for each in (definition, *others) if each.graph is not None]
+        nodes = [node for graph in graphs for node in graph.nodes.values()]
+        return {slot_name(node.category) for node in nodes if row_of(node) is None}
 
     def _write_if_possible(self, definition: Definition) -> None:
         try:
@@ -139,7 +148,8 @@ class _Body:
         is_closure = any(
             port.type in CLOSURES for port in (*outputs.values(), *definition.inputs.values())
         )
-        self._names = Names((), catalogue())
+        # An argument would hide a function of its name that the body calls.
+        self._names = Names((), {*catalogue(), *functions.called_by(definition)})
         self._arguments = {
             name: Name(self._names.fresh(slot_name(name))) for name in definition.inputs
         }
@@ -169,9 +179,11 @@ class _Body:
             name: self._arguments[name].text for name in definition.inputs if name in bound.read
         }
         defaults = frozenset(
-            name for name in used
-            if _default(definition.inputs[name]) is not None and functions.is_shared(definition, name)
-        )  # fmt: skip
+            name
+            for name in used
+            if functions.is_shared(definition, name)
+            and _default(definition.inputs[name]) is not None
+        )
         name = slot_name(
             definition.category if definition.is_library else definition.category or definition.name
         )

@@ -264,6 +264,8 @@ def laid_out(expression: Expression, used: int, indent: int) -> str:
         case Call(name, arguments, labels) if arguments:
             texts = _broken_arguments(arguments, labels, indent + 1)
             return f"{name}(\n{_filled(texts, inside)}\n{_INDENT * indent})"
+        case Member(Call() as whole, name):
+            return f"{laid_out(whole, used, indent)}.{name}"
         case Binary(operator, left, right):
             lower, upper = _sides(operator)
             first = _side(left, lower, used, indent)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path, PurePosixPath
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
+from ..support.depth import with_depth
 from .definitions import Functions
 from .library import library
 from .materials import Material, Materials, Renderable
@@ -16,7 +17,7 @@ from .pictures import Pictures
 from .problems import Problem, UnsupportedError
 from .reading import read
 from .records import Records
-from .texts import File
+from .texts import File, one_line
 
 
 class Imported(NamedTuple):
@@ -40,7 +41,8 @@ def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> 
     """
     document, renderables = read(path)
     pictures = Pictures((path.parent, *image_folders))
-    return converted(document, renderables, name or slot_name(path.stem), pictures)
+    title = name or slot_name(path.stem)
+    return with_depth(lambda: converted(document, renderables, title, pictures))
 
 
 def converted(
@@ -52,13 +54,16 @@ def converted(
     functions = Functions(own, _Known())
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
-    problems: list[Problem] = []
+    problems = list(_repeated(document))
     for renderable in renderables:
         try:
             materials.append(writer.written(renderable))
         except UnsupportedError as error:
             place = error.path or renderable.path
             problems.append(Problem(place, document.place(place), error.text))
+        except RecursionError:
+            text = "its nodes depend on each other over more steps than are followed"
+            problems.append(Problem(renderable.path, document.place(renderable.path), text))
     copied = {}
     for material in materials:
         for title, file in material.files.items():
@@ -83,13 +88,19 @@ def converted(
     return Imported(files, f"{name}.burnish", materials, problems)
 
 
+def _repeated(document: Document) -> Iterator[Problem]:
+    for path, (file, line) in document.repeated.items():
+        text = "an element before it has this name already, and this one is left out"
+        yield Problem(path, f"{file}:{line}", text)
+
+
 def _heading(
     document: Document, name: str, materials: Sequence[Material], pictures: Mapping[str, str]
 ) -> str:
     """The comment about the file, with the command that draws its first material."""
     lines = [
-        f"//! Imported from `{PurePosixPath(document.name).name}`, "
-        f"a document of MaterialX {document.version}."
+        f"//! Imported from `{one_line(document.name)}`, "
+        f"a document of MaterialX {one_line(document.version)}."
     ]
     if materials:
         first = materials[0]

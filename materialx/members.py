@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
+from math import isfinite
 
 from ..compiler.syntax import ast
 from .constants import constant
@@ -158,7 +159,10 @@ def _range(port: Port, value: Expression) -> str:
 
 
 def _numbers(text: str) -> list[float]:
-    return [float(part) for part in text.split(",")]
+    numbers = [float(part) for part in text.split(",")]
+    if not all(map(isfinite, numbers)):
+        raise ValueError
+    return numbers
 
 
 def _number(value: float) -> str:
@@ -172,7 +176,7 @@ def _settings(sampling: Sampling) -> str:
     # Whatever is no sRGB is decoded in the shader, or is none: hosts leave its numbers as they are.
     settings = [] if sampling.is_encoded else ["intent = data"]
     if sampling.filter in _FILTERS:
-        settings.append(f"filter = {_FILTERS[sampling.filter]}")
+        settings += [f"filter = {_FILTERS[sampling.filter]}", f"mip = {_FILTERS[sampling.filter]}"]
     u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")
     if u == v:
         settings += [f"wrap = {u}"] if u != "repeat" else []

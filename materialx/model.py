@@ -114,6 +114,8 @@ class Document:
     top: Graph
     lines: Mapping[str, tuple[str, int]]
     """The file and the line of each named element, by its path."""
+    repeated: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+    """The same of elements whose names are taken, which MaterialX does not read."""
 
     def place(self, path: str) -> str:
         """``FILE:LINE`` of an element, or of the nearest one around it."""

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from .constants import constant, decoded, property_named
 from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
+from .links import check_type, output_of
 from .model import Node, Port
 from .names import slot_name
 from .places import Function, Sampling, Scope, Texts
@@ -91,25 +92,28 @@ class Network:
         assert link is not None
         if link.graph:
             inner = self.group(link.graph, scope)
-            outputs = inner.graph.outputs
-            output = outputs.get(link.output) or next(iter(outputs.values()), None)
-            if output is None:
-                raise UnsupportedError(f"the graph {link.graph} has no output '{link.output}'")
-            return self.value(output, inner)
-        if link.node:
-            node = scope.graph.nodes.get(link.node)
-            if node is not None:
-                return self.output(node, link.output, scope)
-            if link.node in scope.graph.graphs:
-                return self.value(
-                    next(iter(scope.graph.graphs[link.node].outputs.values())),
-                    self.group(link.node, scope),
-                )
-            raise UnsupportedError(f"there is no node '{link.node}'")
-        output = scope.graph.outputs.get(link.output)
-        if output is None:
-            raise UnsupportedError(f"there is no output '{link.output}'")
-        return self.value(output, scope)
+            return self._followed(output_of(inner.graph, link.output), inner)
+        if not link.node:
+            return self._followed(output_of(scope.graph, link.output), scope)
+        node = scope.graph.nodes.get(link.node)
+        if node is not None:
+            check_type(node, link.output, port)
+            return self.output(node, link.output, scope)
+        if link.node in scope.graph.graphs:
+            inner = self.group(link.node, scope)
+            return self._followed(output_of(inner.graph, link.output), inner)
+        raise UnsupportedError(f"there is no node '{link.node}'")
+
+    def _followed(self, port: Port, scope: Scope) -> Expression:
+        """The value of an output of a graph."""
+        key = (scope, "", port.name)
+        if key in self._open:
+            raise UnsupportedError(f"the output '{port.name}' depends on itself", scope.graph.path)
+        self._open.add(key)
+        try:
+            return self.value(port, scope)
+        finally:
+            self._open.discard(key)
 
     def group(self, name: str, scope: Scope) -> Scope:
         """The scope of a graph that groups nodes, beside the nodes of ``scope``."""
@@ -130,6 +134,13 @@ class Network:
         key = (scope, f"/{node.name}")
         root = self.outer or self
         if key not in root._inner:
+            around: Scope | None = scope
+            while around is not None:
+                if around.node is not None and around.node.definition == node.definition:
+                    raise UnsupportedError(
+                        f"the definition {node.definition.name} contains itself", node.path
+                    )
+                around = around.outer
             root._inner[key] = Scope(node.definition.graph, scope, node)
         return root._inner[key]
 
@@ -140,7 +151,11 @@ class Network:
         port = node.inputs.get(name) or wanted
         if port is None:
             raise UnsupportedError(f"{node.category} has no input '{name}'", node.path)
-        return self.value(port, scope, wanted)
+        try:
+            return self.value(port, scope, wanted)
+        except UnsupportedError as error:
+            error.path = error.path or node.path
+            raise
 
     def output(self, node: Node, output: str, scope: Scope) -> Expression:
         """The value of an output of a node."""
@@ -185,7 +200,7 @@ class Network:
                 f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
             )
         function = self.texts.function(node.definition)
-        if function is None:
+        if function is None or self._has_borders(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
             return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
@@ -258,9 +273,29 @@ class Network:
         if port.interface:
             assert place.bound is not None
             return place.bound[port.interface]
-        is_encoded = _gives_color(node) and is_srgb(self._file_space(node, name, scope))
-        return self.texts.texture(
-            port, Sampling(*self._sampling(node, name, scope), is_encoded), node
+        sampling = Sampling(*self._sampling(node, name, scope), self.is_encoded(node, name, scope))
+        return self.texts.texture(port, sampling, node)
+
+    def is_encoded(self, node: Node, name: str, scope: Scope) -> bool:
+        """True for a file of colours in sRGB, which are decoded before filtering."""
+        return _gives_color(node) and is_srgb(self._file_space(node, name, scope))
+
+    def borders(self, node: Node, name: str, scope: Scope) -> tuple[bool, bool]:
+        """The axes, u and v, at which the images that read a file end in their default colour.
+
+        In a function there are none: what has borders is written out where it is used.
+        """
+        if self._file(node, name, scope)[0].interface:
+            return False, False
+        u, v, _ = self._sampling(node, name, scope)
+        return u == "constant", v == "constant"
+
+    def _has_borders(self, node: Node, scope: Scope) -> bool:
+        assert node.definition is not None
+        return any(
+            any(self.borders(node, name, scope))
+            for name, port in node.definition.inputs.items()
+            if port.type == "filename"
         )
 
     def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
@@ -282,10 +317,16 @@ class Network:
                 )
         if port.link is not None and port.link.node:
             other = scope.graph.nodes.get(port.link.node)
-            if other is not None and "value" in other.inputs:
-                return self._file(other, "value", scope)
-            if other is not None and "in" in other.inputs:
-                return self._file(other, "in", scope)
+            key = (scope, port.link.node, "*file")
+            if key in self._open:
+                raise UnsupportedError("this node depends on itself", node.path)
+            for word in ("value", "in"):
+                if other is not None and word in other.inputs:
+                    self._open.add(key)
+                    try:
+                        return self._file(other, word, scope)
+                    finally:
+                        self._open.discard(key)
         return port, scope
 
     def _file_space(self, node: Node, name: str, scope: Scope) -> str:

@@ -37,6 +37,8 @@ class Outline:
     def __init__(self, name: str, text: str) -> None:
         self.places: dict[str, tuple[str, int]] = {}
         self.included: list[str] = []
+        self.repeated: dict[str, tuple[str, int]] = {}
+        """The places of elements whose names another element beside them has already."""
         self._name = name
         self._tags: list[str] = []
         self._names: list[str] = []
@@ -69,11 +71,20 @@ class Outline:
         self._names.append(values.get("name", "") if len(self._tags) > 1 else "")
         if len(self._tags) > DEEPEST:
             self._fail(f"elements nest more than {DEEPEST} deep")
-        self.places.setdefault("/".join(filter(None, self._names)), (self._name, self._line))
+        path, place = "/".join(filter(None, self._names)), (self._name, self._line)
+        if path in self.places and "name" in values and not self._is_within_repeated(path):
+            self.repeated[path] = place
+        self.places.setdefault(path, place)
         if tag.rpartition(":")[2] == "include" and "href" in values:
             self.included.append(values["href"])
         if is_empty:
             self._end(tag)
+
+    def _is_within_repeated(self, path: str) -> bool:
+        around = path.rpartition("/")[0]
+        while around and around not in self.repeated:
+            around = around.rpartition("/")[0]
+        return bool(around)
 
     def _end(self, tag: str) -> None:
         if not self._tags or self._tags[-1] != tag:

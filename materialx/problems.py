@@ -26,4 +26,5 @@ class Problem:
     is_error: bool = True
 
     def __str__(self) -> str:
-        return f"{self.place}: {self.path}: {self.text}"
+        """One line, whatever names and values the document has."""
+        return " ".join(f"{self.place}: {self.path}: {self.text}".split())

@@ -33,15 +33,19 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
         part = document if text is texts.texts[0] else MaterialX.createDocument()
         try:
             MaterialX.readFromXmlString(part, text, MaterialX.FileSearchPath(), options)
-        except MaterialX.Exception as error:
+        except (MaterialX.Exception, MaterialX.ExceptionParseError) as error:
             raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
         if part is not document:
             document.importLibrary(part)
     document.setDataLibrary(library())
     records = Records(document, library())
-    top = records.top()
+    try:
+        top = records.top()
+    except (LookupError, MaterialX.ExceptionFoundCycle) as error:
+        raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    return Document(path.name, version, top, texts.lines), list(_renderables(top))
+    found = Document(path.name, version, top, texts.lines, texts.repeated)
+    return found, list(_renderables(top))
 
 
 class _Texts:
@@ -50,6 +54,7 @@ class _Texts:
     def __init__(self, path: Path) -> None:
         self.texts: list[str] = []
         self.lines: dict[str, tuple[str, int]] = {}
+        self.repeated: dict[str, tuple[str, int]] = {}
         self._root = path.parent.resolve()
         self._seen: set[Path] = set()
         self._left = LARGEST
@@ -68,25 +73,33 @@ class _Texts:
         self._left -= len(text)
         outline = Outline(name, text.decode("utf-8", "replace"))
         self.lines = outline.places | self.lines
+        self.repeated |= outline.repeated
         try:
             self.texts.append(text.decode("utf-8"))
         except UnicodeDecodeError:
             raise DocumentError(f"{name}:1: error: this text is not UTF-8") from None
         for href in outline.included:
-            other = (path.parent / href).resolve()
-            if not other.is_relative_to(self._root) or "://" in href:
+            try:
+                other = (path.parent / href).resolve()
+                is_inside = other.is_relative_to(self._root) and "://" not in href
+                is_there = is_inside and other.is_file()
+            except (OSError, ValueError):  # Too long, or with characters that no path has.
+                is_inside, is_there = True, False
+            if not is_inside:
                 raise DocumentError(
                     f"{name}:1: error: '{href}' is included from outside of the document's folder"
                 )
-            if not other.is_file():
+            if not is_there:
+                said = href if len(href) < 100 else f"{href[:100]}…"
                 raise DocumentError(
-                    f"{name}:1: error: there is no file '{href}', which is included"
+                    f"{name}:1: error: there is no file '{said}', which is included"
                 )
             self._read(other, str(other.relative_to(self._root)))
 
 
 def _sentence(text: str) -> str:
-    return text[:1].lower() + text[1:].rstrip(". ")
+    first = text[:1] if text[1:2].isupper() else text[:1].lower()
+    return first + text[1:].rstrip(". ")
 
 
 def _renderables(top: Graph) -> Iterator[Renderable]:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from .expressions import Binary, Call, Expression, Member, Name, Number, binary, laid_out
 from .leaves import network as network_of
+from .links import output_of
 from .members import Members
 from .model import Node, Port
 from .names import slot_name
@@ -36,7 +37,11 @@ def root(
     With ``enter`` false, a node that stands for a graph is not entered. Nothing if the input is not
     connected.
     """
+    seen: set[tuple[Scope, int]] = set()
     while True:
+        if (scope, id(port)) in seen:
+            raise UnsupportedError("this surface depends on itself", scope.graph.path)
+        seen.add((scope, id(port)))
         if port.interface:
             if scope.node is None or scope.outer is None:
                 inner = scope.graph.inputs.get(port.interface)
@@ -54,7 +59,7 @@ def root(
             return None
         if link.graph:
             scope = network.group(link.graph, scope)
-            port = scope.graph.outputs.get(link.output) or next(iter(scope.graph.outputs.values()))
+            port = output_of(scope.graph, link.output)
             continue
         node = scope.graph.nodes.get(link.node)
         if node is None:
@@ -62,7 +67,7 @@ def root(
         if not enter or node.definition is None or node.definition.graph is None:
             return node, scope
         scope = network.entered(node, scope)
-        port = next(iter(scope.graph.outputs.values()))
+        port = output_of(scope.graph, "")
 
 
 def surface_root(
@@ -70,8 +75,12 @@ def surface_root(
 ) -> tuple[Node, Scope] | None:
     """The surface that something drawn comes from: that of a material is an input of its node."""
     found = root(network, port, scope, enter)
+    seen: set[tuple[Scope, str]] = set()
     while found is not None and found[0].type == "material":
         node, place = found
+        if (place, node.name) in seen:
+            raise UnsupportedError("this material depends on itself", node.path)
+        seen.add((place, node.name))
         if node.category == "surfacematerial":
             below = node.inputs.get("surfaceshader")
             found = root(network, below, place, enter) if below is not None else None

@@ -25,7 +25,7 @@ from ...targets.toolchain.limits import COMPILERS
 from ...targets.toolchain.surroundings import python_worker
 from ...targets.toolchain.workers import Answer, Worker
 from .foreign import foreign_job
-from .images import Images
+from .images import Color, Images
 from .own import OwnPicture, Values, draw_own
 from .records import FidelityError, Generated
 from .settings import ONE_LIGHT, Setting
@@ -48,9 +48,9 @@ class Drawn:
 
     picture: Floats
     """(height, width, 4), the top row first."""
-    missing: tuple[str, ...]
-    """The files that the document names and that are not there: their default colours are
-    drawn."""
+    missing: Mapping[str, Color]
+    """The files that the document names and that are not there, with the default colours that are
+    drawn in their place."""
 
 
 class Checker(Closing):
@@ -129,7 +129,7 @@ class Checker(Closing):
     def _drawn(self, generated: Generated, setting: Setting, images: Images) -> Drawn:
         job = foreign_job(generated, setting, images)
         (texels,) = self._runner.draw_frame(self._route, job).texels
-        return Drawn(layers_of(texels)[0][::-1], tuple(images.missing))
+        return Drawn(layers_of(texels)[0][::-1], images.missing)
 
     def ours(
         self, source: Path | str, material: str, setting: Setting = ONE_LIGHT,

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from ...compiler.diagnostics.diagnostic import CompileError
-from .checker import Checker
+from .checker import Checker, Drawn
 from .comparing import Likeness, Verdict, compare
+from .images import NamedImage
 from .records import FidelityError
 from .settings import ONE_LIGHT, Setting
 
@@ -57,10 +58,19 @@ def check(checker: Checker, claim: Claim, setting: Setting = ONE_LIGHT) -> Check
             image_folders=claim.image_folders,
             by_host=claim.by_host,
         )
-        ours = checker.ours(claim.source, claim.material, setting, claim.values)
+        values = _with_defaults(claim.values, theirs)
+        ours = checker.ours(claim.source, claim.material, setting, values)
     except FidelityError as error:
         return Checked(claim.renderable, "not run", str(error))
     except CompileError as error:
         return Checked(claim.renderable, "not run", f"the material does not compile: {error}")
     found = compare(ours.picture, theirs.picture)
-    return Checked(claim.renderable, found.verdict, found.sentence(), found, theirs.missing)
+    return Checked(claim.renderable, found.verdict, found.sentence(), found, tuple(theirs.missing))
+
+
+def _with_defaults(values: Mapping[str, Any], theirs: Drawn) -> Mapping[str, Any]:
+    """The same values, with MaterialX's colours in place of images that are not there."""
+    return {
+        name: value.with_default(theirs.missing) if isinstance(value, NamedImage) else value
+        for name, value in values.items()
+    }

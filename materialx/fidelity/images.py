@@ -7,7 +7,7 @@ colour spaces itself, after filtering, unless it was asked to leave sRGB to the 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -40,9 +40,9 @@ class Images:
         """Files are looked for as the importer does it: in the folder of the ``document``, and then
         in further ``folders``; nothing outside of these is read."""
         self._pictures = Pictures((document.resolve().parent, *folders))
-        self.missing: list[str] = []
-        """The files that are not there; their samplers have the default colour, as MaterialX's
-        renderer does it."""
+        self.missing: dict[str, Color] = {}
+        """The files that are not there, with the default colours that their samplers have, as
+        MaterialX's renderer does it."""
 
     def bound(self, use: ImageUse) -> tuple[TextureSlot, Image]:
         """The slot of a sampler, and its image. Raises ``FidelityError``."""
@@ -63,9 +63,8 @@ class Images:
         if picture is not None:
             return _loaded(picture.content, picture.path, use.is_srgb)
         if use.file:
-            self.missing.append(use.file)
-        texel = np.array(default, np.float32).reshape(1, 1, 4)
-        return Texture.of_array(texel).image()
+            self.missing[use.file] = default
+        return _plain(default).image()
 
     def found(self, file: str) -> Picture | None:
         """The picture that the document names; ``None`` if there is none."""
@@ -80,11 +79,25 @@ class NamedImage:
 
     images: Images
     file: str
+    default: Color | None = None
+    """The colour if the file is not there: which one is up to hosts."""
+
+    def with_default(self, defaults: Mapping[str, Color]) -> NamedImage:
+        """The same image with the colour that another host has in place of its file."""
+        return replace(self, default=defaults.get(self.file))
 
     def texture(self, *, is_srgb: bool) -> Texture | None:
-        """The texture; ``None`` if the file is not there. Raises ``FidelityError``."""
+        """The texture; ``None`` if the file is not there and has no default. Raises
+        ``FidelityError``."""
         picture = self.images.found(self.file)
-        return None if picture is None else _texture(picture.content, picture.path, is_srgb)
+        if picture is not None:
+            return _texture(picture.content, picture.path, is_srgb)
+        return None if self.default is None else _plain(self.default)
+
+
+def _plain(color: Color) -> Texture:
+    """A texture of one texel, which is light already."""
+    return Texture.of_array(np.array(color, np.float32).reshape(1, 1, 4))
 
 
 def _decoded(color: Color) -> Color:

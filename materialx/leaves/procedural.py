@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..expressions import Binary, Call, Expression, Member, Number, binary
+from ..expressions import Binary, Call, Expression, Given, Member, Number, binary, call_with
 from ..networks import Application, Row
 from .application import SUFFIXES
 
@@ -11,11 +11,14 @@ def _noise(name: str, place: str, *others: str) -> Row:
     """Noise with an amplitude for each lane: one number stands for all of them."""
 
     def row(node: Application) -> Expression:
-        position, amplitude, *rest = node.inputs(place, "amplitude", *others)
         suffix = SUFFIXES[node.type]
-        if suffix and node.input_type("amplitude") == "float":
-            amplitude = Call(suffix[1:], (amplitude,))
-        return Call(node.library(name + suffix), (position, amplitude, *rest))
+        given = [Given(place, node.input(place))]
+        for other in ("amplitude", *others):
+            value = node.input(other)
+            if other == "amplitude" and suffix and node.input_type(other) == "float":
+                value = Call(suffix[1:], (value,))
+            given.append(Given(other, value, node.network.is_default(node.node, other)))
+        return call_with(node.library(name + suffix), given)
 
     return row
 

@@ -2,15 +2,35 @@
 
 from __future__ import annotations
 
-from ..expressions import Call, Expression, Member, Name
+from ..expressions import Call, Expression, Member, Name, Number
 from ..networks import Application, Row
+from ..values import LANES, literal
 from .catalogue import application
 
 
 def _image(node: Application) -> Expression:
     texture = node.texture("file")
     assert isinstance(texture, Name)
-    return _lanes(Call(texture.text, (upright(node, node.input("texcoord")),)), node.type)
+    place = upright(node, node.input("texcoord"))
+    axes = node.network.borders(node.node, "file", node.scope)
+    if not any(axes):
+        return _lanes(Call(texture.text, (place,)), node.type)
+    is_filtered = node.static("filtertype") != "closest"
+    function = node.library("bordered" if is_filtered else "bordered_nearest")
+    sides = literal(", ".join("1" if is_bordered else "0" for is_bordered in axes), "vector2")
+    return _lanes(Call(function, (texture, place, sides, _beyond(node))), node.type)
+
+
+def _beyond(node: Application) -> Expression:
+    """The colour beyond the borders of an image, with four lanes. It is encoded as the file is."""
+    color = node.input("default")
+    if node.network.is_encoded(node.node, "file", node.scope):
+        color = Call(node.library("from_srgb_texture"), (color,))
+    lanes = LANES[node.type]
+    if lanes == 1:
+        return Call("vec4", (color,))
+    missing = tuple(Number(0.0) for _ in range(4 - lanes))
+    return Call("vec4", (color, *missing)) if missing else color
 
 
 def upright(node: Application, st: Expression) -> Expression:

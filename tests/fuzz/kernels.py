@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from burnish.stdlib.builtins import BUILTINS
+
 from .expressions import FUEL, Writer
 from .scope import GROUPS, UNIFORM, Scope, variable
 from .tree import Node, listed
 
 OPERATORS = ("add", "min", "max", "and", "or")
+JOINING = tuple(name for name, row in BUILTINS.items() if row.of_group)
+"""The builtins by which the invocations of a work group know of each other."""
 SIZES = ("work_group of 32", "work_group of 2 * 64")
 
 FORMATS = {"r8": "float", "rg8": "vec2", "rgba8": "vec4", "r32f": "float", "rgba32f": "vec4"}
@@ -58,8 +62,12 @@ def _over_buffers(writer: Writer, outside: Scope) -> Node:
         Node(f"buffer given : {element}[]"),
         Node(f"result made : {result}[given.count] = {result}({{}})", (value,)),
     ]
-    if writer.maybe(0.3):
+    if writer.maybe(0.9):
         value = writer.expression("float", scope, FUEL // 2)
+        name = writer.chance.choice(JOINING)
+        value = Node(
+            f"{name}({{}})", (value,), role=name, type=value.type, needs=frozenset({GROUPS})
+        )
         items.append(Node("result joined : float[] per group = {}", (value,), optional=True))
     if writer.maybe(0.5):
         items += scatters(writer, scope)

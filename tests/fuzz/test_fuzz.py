@@ -85,7 +85,7 @@ def _find_nothing(case: Case, *oracles: str) -> None:
 
 @pytest.mark.parametrize("name", [*REWRITINGS])
 def test_every_rewriting_finds_a_place(name: str) -> None:
-    places = [found for n in range(30) for found in rewritten(program(f"place:{n}"), "", name)]
+    places = [found for n in range(90) for found in rewritten(program(f"place:{n}"), "", name)]
     assert places
 
 
@@ -109,7 +109,7 @@ def test_nearly_all_programs_are_correct(tools: Tools) -> None:
 
 def test_programs_use_the_whole_language() -> None:
     """Every class of the syntax tree, every builtin, and every kind of texture and read."""
-    trees = [program(f"language:{number}") for number in range(600)]
+    trees = [program(f"language:{number}") for number in range(1000)]
     written = Counter(node.role for tree in trees for _, node in walk(tree))
     texts = "\n".join(map(str, trees))
     found = {type(node) for tree in trees[:200] for node in _syntax(str(tree))}

@@ -121,6 +121,13 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "A factor of -1 or 1 is its own reciprocal.": (
         ("std.mtlx.fresnel.film_on_schlick: ) inner = sqrt(half) [* -> /] choose(vec3(max(f0,"),
+        "std.mtlx.surface.third_axis: normalize(tangent)) [* -> /] handedness /// Textu",
+    ),
+    "A direction in another space has length one.": (
+        (
+            "std.mtlx.surface.MaterialXSurface: view_object : vec3 = "
+            "[normalize(vec3(-to_eye in object)) -> (vec3(-to_eye in object))] } /// The third axis"
+        ),
     ),
     "It counts only where cloth is so smooth that its light hardly leans.": (
         (

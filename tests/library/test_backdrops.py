@@ -65,7 +65,7 @@ def mirrored(normal: Floats) -> Floats:
     return np.asarray(2 * (normal @ TO_EYE) * normal - TO_EYE)
 
 
-@truth("std.backdrops.CubeAround", "std.backdrops.mirrored_by")
+@truth("std.backdrops.CubeAround", "std.backdrops.InCube", "std.backdrops.mirrored_by")
 def test_each_layer_mirrors_its_surroundings() -> None:
     """A coat over cloth over plastic, as they share light that is the same everywhere; but each
     gets the light of its own directions."""
@@ -121,7 +121,9 @@ class Behind:
         return (x, y, x + y, 1.0)
 
 
-@truth("std.backdrops.PictureBehind", "std.backdrops.seen_in_picture")
+@truth(
+    "std.backdrops.PictureBehind", "std.backdrops.BeforePicture", "std.backdrops.seen_in_picture"
+)
 @pytest.mark.parametrize(("roughness", "levels"), [(0.5, 8), (0.25, 5)])
 def test_a_picture_is_read_where_the_ways_end(roughness: float, levels: int) -> None:
     """As the camera shows that point; the depth of the mesh grows with the object."""

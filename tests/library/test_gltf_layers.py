@@ -79,7 +79,7 @@ CORE: dict[str, tuple[str, dict[str, Any], Any]] = {
 }  # fmt: skip
 
 
-@truth("std.gltf_layers.FileSurface")
+@truth("std.gltf_layers.FileSurface", "std.gltf_layers.LayeredSurface")
 @pytest.mark.parametrize("name", CORE)
 @pytest.mark.parametrize("place", [None, PLACE])
 def test_what_a_file_says_without_extensions(name: str, place: Any) -> None:
@@ -215,7 +215,7 @@ def test_the_border_of_a_medium_has_one_side(
     assert found(HIDDEN, "Volume", **given)[0] == hidden
 
 
-@truth("std.gltf_layers.Unlit")
+@truth("std.gltf_layers.Unlit", "std.gltf_layers.UnlitSurface")
 @pytest.mark.parametrize("is_unlit", [False, True])
 def test_an_unlit_surface_is_its_base_colour(is_unlit: bool) -> None:
     given: Any = {"base_color_factor": (0.5, 0.25, 1.0, 1.0), "ambient_light": (0.0, 0.0, 0.0),

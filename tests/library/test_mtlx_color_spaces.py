@@ -70,6 +70,8 @@ def test_colors_of_a_space_become_linear(space: str) -> None:
     found = called("import std.mtlx.color", f"from_{space}(c)", 3, c=COLORS)
     near = 4e-5 if space.endswith("displayp3") else 1e-8
     assert found == pytest.approx(EXPECTED[space](), rel=near, abs=near)
+    covered = called("import std.mtlx.color", f"from_{space}(vec4(c, 0.25 * c.x))", 4, c=COLORS)
+    assert (covered == np.column_stack([found, 0.25 * COLORS[:, 0]])).all()
 
 
 def test_these_are_all_spaces_of_the_library() -> None:

@@ -35,4 +35,4 @@ def test_each_document_is_drawn(checker: Checker, document: Path) -> None:
         assert np.isfinite(seen).all(), name
         is_of_one_color = len(np.unique(seen, axis=0)) == 1
         assert is_of_one_color == ((document.stem, name) in ONE_COLOR), name
-        assert found.missing == MISSING.get(document.stem, ()), name
+        assert tuple(found.missing) == MISSING.get(document.stem, ()), name

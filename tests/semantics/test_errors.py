@@ -29,6 +29,7 @@ NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
     "unsupported": "about an option of the command line, in tests/cli",
     "no_line_directives": "about an option of the command line, in tests/cli",
+    "not_specialised": "about an option of the command line, in tests/cli",
     "too_large_to_draw": "what `burnish graph` says, in tests/cli",
     "rejected": "what a downstream compiler says, in tests/toolchain",
     "doubted": "what a downstream compiler says, in tests/toolchain",

@@ -169,3 +169,10 @@ def test_only_the_file_that_declares_a_slot_is_told_that_nothing_reads_it(tmp_pa
     assert not burnish.check(user)
     user.write_text(f"{OFFERED}\nmaterial Made : Surface + Framed {{}}")
     assert [d.rule.code for d in burnish.check(user)] == ["B0210"]
+
+
+def test_a_slot_with_a_type_is_an_offer_of_an_abstract_material() -> None:
+    """It is new on purpose, though its name is like that of a base, or an order of its words."""
+    offer = "abstract material Offer : Surface {{ normal_object{} = vec3(object_normal) }}"
+    assert not burnish.check(offer.format(" : vec3"))
+    assert [found.rule.code for found in burnish.check(offer.format(""))] == ["B0210"]

@@ -22,6 +22,7 @@ FLOORS: dict[str, str] = {
     "support.frozen": "initialisers",
     "support.arguments": "",
     "support.stack": "",
+    "support.depth": "",
     "support.locks": "",
     "support.installing": "",
     "support.garbage": "stack locks",
@@ -132,7 +133,7 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
-    "materialx": "stdlib diagnostics syntax library_trees library",
+    "materialx": "depth stdlib diagnostics syntax library_trees library",
     "materialx.fidelity": (
         "installing diagnostics ir documents reference reflection closing runner conformance "
         "toolchain entry_points materialx"

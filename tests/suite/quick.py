@@ -51,6 +51,7 @@ LEFT_OUT: Mapping[str, str] = {
     "conformance": _DRAW,
     "corpus": _PRECISE,
     "diagnostics/test_growth.py": _LARGE,
+    "equivalence/test_soundness.py": _LARGE,
     "examples/test_accepted.py": _COMPILERS,
     "examples/test_own_materials.py": _COMPILERS,
     "fuzz": _LARGE,

@@ -45,14 +45,19 @@ class Own:
 def own_members(record: Record, also: Iterable[str] = ()) -> Iterator[Own]:
     """What a record's file adds to the chain; ``also`` are further ``others``.
 
-    What an imported file declares is an offer, and its names are for that file to check.
+    What an imported file declares is an offer, and its names are for that file to check. A slot of
+    an abstract material that states its type is declared on purpose: one that was meant to replace
+    that of a base needs no type.
     """
     kind = _kind(record)
+    is_abstract_offer = kind == "material" and _is_offer(record)
     others: dict[int, frozenset[str]] = {}
     for definitions in record.definitions.values():
         first = definitions[0]
         member, owner, level = first.member, first.owner, first.level
         is_new = all(definition.owner is owner for definition in definitions)
+        if is_abstract_offer and isinstance(member, ast.Slot) and member.type is not None:
+            continue
         if is_new and isinstance(member, _READ) and owner.module is record.symbol.module:
             if level not in others:
                 others[level] = frozenset((*_others(record, level), *also))
