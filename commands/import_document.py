@@ -30,9 +30,18 @@ if TYPE_CHECKING:
     help="A further folder with pictures that the document names; can be given several times.",
 )  # fmt: skip
 @click.option("--partial", is_flag=True, help="Convert what can be converted, and tell the rest.")
+@click.option(
+    "--check", "checked", is_flag=True,
+    help="Compare what is written with MaterialX's own pictures; the command fails if any differ.",
+)  # fmt: skip
 @click.option("--force", is_flag=True, help="Replace files that are there with other contents.")
 def import_(
-    file: Path, out: Path, image_folders: tuple[Path, ...], partial: bool, force: bool
+    file: Path,
+    out: Path,
+    image_folders: tuple[Path, ...],
+    partial: bool,
+    checked: bool,
+    force: bool,
 ) -> None:
     """Turn the materials of FILE, a document of MaterialX, into a file of Burnish.
 
@@ -43,11 +52,15 @@ def import_(
     What has no meaning in Burnish is told by its node and line, and then nothing is written at all,
     unless --partial is given. Files that are there already with other contents stay as they are.
 
+    With --check, both are drawn by one driver, llvmpipe, in one scene: the document by the GLSL
+    that MaterialX generates for it, and what was written here.
+
     \b
     Example:
         burnish import chair.mtlx -o chair/
         burnish import wood.mtlx --images ../Images
         burnish import scene.mtlx --partial
+        burnish import chair.mtlx -o chair/ --check
     """
     found = _imported(file, image_folders)
     for problem in found.problems:
@@ -59,6 +72,16 @@ def import_(
     if not found.materials:
         fail(f"`{file}` has no material, surface or output that could be drawn")
     _write(found, out, force)
+    if checked and not _is_faithful(found, out / found.main, file, image_folders):
+        click.get_current_context().exit(FAILED)
+
+
+def _is_faithful(
+    found: Imported, main: Path, document: Path, image_folders: tuple[Path, ...]
+) -> bool:
+    from .import_check import is_faithful
+
+    return is_faithful(found, main, document, image_folders)
 
 
 def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:

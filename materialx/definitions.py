@@ -22,7 +22,7 @@ from .networks import Network
 from .places import Function, NeedsSurfaceError, NeedsTextsError, Sampling, Scope
 from .problems import UnsupportedError
 from .texts import Equation, File, equations, one_line, wrapped
-from .values import BARE, CLOSURES, literal, zero
+from .values import ASKED, BARE, CLOSURES, literal, zero
 
 FOLDER = "materialx"
 """The folder beside an imported file that has what is derived from MaterialX's own library."""
@@ -146,7 +146,7 @@ class _Body:
         outputs = definition.outputs
         self.result = next(iter(outputs.values())).type
         is_closure = any(
-            port.type in CLOSURES for port in (*outputs.values(), *definition.inputs.values())
+            port.type in ASKED for port in (*outputs.values(), *definition.inputs.values())
         )
         # An argument would hide a function of its name that the body calls.
         self._names = Names((), {*catalogue(), *functions.called_by(definition)})

@@ -43,11 +43,11 @@ class Models:
         self._models: dict[Definition, Model] = {}
 
     def model(self, definition: Definition) -> Model | None:
-        """The abstract material for a definition; nothing if it takes closures or
-        files, which are no values of slots."""
-        if definition.graph is None or any(
-            port.type in CLOSURES for port in definition.inputs.values()
-        ):
+        """The abstract material for a definition; nothing if it has several
+        surfaces, or takes closures or files, which are no values of slots."""
+        if definition.graph is None or len(definition.outputs) > 1:
+            return None
+        if any(port.type in CLOSURES for port in definition.inputs.values()):
             return None
         if any(port.type == "filename" for port in definition.inputs.values()):
             return None

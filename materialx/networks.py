@@ -19,7 +19,7 @@ from .model import Node, Port
 from .names import slot_name
 from .places import Function, Sampling, Scope, Texts
 from .problems import UnsupportedError
-from .values import CLOSURES, zero
+from .values import ASKED, CLOSURES, zero
 
 _SRGB = ("srgb_texture", "srgb_rec709_scene")
 LONG = 84
@@ -62,9 +62,9 @@ class Network:
         return self._constant(port if port.value is not None else wanted, port.type)
 
     def _constant(self, port: Port, kind: str) -> Expression:
-        if kind in ("BSDF", "VDF"):
+        if kind in ASKED:
             return Name(self.texts.library("clear_bsdf"))
-        if port.value is None:
+        if port.value is None or (kind in CLOSURES and not port.value):
             return zero(kind)
         return constant(self.texts, port, kind)
 
@@ -334,8 +334,12 @@ class Network:
         port = node.inputs.get(name)
         if port is None:
             return ""
-        if port.interface and (scope.bound is not None or scope.node is not None):
+        if port.interface and scope.bound is not None:
             return ""
+        if port.interface and scope.node is not None and scope.outer is not None:
+            if _gives_color(scope.node):
+                return ""
+            return self._file_space(scope.node, port.interface, scope.outer)
         return self._file(node, name, scope)[0].color_space
 
     def _decoded(self, value: Expression, node: Node, scope: Scope) -> Expression:

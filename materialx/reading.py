@@ -15,6 +15,7 @@ from .materials import Renderable
 from .model import Document, Graph, Link, Port
 from .outline import DocumentError, Outline
 from .records import Records
+from .values import CLOSURES
 
 LARGEST = 32 << 20
 """The most bytes of a document and of all files that it includes."""
@@ -128,11 +129,13 @@ def _outputs(top: Graph) -> Iterator[Renderable]:
         if port.link
     }
     for port in top.outputs.values():
-        yield Renderable(port.name, port.name, port, top)
+        if port.type not in CLOSURES:
+            yield Renderable(port.name, port.name, port, top)
     for graph in top.graphs.values():
         only = len(graph.outputs) == 1
         for port in graph.outputs.values():
-            if (graph.name, port.name) in read or (only and (graph.name, "") in read):
+            is_read = (graph.name, port.name) in read or (only and (graph.name, "") in read)
+            if is_read or port.type in CLOSURES:
                 continue
             name = graph.name if only else f"{graph.name}_{port.name}"
             link = Link("", graph.name, port.name)

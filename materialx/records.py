@@ -45,9 +45,15 @@ class Records:
         graphs = {}
         inputs = {}
         if element is self._document:
-            graphs = {graph.getName(): self._graph(graph) for graph in self._groups()}
+            graphs = {
+                child.getName(): self._graph(child)
+                for child in element.getChildren()
+                if child.isA(_graph_class())
+            }
         else:
-            inputs = {port.getName(): _port(port) for port in element.getInputs()}
+            # What a definition means has the inputs that the definition declares.
+            owner = element.getNodeDef() or element
+            inputs = {port.getName(): _port(port) for port in owner.getActiveInputs()}
         return Graph(
             element.getName(),
             element.getNamePath(),
@@ -57,20 +63,6 @@ class Records:
             graphs,
             _hints(element),
         )
-
-    def _groups(self) -> list[Any]:
-        """The graphs of the document that only group nodes, and are not what a definition means."""
-        children = self._document.getChildren()
-        meanings = {
-            child.getAttribute("nodegraph")
-            for child in children
-            if child.getCategory() == "implementation"
-        }
-        graphs = [child for child in children if child.isA(_graph_class())]
-        return [
-            graph for graph in graphs
-            if not graph.getAttribute("nodedef") and graph.getName() not in meanings
-        ]  # fmt: skip
 
     def _node(self, element: Any) -> Node:
         found = element.getNodeDef(TARGET, True) or element.getNodeDef(TARGET)

@@ -67,7 +67,7 @@ def root(
         if not enter or node.definition is None or node.definition.graph is None:
             return node, scope
         scope = network.entered(node, scope)
-        port = output_of(scope.graph, "")
+        port = output_of(scope.graph, node.output(link.output))
 
 
 def surface_root(
@@ -137,6 +137,8 @@ def _lit(
     file.imported("std.mtlx.asking", "Asked")
     parts = closures.texts
     assert isinstance(parts, _Parts)
+    if parts.rows and value == Name(parts.rows[-1].name):
+        value = parts.rows.pop().value or value
     head = f"term {term}(asked: Asked) ="
     lines = [
         "/// What the surface scatters, by what is asked.",

@@ -31,6 +31,8 @@ BARE = MappingProxyType({**TYPES, "color3": "vec3", "color4": "vec4", "EDF": "ve
 vectors."""
 
 CLOSURES = frozenset(("BSDF", "EDF", "VDF"))
+ASKED = frozenset(("BSDF", "VDF"))
+"""The closures whose values depend on what is asked of them; what is sent out is a colour."""
 LANES = MappingProxyType(
     {"float": 1, "vector2": 2, "color3": 3, "vector3": 3, "color4": 4, "vector4": 4}
 )

@@ -55,6 +55,8 @@ def foreign_job(generated: Generated, setting: Setting, images: Images) -> Frame
         blocks=(slot,) if slot.uniforms else (),
         textures=tuple(texture for texture, _image in textures),
         targets=(RenderTarget("rgba32float"),),
+        # Where the front is discarded, the inside of the mesh would be seen through it.
+        cull="back",
         first_row="bottom",
     )
     mesh = setting.mesh
