@@ -20,6 +20,10 @@ from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
 
+_NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
+"""The look of a material without a surface: MaterialX draws it black."""
+
+
 class Renderable(NamedTuple):
     """Something of a document that is drawn by itself: a material, a surface, or an output of a
     graph."""
@@ -79,14 +83,14 @@ class Materials:
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
         if found is None:
-            raise UnsupportedError("no surface is connected", renderable.path)
+            return SURFACE, members, [_NOTHING]
         node, place = found
         model = self._models.model(node.definition) if node.definition is not None else None
         if model is not None:
             return model.name, *self._extended(model, node, place)
         entered = surface_root(network, renderable.port, scope)
         if entered is None:
-            raise UnsupportedError("no surface is connected", node.path)
+            return SURFACE, members, [_NOTHING]
         look = shown(members, network, *entered, name)
         rows = [Equation("color", members.without_last_name(look.color))]
         if look.alpha is not None:

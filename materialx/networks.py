@@ -83,8 +83,9 @@ class Network:
             raise UnsupportedError(f"the graph {scope.graph.path} has no input '{name}'")
         if port.link is not None and scope.outer is not None:
             return self.value(port, scope.outer)
-        if port.value is None and wanted.geometry:
-            return self.geometry(wanted.geometry)
+        geometry = port.geometry or wanted.geometry
+        if port.value is None and geometry:
+            return self.geometry(geometry)
         return self.texts.parameter(scope, port)
 
     def _linked(self, port: Port, scope: Scope) -> Expression:
@@ -200,7 +201,7 @@ class Network:
                 f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
             )
         function = self.texts.function(node.definition)
-        if function is None or self._has_borders(node, scope):
+        if function is None or not self._can_be_called(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
             return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
@@ -255,14 +256,15 @@ class Network:
         return found
 
     def _default_without_file(self, node: Node, scope: Scope) -> Expression | None:
-        """The default of a node that reads files of which none is named."""
+        """The default of a leaf that reads a file, if none is named. A graph has its own leaves."""
         assert node.definition is not None
-        inputs = node.definition.inputs
-        files = [name for name, port in inputs.items() if port.type == "filename"]
-        if not files or all(self.texture(node, name, scope) is not None for name in files):
+        files = _files_of(node)
+        if node.definition.graph is not None or all(
+            self.texture(node, name, scope) is not None for name in files
+        ):
             return None
         for name in ("default", "fallback"):
-            if name in inputs:
+            if name in node.definition.inputs:
                 return self.input(node, name, scope)
         raise UnsupportedError(f"the input '{files[0]}' names no file", node.path)
 
@@ -290,12 +292,11 @@ class Network:
         u, v, _ = self._sampling(node, name, scope)
         return u == "constant", v == "constant"
 
-    def _has_borders(self, node: Node, scope: Scope) -> bool:
-        assert node.definition is not None
-        return any(
-            any(self.borders(node, name, scope))
-            for name, port in node.definition.inputs.items()
-            if port.type == "filename"
+    def _can_be_called(self, node: Node, scope: Scope) -> bool:
+        """True if all files that a node reads are named, and none of them ends in a border."""
+        return all(
+            self.texture(node, name, scope) is not None and not any(self.borders(node, name, scope))
+            for name in _files_of(node)
         )
 
     def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
@@ -449,6 +450,12 @@ class Counting:
         for network, kept in zip(self._networks, self._kept, strict=True):
             network._counting = False
             network._values = kept
+
+
+def _files_of(node: Node) -> list[str]:
+    """The inputs of a node that name files."""
+    inputs = node.definition.inputs if node.definition is not None else {}
+    return [name for name, port in inputs.items() if port.type == "filename"]
 
 
 def _gives_color(node: Node) -> bool:
