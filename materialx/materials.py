@@ -19,7 +19,6 @@ from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
-
 _NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
 """The look of a material without a surface: MaterialX draws it black."""
 
