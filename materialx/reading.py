@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Set
 from pathlib import Path
+from typing import Any
 
 from .library import library
 from .materials import Renderable
@@ -46,7 +47,7 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
     found = Document(path.name, version, top, texts.lines, texts.repeated)
-    return found, list(_renderables(top))
+    return found, list(_with_looks(top, document))
 
 
 class _Texts:
@@ -101,6 +102,21 @@ class _Texts:
 def _sentence(text: str) -> str:
     first = text[:1] if text[1:2].isupper() else text[:1].lower()
     return first + text[1:].rstrip(". ")
+
+
+def _with_looks(top: Graph, document: Any) -> Iterator[Renderable]:
+    """What is drawn; the words about a material say what the document's looks assign it to."""
+    places: dict[str, dict[str, list[str]]] = {}
+    for look in document.getLooks():
+        for each in look.getActiveMaterialAssigns():
+            looks = places.setdefault(each.getMaterial(), {})
+            collection = each.getCollectionString()
+            named = f"the collection `{collection}`" if collection else f"`{each.getGeom()}`"
+            looks.setdefault(look.getName(), []).append(named)
+    for found in _renderables(top):
+        looks = places.get(found.name, {})
+        words = [f"In the look `{name}` of {' and '.join(each)}." for name, each in looks.items()]
+        yield found._replace(doc=" ".join(filter(None, [found.doc, *words])))
 
 
 def _renderables(top: Graph) -> Iterator[Renderable]:
