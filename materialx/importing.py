@@ -70,6 +70,10 @@ def converted(
         problems.append(Problem(left_out.path, place, left_out.text, is_error=False))
     copied = {}
     for material in materials:
+        for word in material.left_out:
+            place = document.place(material.path)
+            text = f"its `{word}` is left out"
+            problems.append(Problem(material.path, place, text, is_error=False))
         for title, file in material.files.items():
             found = pictures.found(file)
             if found is not None:

@@ -19,6 +19,7 @@ from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
+DISPLACEMENT = "displacementshader"
 _NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
 """The look of a material without a surface: MaterialX draws it black."""
 
@@ -36,11 +37,13 @@ class Renderable(NamedTuple):
 
 
 class Material(NamedTuple):
-    """A material that was written: its name, and the files of its textures by their maps."""
+    """A material that was written: its name, the files of its textures by their maps, and what of
+    its node is left out."""
 
     name: str
     path: str
     files: dict[str, str]
+    left_out: tuple[str, ...] = ()
 
 
 class Materials:
@@ -71,10 +74,12 @@ class Materials:
             "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
             *terms,
         ]
-        return Material(name, renderable.path, members.files)
+        return Material(name, renderable.path, members.files, _left_out(renderable))
 
     def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
         scope = Scope(renderable.graph)
+        if renderable.port.type == DISPLACEMENT:
+            return SURFACE, self._plain()[0], [_NOTHING]
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
             value = self._counted(network, renderable.port, scope)
@@ -123,6 +128,16 @@ class Materials:
             if value is not None and model.defaults.get(slot) != flat(value):
                 rows.append(Equation(slot, value))
         return members, rows
+
+
+def _left_out(renderable: Renderable) -> tuple[str, ...]:
+    """The inputs of a material's node that Burnish does not draw."""
+    if renderable.port.type == DISPLACEMENT:
+        return (DISPLACEMENT,)
+    link = renderable.port.link
+    node = renderable.graph.nodes.get(link.node) if link is not None else None
+    inputs = node.inputs if node is not None else {}
+    return tuple(name for name in (DISPLACEMENT, "volumeshader") if name in inputs)
 
 
 def _unit(value: Expression) -> Expression | None:

@@ -68,3 +68,10 @@ def test_of_a_set_of_files_the_first_is_copied_and_told() -> None:
     assert problem.text.startswith("of the files `images/set.<UDIM>.png` for the squares")
     copied = (HERE / "documents" / "images" / "set.1001.png").read_bytes()
     assert found.files["textures/set.1001.png"] == copied
+
+
+def test_a_displacement_is_left_out_and_told() -> None:
+    found = imported(HERE / "documents" / "displaced.mtlx")
+    (problem,) = found.problems
+    assert (problem.path, problem.text) == ("Rock", "its `displacementshader` is left out")
+    assert not problem.is_error
