@@ -124,7 +124,7 @@ PLANTED = [
             promised("glsl", "div")),
     Planted("a promise of remainders", "integers: Unsigned", QUICKEST["hlsl"],
             promised("hlsl", "mod")),
-    Planted("clamp without its guard", "operations: Limits", "chromium:webgpu", unguarded("clamp"),
+    Planted("clamp without its guard", "operations: Crossed", "chromium:webgpu", unguarded("clamp"),
             "failed"),
     Planted("differences are never negative", "operations: Powers", QUICKEST["glsl"],
             claimed("sub", lambda _facts, _same: Fact(0.0, 1e9))),
