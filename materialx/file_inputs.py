@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from .expressions import Expression
 from .model import Node, Port
-from .places import Sampling, Scope
+from .places import Sampling, Scope, Texts
 from .problems import UnsupportedError
 
-if TYPE_CHECKING:
-    from .networks import Network
-
 _SRGB = ("srgb_texture", "srgb_rec709_scene")
+
+
+class Nodes(Protocol):
+    """What is asked of the network that has the nodes."""
+
+    @property
+    def texts(self) -> Texts:
+        """The place that its expressions are written to."""
+
+    def entered(self, node: Node, scope: Scope) -> Scope:
+        """The scope of the graph that a node stands for."""
+
+    def static(self, node: Node, name: str, scope: Scope) -> str:
+        """The text of an input that no shader computes."""
 
 
 class FileInputs:
     """The inputs of the type ``filename`` in a network."""
 
-    def __init__(self, network: Network) -> None:
+    def __init__(self, network: Nodes) -> None:
         self._network = network
         self._open: set[tuple[Scope, str]] = set()
 
