@@ -56,3 +56,11 @@ def test_a_cone_fades_between_two_cosines(inner: float, outer: float, share: flo
         inner_angle=inner, outer_angle=outer,
     )  # fmt: skip
     np.testing.assert_allclose(found, share * 4 * COLOR / math.pi / 2, rtol=1e-6, atol=1e-9)
+
+
+@truth("std.mtlx.lights.SpotLight")
+def test_nothing_shines_behind_a_cone() -> None:
+    found = arriving(
+        "SpotLight", place=(0.0, 1.0, 0.0), axis=(0.6, 0.8, 0.0), inner_angle=0.75, outer_angle=0.7
+    )
+    np.testing.assert_array_equal(found, 0)
