@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..support.depth import with_depth
+from ..support.garbage import seldom_collected
 from .definitions import Functions
 from .library import library
 from .lights import lights_of, rig_of
@@ -32,6 +33,7 @@ class Imported(NamedTuple):
     problems: Sequence[Problem]
 
 
+@seldom_collected
 def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> Imported:
     """Convert a document to files of Burnish.
 

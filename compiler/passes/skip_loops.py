@@ -40,6 +40,10 @@ def skip_loops(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> Root
         condition = graph.node("call", BOOL, (chosen[node], zero), "ne")
         value = graph.node(node.op, node.type, operands, node.data)
         lanes = width(node.type)
+        # The condition and the inner value get statements of their own, which have places, too.
+        for made in (condition, value):
+            if node.id in notes.spans:
+                notes.spans.setdefault(made.id, notes.spans[node.id])
         nothing = build.constant(graph, node.type, 0.0 if lanes == 1 else (0.0,) * lanes)
         other = operands[0] if builtin_of(node) == "mix" else nothing
         return graph.node("select", node.type, (condition, value, other))

@@ -141,6 +141,8 @@ def _warm(
     ):
         of = {name: partial(_compiled, each, path, effort.runs) for name, each in workers.items()}
         yield Number(f"{path.stem}, three targets, warm", aim, effort.rounds, of, beside)
+    if model:
+        yield from _documents(workers, effort, model)
     again = {name: partial(_again, each, effort.runs) for name, each in workers.items()}
     yield Number("plastic, the same text again", 0.05, effort.rounds, again)
     for edit in (
@@ -151,6 +153,19 @@ def _warm(
             name: partial(_edited, each, edit, effort.runs) for name, each in workers.items()
         })  # fmt: skip
     yield from _large(workers, folder, effort)
+
+
+def _documents(
+    workers: Mapping[str, Worker], effort: Effort, model: Mapping[str, Measure]
+) -> Iterator[Number]:
+    """What running processes take to import documents of MaterialX and to compile them."""
+    for name, beside in (("open_pbr", {}), ("standard_surface", model)):
+        path = HERE / f"{name}.mtlx"
+        of = {
+            each: partial(_compiled, worker, path, effort.runs) for each, worker in workers.items()
+        }
+        what = f"{name} imported and compiled, three targets, warm"
+        yield Number(what, 300.0, min(3, effort.rounds), of, beside)
 
 
 def _large(workers: Mapping[str, Worker], folder: Path, effort: Effort) -> Iterator[Number]:

@@ -15,6 +15,7 @@ import resource
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from time import process_time
 from typing import Any
 
@@ -32,6 +33,7 @@ BEFORE = {"burnish.api.compiling": "burnish.api.entry_points"}
 """The names of modules in older checkouts."""
 
 MEMORY_LIMIT = 6 << 30
+DOCUMENT = ".mtlx"
 
 
 class Phases:
@@ -64,7 +66,10 @@ class Phases:
 
 
 def compiled(path: str, targets: list[str], reflect: bool, phases: Phases) -> list[str]:
-    """Compile a file; the codes of what is wrong with it."""
+    """Compile a file; the codes of what is wrong with it. A document of MaterialX is imported."""
+    if path.endswith(DOCUMENT):
+        with TemporaryDirectory() as folder:
+            return compiled(imported(path, Path(folder)), targets, reflect, phases)
     try:
         result = burnish.compile(path, targets)
     except burnish.CompileError as error:
@@ -74,6 +79,17 @@ def compiled(path: str, targets: list[str], reflect: bool, phases: Phases) -> li
         if reflect:
             phases.timed("reflection", getattr, material, "reflection")
     return []
+
+
+def imported(path: str, folder: Path) -> str:
+    """Write the files that a document of MaterialX becomes; the path of the main one."""
+    from burnish.materialx import importing
+
+    found = importing.imported(Path(path))
+    for name, content in found.files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
+    return str(folder / found.main)
 
 
 def worked(request: dict[str, Any], phases: Phases) -> list[str]:

@@ -248,3 +248,31 @@ def test_a_constant_beyond_float32_is_an_error(expression: str, shown: str, valu
     assert (found.message, found.hint) == (
         f"{shown} does not fit into float", f"it comes to {value}",
     )  # fmt: skip
+
+
+def cloth(weight: str, color: str = "rgb(1, 1, 1)") -> str:
+    """A material with a closure of the library."""
+    return f"""burnish 1
+import std.mtlx.asking.{{by_light}}
+import std.mtlx.closures.{{sheen_bsdf}}
+zero = 0.0
+material Cloth : Surface {{
+    param share : float in 0..1 = 0.5
+    color = sheen_bsdf(
+        by_light(vec3(normal), vec3(to_eye)), {weight}, color = {color}, normal = vec3(normal)
+    ).response
+}}
+"""
+
+
+def test_the_library_does_not_evaluate_sides_that_are_never_taken() -> None:
+    nothing, something = (len(shader(cloth(weight)).graph) for weight in ("0", "share"))
+    plain = len(shader("burnish 1\nmaterial Plain : Surface { color = rgb(0, 0, 0) }").graph)
+    assert nothing - plain < (something - plain) / 4
+
+
+def test_nothing_is_said_about_what_only_such_a_side_of_the_library_reads() -> None:
+    wrong = "rgb(1, 1, 1) * over(1, zero)"
+    over = "fn over(a: float, b: float) -> float = a / b\n"
+    assert warnings(cloth("0", wrong) + over) == []
+    assert len(warnings(cloth("share", wrong) + over)) == 1

@@ -265,7 +265,9 @@ def _marked(
 ) -> Node | Failure:
     """A body's value as that of a call, which ``outlining`` may have share a body with others."""
     symbol, _, surface = key
-    if isinstance(value, Node):
+    if symbol.module.is_standard:
+        ctx.deferred.left_out(arguments)
+    elif isinstance(value, Node):
         ctx.deferred.unread(value, arguments)
     if isinstance(value, Node) and value.operands:
         ctx.notes.roles.setdefault(value.id, symbol.name)

@@ -27,7 +27,8 @@ def settle_body(
 ) -> None:
     """Evaluate a function's body, where ``scope`` has the arguments.
 
-    Parts that it does not read are evaluated too, so that their mistakes are found.
+    Parts that it does not read are evaluated too, so that their mistakes are found; but not those
+    of the library, which may belong to a side of a choice that is never taken (``choices``).
     """
     function = symbol.declaration
     assert isinstance(function, ast.Function)
@@ -37,10 +38,12 @@ def settle_body(
         scope = parts.scope = changed(scope, parts=parts)
 
     def keep(value: Value) -> None:
-        found = [part_value(ctx, parts, p.name.text, p.name.span) for p in function.parts]
+        if not symbol.module.is_standard:
+            for part in function.parts:
+                part_value(ctx, parts, part.name.text, part.name.span)
         result = plain(ctx, value, function.body)
         if isinstance(result, Node):
-            values = [part for part in found if isinstance(part, Node)]
+            values = [part for part in parts.values.values() if isinstance(part, Node)]
             ctx.deferred.unread(result, values, first)
         finish(result)
 

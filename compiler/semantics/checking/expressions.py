@@ -19,7 +19,6 @@ from ...ir.types import (
     UINT,
     Array,
     Matrix,
-    Opaque,
     RuntimeArray,
     TextureType,
     Vector,
@@ -34,10 +33,9 @@ from ..hints import advice
 from ..state.context import Context, OpenRule, Rule, Rules
 from ..state.evaluation import plain
 from ..state.scope import FAILURE, Corners, Failure, Scope, Value
-from ..types.coercion import coerce, is_negated_literal
-from . import aggregates, buffers, calls, conversions, corners, lookup, loops
+from ..types.coercion import is_negated_literal
+from . import aggregates, buffers, calls, choices, conversions, corners, lookup, loops
 from .builtin_calls import builtin_call
-from .combinations import checked
 from .members import member_of
 
 OPERATORS: Mapping[str, str] = {
@@ -216,31 +214,6 @@ def _binary(ctx: Context, e: ast.Binary, operands: Sequence[Node], scope: Scope)
     return value
 
 
-def _conditional(ctx: Context, e: ast.Conditional, operands: Sequence[Node], scope: Scope) -> Value:
-    chooses, then, otherwise = operands
-    condition = fit(ctx, chooses, BOOL, "bool", e.condition.span)
-    if isinstance(condition, Failure):
-        return FAILURE
-    if isinstance(then.type, Opaque):
-        what = "textures" if isinstance(then.type, TextureType) else "buffers"
-        ctx.report.add(
-            rules.WRONG_TYPE, e.then.span, expected="a value", found=then.type,
-            hint=f"choose between what is read, not between {what}",
-        )  # fmt: skip
-        return FAILURE
-    common = coerce(ctx.tree, then, otherwise.type)
-    fitted = otherwise if common is not None else coerce(ctx.tree, otherwise, then.type)
-    if fitted is None:
-        ctx.report.add(
-            rules.BRANCH_TYPES, e.otherwise.span, then=then.type, otherwise=otherwise.type
-        )
-        return FAILURE
-    then = common or then
-    node = ctx.tree.node("select", then.type, (condition, then, fitted))
-    sides = (e.condition, e.then, e.otherwise)
-    return checked(ctx, node, "if", e.span, sides, scope)
-
-
 def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Node], _scope: Scope) -> Value:
     (operand,) = operands
     if e.rate.text != "vertex":
@@ -284,10 +257,6 @@ def _sides(e: ast.Binary, _scope: Scope) -> tuple[ast.Expression, ...]:
     return (e.left, e.right)
 
 
-def _choice(e: ast.Conditional, _scope: Scope) -> tuple[ast.Expression, ...]:
-    return (e.condition, e.then, e.otherwise)
-
-
 def _place(e: ast.Index, _scope: Scope) -> tuple[ast.Expression, ...]:
     return (e.operand, e.index)
 
@@ -305,7 +274,7 @@ RULES: Rules = {
     ast.Index: OpenRule(_place, _index),
     ast.Unary: Rule(_signed, _unary),
     ast.Binary: Rule(_sides, _binary),
-    ast.Conditional: Rule(_choice, _conditional),
+    ast.Conditional: Rule(choices.operands_of_choice, choices.choice),
     ast.AtRate: Rule(_operand, _at_rate),
     ast.Conversion: Rule(_operand, conversions.convert),
     ast.Ascription: Rule(_operand, _ascription),

@@ -28,7 +28,7 @@ from ...syntax.quoting import spanned
 from ..declarations import enumerations
 from ..declarations.fitting import fit
 from ..state.context import Context
-from ..state.scope import FAILURE, Failure, LoopBody, Scope, Value
+from ..state.scope import FAILURE, Continuation, Failure, Scope, Value
 from ..types.coercion import coerce
 from ..types.meaning_rules import is_enum
 from .loop_contents import changing, loops_within, may_stand, too_deep
@@ -73,7 +73,7 @@ def bounds_of_fold(e: ast.Fold, _scope: Scope) -> tuple[ast.Expression, ...]:
     return bounds_of(e.turns) if e.initial is None else (*bounds_of(e.turns), e.initial)
 
 
-def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | LoopBody:
+def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> Value | Continuation:
     """``sum i in a..b from x : e`` and its like."""
     if e.operator not in OPERATORS:
         ctx.report.add(rules.FRAMES_ONLY, e.span, what=f"`{e.operator}`")
@@ -86,7 +86,7 @@ def fold(ctx: Context, e: ast.Fold, operands: Sequence[Node], scope: Scope) -> V
     if isinstance(turns, Failure):
         return FAILURE
     inner = scope.inside_loop({e.turns.variable.text: turns.index})
-    return LoopBody((e.body,), inner, partial(_folded, ctx, e, turns, initial))
+    return Continuation((e.body,), inner, partial(_folded, ctx, e, turns, initial))
 
 
 def no_operands(_e: ast.FoldOver, _scope: Scope) -> tuple[ast.Expression, ...]:
@@ -229,7 +229,7 @@ class _States:
 
 def iterate(
     ctx: Context, e: ast.Iterate, operands: Sequence[Node], scope: Scope
-) -> Value | LoopBody:
+) -> Value | Continuation:
     """``iterate x from e up to n while c : next``: a structure is several states."""
     if too_deep(ctx, e, scope.loops):
         return FAILURE
@@ -243,7 +243,7 @@ def iterate(
     whole = build.assembled(ctx.tree, initial.type, iter(states.variables))
     inner = scope.inside_loop({e.turns.variable.text: turns.index, e.state.text: whole})
     written = (e.body,) if e.condition is None else (e.condition, e.body)
-    return LoopBody(written, inner, partial(_iterated, ctx, e, turns, states))
+    return Continuation(written, inner, partial(_iterated, ctx, e, turns, states))
 
 
 def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:

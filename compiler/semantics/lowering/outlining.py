@@ -20,10 +20,13 @@ from ...ir.binding import close, freed, open_body
 from ...ir.leaves import Buffer, Texture
 from ...ir.node import Formals, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
+from ...ir.ranges import Ranges
 from ...ir.rewrite import rewrite
 from ...ir.shader import Notes
 from ..checking.applications import checked_body
 from ..checking.call_marks import Callee
+from ..state.conditions import Conditions
+from ..state.constants import ConstantValues
 from ..state.context import Context
 from ..types.meanings import erased
 from .interning import Interning
@@ -66,6 +69,8 @@ class _Sharing:
         self._interning = graph
         self._graph, self._notes = graph.graph, graph.notes
         self._moved = graph.notes.follow
+        constants = ConstantValues(ctx.report, lambda _: False, ctx.records.work)
+        self._conditions = Conditions(constants, Ranges(()))
         self._structures = Structures(graph.graph, graph.notes)
         self._groups: dict[tuple[Callee, Fixed], _Group] = {}
         """Callees before those that call them: a mark is younger than the marks in its value."""
@@ -185,8 +190,20 @@ class _Sharing:
         return whole or self._groups.get((mark.data, _constants(mark)))
 
     def _plain(self, roots: list[Node]) -> Roots:
-        """The roots without marks, with members of what was put together as what was put there."""
-        return rewrite(self._graph, erased(self._graph, roots), _member, ops=("member",))
+        """The roots without marks, with members of what was put together as what was put there.
+
+        A choice whose condition is constant is the side that is taken, as the library's functions
+        have it where the arguments of a call are constant.
+        """
+        return rewrite(
+            self._graph, erased(self._graph, roots), self._part, ops=("member", "select")
+        )
+
+    def _part(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
+        if node.op == "member":
+            return build.member(graph, operands[0], MEMBER.data(node))
+        holds = self._conditions.value(operands[0])
+        return None if holds is None else operands[1 if holds else 2]
 
     def _rewritten(self, roots: list[Node]) -> Roots:
         return rewrite(self._graph, roots, self._rule, self._moved, ("as", "called"))
@@ -210,7 +227,3 @@ def _by_callee(roots: list[Node]) -> dict[Callee, list[Node]]:
 
 def _constants(mark: Node) -> Fixed:
     return tuple(o if o.op == "constant" else None for o in mark.operands[1:])
-
-
-def _member(graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node:
-    return build.member(graph, operands[0], MEMBER.data(node))

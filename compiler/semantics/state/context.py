@@ -28,7 +28,17 @@ from .constants import ConstantValues
 from .crossings import Crossings
 from .deferred import Deferred
 from .places import Places
-from .scope import Application, DefaultKey, Failure, Instance, LoopBody, RigEntry, Scope, Value, Way
+from .scope import (
+    Application,
+    Continuation,
+    DefaultKey,
+    Failure,
+    Instance,
+    RigEntry,
+    Scope,
+    Value,
+    Way,
+)
 from .transcripts import Transcripts
 from .tree import Tree
 
@@ -144,7 +154,8 @@ class Context:
         """The number of elements that a kernel computes."""
         self.ends: dict[Formal, Node] = {}
         """The exclusive upper bounds of the indices of loops that count from 0."""
-        self.deferred = Deferred(report, self.tree, Conditions(self.constants, self.ranges))
+        self.conditions = Conditions(self.constants, self.ranges)
+        self.deferred = Deferred(report, self.tree, self.conditions)
         self.types = WrittenTypes(TypeResolver(report))
         self.externs = ExternBlocks()
         self.progress = Progress()
@@ -277,7 +288,7 @@ class Rule:
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
     """The parts that are checked first, in the expression's own scope and in this order."""
-    value: Callable[[Context, Any, Sequence[Node], Scope], Value | LoopBody]
+    value: Callable[[Context, Any, Sequence[Node], Scope], Value | Continuation]
     """The expression's value, given those of its operands.
 
     Nobody asks for it where one of them is wrong, or is no value: that has been reported.

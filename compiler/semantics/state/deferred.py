@@ -111,6 +111,14 @@ class Deferred:
         left = tuple(node for node in wrong if node not in seen)
         self._also[value] = (*self._also.get(value, ()), *left)
 
+    def left_out(self, evaluated: Iterable[Node]) -> None:
+        """Notes nodes that were evaluated for a value, of which only a dead side may need some.
+
+        Nothing is said about those that it does not need.
+        """
+        if self._found:
+            self._passed.update(evaluated)
+
     def report(self) -> None:
         """Report the errors that the program can come to."""
         first, self._first = self._first, len(self._tree)

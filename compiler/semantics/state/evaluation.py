@@ -20,7 +20,7 @@ from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
 from .context import Context, OpenRule, Rule
-from .scope import FAILURE, Failure, LoopBody, Members, Scope, Value
+from .scope import FAILURE, Continuation, Failure, Members, Scope, Value
 
 DEEPEST = 16
 """The number of demands that may wait for each other on Python's stack.
@@ -64,15 +64,15 @@ class _EndDemand:
 
 
 @frozen
-class _EndLoop:
-    """A loop whose inner expressions have been evaluated, and where their values start."""
+class _Continued:
+    """An expression whose further parts have been evaluated, and where their values start."""
 
     written: ast.Expression
-    inner: LoopBody
+    further: Continuation
     start: int
 
 
-_Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _EndDemand | _EndLoop | _Retry"
+_Work: TypeAlias = "tuple[ast.Expression, Scope, int] | _EndDemand | _Continued | _Retry"
 """A task that is left to do.
 
 An expression comes with the place of its first operand's value, or with ``_NEW`` as long as its
@@ -114,7 +114,7 @@ def _value(
     written: ast.Expression,
     operands: Sequence[Value],
     scope: Scope,
-) -> Value | LoopBody:
+) -> Value | Continuation:
     """The value of an expression, given those of its operands."""
     if isinstance(rule, OpenRule):
         return rule.value(ctx, written, operands, scope)
@@ -124,10 +124,12 @@ def _value(
     return rule.value(ctx, written, nodes, scope)
 
 
-def _value_after(ctx: Context, inner: LoopBody, values: Sequence[Value]) -> Value:
-    """The value of a loop, given those of its inner expressions."""
+def _value_after(
+    ctx: Context, further: Continuation, values: Sequence[Value]
+) -> Value | Continuation:
+    """The value of a loop or a choice, given those of its further parts."""
     nodes = _nodes(values)
-    return _wrong(ctx, values, inner.expressions) if nodes is None else inner.then(nodes)
+    return _wrong(ctx, values, further.expressions) if nodes is None else further.then(nodes)
 
 
 def _nodes(values: Sequence[Value]) -> list[Node] | None:
@@ -180,14 +182,9 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
                         work += [(operand, scope, _NEW) for operand in reversed(operands)]
                         continue
                 found = _value(ctx, rule, written, values[start:], scope)
-                if isinstance(found, LoopBody):
-                    del values[start:]
-                    work.append(_EndLoop(written, found, start))
-                    work += [(e, found.scope, _NEW) for e in reversed(found.expressions)]
-                    continue
-            elif isinstance(top, _EndLoop):
+            elif isinstance(top, _Continued):
                 written, start = top.written, top.start
-                found = _value_after(ctx, top.inner, values[start:])
+                found = _value_after(ctx, top.further, values[start:])
             elif isinstance(top, _Retry):
                 tree.again = top.made
                 work.append(top.work)
@@ -206,6 +203,10 @@ def _run(ctx: Context, work: list[_Work]) -> Value:
             continue
         tree.again = EMPTY
         del values[start:]
+        if isinstance(found, Continuation):
+            work.append(_Continued(written, found, start))
+            work += [(e, found.scope, _NEW) for e in reversed(found.expressions)]
+            continue
         values.append(found)
         if isinstance(found, Node):
             note(found, written.span)

@@ -296,12 +296,15 @@ class Scope:
 
 
 @frozen
-class LoopBody:
-    """The part of a loop to evaluate under names of its own, and what to make of it then."""
+class Continuation:
+    """Parts of an expression to evaluate after its operands, and what to make of them then.
+
+    They are the body of a loop, which has names of its own, or the sides of a choice.
+    """
 
     expressions: tuple[ast.Expression, ...]
     scope: Scope
-    then: Callable[[Sequence[Node]], Value]
+    then: Callable[[Sequence[Node]], Value | Continuation]
 
 
 @frozen
