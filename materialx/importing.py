@@ -10,11 +10,12 @@ from ..support.depth import with_depth
 from ..support.garbage import seldom_collected
 from .definitions import Functions
 from .known import known
+from .lights import lights_of, rig_of
 from .materials import Material, Materials, Renderable
 from .model import Document
 from .models import Models
 from .names import slot_name
-from .pictures import Pictures
+from .pictures import FIRST, Pictures
 from .problems import Problem, UnsupportedError
 from .reading import read
 from .texts import File, one_line
@@ -65,20 +66,23 @@ def converted(
         except RecursionError:
             text = "its nodes depend on each other over more steps than are followed"
             problems.append(Problem(renderable.path, document.place(renderable.path), text))
+    for left_out in rig_of(lights_of(document.top), document.top, own, functions):
+        place = document.place(left_out.path)
+        problems.append(Problem(left_out.path, place, left_out.text, is_error=False))
     copied = {}
     for material in materials:
+        for word in material.left_out:
+            place = document.place(material.path)
+            text = f"its `{word}` is left out"
+            problems.append(Problem(material.path, place, text, is_error=False))
         for title, file in material.files.items():
             found = pictures.found(file)
-            if found is None:
-                text = (
-                    f"the picture `{file}` is not in the document's folder: "
-                    "its texture is white until a host binds it"
-                )
-                problems.append(
-                    Problem(material.path, document.place(material.path), text, is_error=False)
-                )
-            else:
+            if found is not None:
                 copied[title] = found
+            text = _about(file, is_there=found is not None)
+            if text:
+                place = document.place(material.path)
+                problems.append(Problem(material.path, place, text, is_error=False))
     own.heading = _heading(
         document, name, materials, {title: picture.path for title, picture in copied.items()}
     )
@@ -93,6 +97,20 @@ def _repeated(document: Document) -> Iterator[Problem]:
     for path, (file, line) in document.repeated.items():
         text = "an element before it has this name already, and this one is left out"
         yield Problem(path, f"{file}:{line}", text)
+
+
+def _about(file: str, *, is_there: bool) -> str:
+    """What a person should know about a picture; nothing if it is one that was found."""
+    if not is_there:
+        return (
+            f"the picture `{file}` is not in the document's folder: "
+            "its texture is white until a host binds it"
+        )
+    if any(token in file for token in FIRST):
+        return (
+            f"of the files `{file}` for the squares of a chart, the first is drawn on all of them"
+        )
+    return ""
 
 
 def _heading(

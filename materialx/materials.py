@@ -19,6 +19,10 @@ from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
+DISPLACEMENT = "displacementshader"
+_NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
+"""The look of a material without a surface: MaterialX draws it black."""
+
 
 class Renderable(NamedTuple):
     """Something of a document that is drawn by itself: a material, a surface, or an output of a
@@ -33,11 +37,13 @@ class Renderable(NamedTuple):
 
 
 class Material(NamedTuple):
-    """A material that was written: its name, and the files of its textures by their maps."""
+    """A material that was written: its name, the files of its textures by their maps, and what of
+    its node is left out."""
 
     name: str
     path: str
     files: dict[str, str]
+    left_out: tuple[str, ...] = ()
 
 
 class Materials:
@@ -68,10 +74,12 @@ class Materials:
             "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
             *terms,
         ]
-        return Material(name, renderable.path, members.files)
+        return Material(name, renderable.path, members.files, _left_out(renderable))
 
     def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
         scope = Scope(renderable.graph)
+        if renderable.port.type == DISPLACEMENT:
+            return SURFACE, self._plain()[0], [_NOTHING]
         if renderable.port.type not in ("surfaceshader", "material"):
             members, network = self._plain()
             value = self._counted(network, renderable.port, scope)
@@ -79,14 +87,14 @@ class Materials:
         members, network = self._plain()
         found = surface_root(network, renderable.port, scope, enter=False)
         if found is None:
-            raise UnsupportedError("no surface is connected", renderable.path)
+            return SURFACE, members, [_NOTHING]
         node, place = found
         model = self._models.model(node.definition) if node.definition is not None else None
         if model is not None:
             return model.name, *self._extended(model, node, place)
         entered = surface_root(network, renderable.port, scope)
         if entered is None:
-            raise UnsupportedError("no surface is connected", node.path)
+            return SURFACE, members, [_NOTHING]
         look = shown(members, network, *entered, name)
         rows = [Equation("color", members.without_last_name(look.color))]
         if look.alpha is not None:
@@ -120,6 +128,16 @@ class Materials:
             if value is not None and model.defaults.get(slot) != flat(value):
                 rows.append(Equation(slot, value))
         return members, rows
+
+
+def _left_out(renderable: Renderable) -> tuple[str, ...]:
+    """The inputs of a material's node that Burnish does not draw."""
+    if renderable.port.type == DISPLACEMENT:
+        return (DISPLACEMENT,)
+    link = renderable.port.link
+    node = renderable.graph.nodes.get(link.node) if link is not None else None
+    inputs = node.inputs if node is not None else {}
+    return tuple(name for name in (DISPLACEMENT, "volumeshader") if name in inputs)
 
 
 def _unit(value: Expression) -> Expression | None:

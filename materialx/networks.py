@@ -14,14 +14,14 @@ from dataclasses import dataclass
 
 from .constants import constant, decoded, property_named
 from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
+from .file_inputs import FileInputs, files_of, gives_color, is_srgb
 from .links import check_type, output_of
 from .model import Node, Port
 from .names import slot_name
-from .places import Function, Sampling, Scope, Texts
+from .places import Function, Scope, Texts
 from .problems import UnsupportedError
 from .values import ASKED, CLOSURES, zero
 
-_SRGB = ("srgb_texture", "srgb_rec709_scene")
 LONG = 84
 """Expressions longer than this become parts, in characters."""
 
@@ -38,6 +38,7 @@ class Network:
     ) -> None:
         self._row_of = row_of
         self.texts, self.asked, self.outer = texts, asked, outer
+        self.files = FileInputs(self)
         self._uses: Counter[tuple[Scope, str, str]] = Counter()
         self._values: dict[tuple[Scope, str, str], Expression] = {}
         self._inner: dict[tuple[Scope, str], Scope] = {}
@@ -83,8 +84,9 @@ class Network:
             raise UnsupportedError(f"the graph {scope.graph.path} has no input '{name}'")
         if port.link is not None and scope.outer is not None:
             return self.value(port, scope.outer)
-        if port.value is None and wanted.geometry:
-            return self.geometry(wanted.geometry)
+        geometry = port.geometry or wanted.geometry
+        if port.value is None and geometry:
+            return self.geometry(geometry)
         return self.texts.parameter(scope, port)
 
     def _linked(self, port: Port, scope: Scope) -> Expression:
@@ -200,7 +202,7 @@ class Network:
                 f"{node.category} has no meaning for renderers of the kind of Burnish", node.path
             )
         function = self.texts.function(node.definition)
-        if function is None or self._has_borders(node, scope):
+        if function is None or not self.files.can_be_called(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
             return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
@@ -250,122 +252,38 @@ class Network:
         assert node.definition is not None
         if node.definition.inputs[name].type != "filename":
             return self.input(node, name, scope)
-        found = self.texture(node, name, scope)
+        found = self.files.texture(node, name, scope)
         assert found is not None, "nodes without their files have their defaults"
         return found
 
     def _default_without_file(self, node: Node, scope: Scope) -> Expression | None:
-        """The default of a node that reads files of which none is named."""
+        """The default of a leaf that reads a file, if none is named. A graph has its own leaves."""
         assert node.definition is not None
-        inputs = node.definition.inputs
-        files = [name for name, port in inputs.items() if port.type == "filename"]
-        if not files or all(self.texture(node, name, scope) is not None for name in files):
+        files = files_of(node)
+        if node.definition.graph is not None or all(
+            self.files.texture(node, name, scope) is not None for name in files
+        ):
             return None
         for name in ("default", "fallback"):
-            if name in inputs:
+            if name in node.definition.inputs:
                 return self.input(node, name, scope)
         raise UnsupportedError(f"the input '{files[0]}' names no file", node.path)
-
-    def texture(self, node: Node, name: str, scope: Scope) -> Expression | None:
-        """The texture that a node's input of the type ``filename``
-        names; nothing if it names none."""
-        port, place = self._file(node, name, scope)
-        if port.interface:
-            assert place.bound is not None
-            return place.bound[port.interface]
-        sampling = Sampling(*self._sampling(node, name, scope), self.is_encoded(node, name, scope))
-        return self.texts.texture(port, sampling, node)
-
-    def is_encoded(self, node: Node, name: str, scope: Scope) -> bool:
-        """True for a file of colours in sRGB, which are decoded before filtering."""
-        return _gives_color(node) and is_srgb(self._file_space(node, name, scope))
-
-    def borders(self, node: Node, name: str, scope: Scope) -> tuple[bool, bool]:
-        """The axes, u and v, at which the images that read a file end in their default colour.
-
-        In a function there are none: what has borders is written out where it is used.
-        """
-        if self._file(node, name, scope)[0].interface:
-            return False, False
-        u, v, _ = self._sampling(node, name, scope)
-        return u == "constant", v == "constant"
-
-    def _has_borders(self, node: Node, scope: Scope) -> bool:
-        assert node.definition is not None
-        return any(
-            any(self.borders(node, name, scope))
-            for name, port in node.definition.inputs.items()
-            if port.type == "filename"
-        )
-
-    def _file(self, node: Node, name: str, scope: Scope) -> tuple[Port, Scope]:
-        """The input where a file is named, and its scope; in a function, the one that an argument
-        gives."""
-        assert node.definition is not None
-        port = node.inputs.get(name) or node.definition.inputs[name]
-        while port.interface and scope.bound is None:
-            if scope.node is not None and scope.outer is not None:
-                outer = scope.node
-                assert outer.definition is not None
-                port = outer.inputs.get(port.interface) or outer.definition.inputs[port.interface]
-                scope = scope.outer
-            elif port.interface in scope.graph.inputs:
-                port = scope.graph.inputs[port.interface]
-            else:
-                raise UnsupportedError(
-                    f"the graph {scope.graph.path} has no input '{port.interface}'"
-                )
-        if port.link is not None and port.link.node:
-            other = scope.graph.nodes.get(port.link.node)
-            key = (scope, port.link.node, "*file")
-            if key in self._open:
-                raise UnsupportedError("this node depends on itself", node.path)
-            for word in ("value", "in"):
-                if other is not None and word in other.inputs:
-                    self._open.add(key)
-                    try:
-                        return self._file(other, word, scope)
-                    finally:
-                        self._open.discard(key)
-        return port, scope
-
-    def _file_space(self, node: Node, name: str, scope: Scope) -> str:
-        """The colour space of a file that this node decodes, and no node around it."""
-        port = node.inputs.get(name)
-        if port is None:
-            return ""
-        if port.interface and scope.bound is not None:
-            return ""
-        if port.interface and scope.node is not None and scope.outer is not None:
-            if _gives_color(scope.node):
-                return ""
-            return self._file_space(scope.node, port.interface, scope.outer)
-        return self._file(node, name, scope)[0].color_space
 
     def _decoded(self, value: Expression, node: Node, scope: Scope) -> Expression:
         """The value of a node that reads a file of colours which nobody has decoded yet."""
         assert node.definition is not None
-        if not _gives_color(node):
+        if not gives_color(node):
             return value
         for name, port in node.definition.inputs.items():
             if port.type == "filename":
-                space = self._file_space(node, name, scope)
-                if space and not is_srgb(space) and self.texture(node, name, scope) is not None:
+                space = self.files.space(node, name, scope)
+                if (
+                    space
+                    and not is_srgb(space)
+                    and self.files.texture(node, name, scope) is not None
+                ):
                     return decoded(self.texts, value, space)
         return value
-
-    def _sampling(self, node: Node, name: str, scope: Scope) -> tuple[str, str, str]:
-        """How the images that read a file continue it to both sides, and how they filter."""
-        if node.category == "image" or node.definition is None or node.definition.graph is None:
-            words = ("uaddressmode", "vaddressmode", "filtertype")
-            u, v, kind = (self.static(node, word, scope) for word in words)
-            return u or "periodic", v or "periodic", kind or "linear"
-        inner = self.entered(node, scope)
-        for other in inner.graph.nodes.values():
-            for port in other.inputs.values():
-                if port.type == "filename" and port.interface == name:
-                    return self._sampling(other, port.name, inner)
-        return "periodic", "periodic", "linear"
 
     def static(self, node: Node, name: str, scope: Scope) -> str:
         """The text of an input that no shader computes, such as the name of a space."""
@@ -422,7 +340,7 @@ class Application:
 
     def texture(self, name: str) -> Expression | None:
         """The texture of an input of the type ``filename``; nothing if no file is named."""
-        return self.network.texture(self.node, name, self.scope)
+        return self.network.files.texture(self.node, name, self.scope)
 
     def library(self, name: str) -> str:
         """A name of ``std.mtlx``, which is imported."""
@@ -449,15 +367,3 @@ class Counting:
         for network, kept in zip(self._networks, self._kept, strict=True):
             network._counting = False
             network._values = kept
-
-
-def _gives_color(node: Node) -> bool:
-    """True for a node whose first output is a colour: only that of files is decoded."""
-    outputs = node.definition.outputs if node.definition is not None else {}
-    first = next(iter(outputs.values()), None)
-    return (first.type if first is not None and len(outputs) > 1 else node.type).startswith("color")
-
-
-def is_srgb(space: str) -> bool:
-    """True for the colour space that graphics cards decode by themselves."""
-    return space.lower() in _SRGB

@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 FOLDER = "textures"
+FIRST = {"<UDIM>": "1001", "<UVTILE>": "u1_v1"}
+"""The tokens in the names of sets of files, and what the name of the first file has there."""
 LARGEST = 256 << 20
 """The most bytes of a picture that is copied."""
 _PLAIN = re.compile(r"[^A-Za-z0-9._-]+")
@@ -30,7 +32,9 @@ class Pictures:
 
     def found(self, name: str) -> Picture | None:
         """The picture with this path in one of the folders; nothing if there is none that may be
-        read."""
+        read. Of a set of files for the squares of a chart, it is the first one."""
+        for token, tile in FIRST.items():
+            name = name.replace(token, tile)
         for folder, wanted in product(self._folders, _ends(name)):
             root = folder.resolve()
             try:

@@ -7,8 +7,9 @@ read only from its own folder.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
+from typing import Any
 
 from .library import library
 from .materials import Renderable
@@ -46,7 +47,7 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
     found = Document(path.name, version, top, texts.lines, texts.repeated)
-    return found, list(_renderables(top))
+    return found, list(_with_looks(top, document))
 
 
 class _Texts:
@@ -103,12 +104,27 @@ def _sentence(text: str) -> str:
     return first + text[1:].rstrip(". ")
 
 
+def _with_looks(top: Graph, document: Any) -> Iterator[Renderable]:
+    """What is drawn; the words about a material say what the document's looks assign it to."""
+    places: dict[str, dict[str, list[str]]] = {}
+    for look in document.getLooks():
+        for each in look.getActiveMaterialAssigns():
+            looks = places.setdefault(each.getMaterial(), {})
+            collection = each.getCollectionString()
+            named = f"the collection `{collection}`" if collection else f"`{each.getGeom()}`"
+            looks.setdefault(look.getName(), []).append(named)
+    for found in _renderables(top):
+        looks = places.get(found.name, {})
+        words = [f"In the look `{name}` of {' and '.join(each)}." for name, each in looks.items()]
+        yield found._replace(doc=" ".join(filter(None, [found.doc, *words])))
+
+
 def _renderables(top: Graph) -> Iterator[Renderable]:
-    """What MaterialX's own viewers draw: materials; without any, surfaces and outputs of graphs."""
+    """What MaterialX's own viewers draw: materials; without any, outputs of the document and of its
+    graphs. A surface that none of these reads is drawn, too, and not the graphs that it reads."""
     materials = [node for node in top.nodes.values() if node.type == "material"]
-    used = {
-        port.link.node for node in top.nodes.values() for port in node.inputs.values() if port.link
-    }
+    ports = [port for node in top.nodes.values() for port in node.inputs.values()]
+    used = {port.link.node for port in (*ports, *top.outputs.values()) if port.link}
     surfaces = [
         node for node in top.nodes.values()
         if node.type == "surfaceshader" and node.name not in used
@@ -117,17 +133,15 @@ def _renderables(top: Graph) -> Iterator[Renderable]:
         port = Port("out", node.type, link=Link(node.name))
         yield Renderable(node.path, node.name, port, top, node.hints.get("doc", ""))
     if not materials:
-        yield from _outputs(top)
+        read = [port for node in surfaces for port in node.inputs.values()]
+        yield from _outputs(
+            top, {(port.link.graph, port.link.output) for port in read if port.link}
+        )
 
 
-def _outputs(top: Graph) -> Iterator[Renderable]:
-    read = {
-        (port.link.graph, port.link.output)
-        for graph in (top, *top.graphs.values())
-        for node in graph.nodes.values()
-        for port in node.inputs.values()
-        if port.link
-    }
+def _outputs(top: Graph, read: Set[tuple[str, str]]) -> Iterator[Renderable]:
+    """The outputs of the document and of its graphs, but for those that are ``read``, by the names
+    of their graphs and their own."""
     for port in top.outputs.values():
         if port.type not in CLOSURES:
             yield Renderable(port.name, port.name, port, top)

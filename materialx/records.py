@@ -43,21 +43,18 @@ class Records:
     def _graph(self, element: Any) -> Graph:
         nodes = {node.getName(): self._node(node) for node in element.getNodes()}
         graphs = {}
-        inputs = {}
+        # What a definition means has the inputs that the definition declares.
+        owner = element if element is self._document else element.getNodeDef() or element
         if element is self._document:
             graphs = {
                 child.getName(): self._graph(child)
                 for child in element.getChildren()
                 if child.isA(_graph_class())
             }
-        else:
-            # What a definition means has the inputs that the definition declares.
-            owner = element.getNodeDef() or element
-            inputs = {port.getName(): _port(port) for port in owner.getActiveInputs()}
         return Graph(
             element.getName(),
             element.getNamePath(),
-            inputs,
+            {port.getName(): _port(port) for port in owner.getActiveInputs()},
             nodes,
             {port.getName(): _port(port) for port in element.getOutputs()},
             graphs,

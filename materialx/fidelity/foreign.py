@@ -21,7 +21,7 @@ from ...targets.runner.drivers.pipeline import Code, Pipeline, VertexInput
 from ...targets.runner.drivers.render_state import RenderTarget
 from .images import Images
 from .records import FidelityError, Generated, Stream
-from .settings import BACKGROUND, Floats, Setting
+from .settings import BACKGROUND, Floats, Setting, whole
 from .uniforms import uniform_block
 
 _FORMATS: Mapping[str, VertexFormat] = {
@@ -114,4 +114,4 @@ def stream_values(stream: Stream, setting: Setting) -> Floats:
         return setting.channel(_CHANNELS[stream.name], lanes)[:, :lanes]
     name = stream.name.removeprefix(_PRIMVAR)
     values = setting.channel(name, lanes)
-    return np.floor(8 * values) if stream.type in ("integer", "boolean") else values
+    return whole(values) if stream.type in ("integer", "boolean") else values

@@ -34,6 +34,8 @@ _NUMBERS = frozenset(
      "matrix33", "matrix44", "string")
 )  # fmt: skip
 """The types of uniforms that hold numbers; texts have a zero where the document has a string."""
+_DATA = frozenset(("float", "integer", "boolean", "vector2", "vector3", "vector4"))
+"""The types of nodes whose files have numbers and no colours."""
 _FILE = "filename"
 _LIGHTS = "u_lightData"
 """The array of lights. Texts without lights do not declare it, and yet have a block for it."""
@@ -152,11 +154,25 @@ def _without_srgb(document: Any) -> set[str]:
     found = [
         element
         for element in document.traverseTree()
-        if element.getAttribute("type") == _FILE and element.getActiveColorSpace() in SRGB
+        if element.getAttribute("type") == _FILE
+        and element.getActiveColorSpace() in SRGB
+        and _has_colors(element)
     ]
     for element in found:
         element.setColorSpace(WORKING_SPACE)
     return {element.getNamePath() for element in found}
+
+
+def _has_colors(file: Any) -> bool:
+    """True if what reads a file gives colours or surfaces; numbers stay as they are in files."""
+    owner = file.getParent()
+    readers = [owner]
+    if owner.getCategory() == "nodegraph":
+        ports = [port for node in owner.getNodes() for port in node.getInputs()]
+        readers = [
+            port.getParent() for port in ports if port.getInterfaceName() == file.getName()
+        ] or readers
+    return any(reader.getType() not in _DATA for reader in readers)
 
 
 def _generated(taken: Any, whole: Any, encoded: set[str]) -> Generated:

@@ -29,9 +29,6 @@ WRAPS: Mapping[AddressMode, Wrap] = {
     "constant": "border", "clamp": "clamp", "periodic": "repeat", "mirror": "mirror",
 }  # fmt: skip
 
-_TOKENS = {"<UDIM>": "1001", "<UVTILE>": "u1_v1"}
-"""What is drawn of a set of files: the first tile. MaterialX's renderer binds one file, too."""
-
 
 class Images:
     """The images of a document, which lie in its folder or in others that a user names."""
@@ -68,8 +65,6 @@ class Images:
 
     def found(self, file: str) -> Picture | None:
         """The picture that the document names; ``None`` if there is none."""
-        for token, tile in _TOKENS.items():
-            file = file.replace(token, tile)
         return self._pictures.found(file) if file else None
 
 

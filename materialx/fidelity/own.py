@@ -26,7 +26,7 @@ from ...targets.runner.drivers.device import DriverError
 from ...targets.runner.exact import Exact
 from ...targets.runner.frames.states import draw_states
 from ...targets.runner.instances.instance import Instance
-from ...targets.runner.instances.shapes import lanes_of
+from ...targets.runner.instances.shapes import WHOLE, kind_of, lanes_of
 from ...targets.runner.instances.values import ParameterError
 from ...targets.runner.meshes import Mesh, MeshError
 from ...targets.runner.reference import expected
@@ -38,7 +38,7 @@ from ...targets.runner.textures.kinds import PictureError
 from ...targets.toolchain import Toolchain
 from .images import NamedImage
 from .records import FidelityError
-from .settings import BACKGROUND, Setting
+from .settings import BACKGROUND, Setting, whole
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, Any]
@@ -176,8 +176,13 @@ def _with_primvars(setting: Setting, reflection: Reflection) -> Mesh:
     """The mesh with the same patterns as MaterialX's side for the inputs that it lacks."""
     roles, mesh = scene_names()["attributes"], setting.mesh
     further = {
-        row.name: setting.channel(row.name, lanes_of(row.representation))
+        row.name: _channel(setting, row.name, row.representation)
         for row in inputs_of_mesh(reflection)
         if roles.get(row.name, row.name) not in mesh.channels
     }
     return replace(mesh, channels={**mesh.channels, **further})
+
+
+def _channel(setting: Setting, name: str, representation: str) -> NDArray[Any]:
+    values = setting.channel(name, lanes_of(representation))
+    return whole(values).astype(np.int64) if kind_of(representation) in WHOLE else values

@@ -77,6 +77,11 @@ def pattern(name: str, lanes: int, position: Floats) -> Floats:
     return rounded
 
 
+def whole(values: Floats) -> Floats:
+    """The values of a variable that is a whole number or a truth."""
+    return np.floor(8 * values)
+
+
 def _turned(degrees: float, scale: float, x: float, y: float) -> tuple[tuple[float, ...], ...]:
     """The rows of a transform that turns around y, scales evenly and moves."""
     c, s = scale * math.cos(math.radians(degrees)), scale * math.sin(math.radians(degrees))

@@ -12,7 +12,7 @@ def _image(node: Application) -> Expression:
     texture = node.texture("file")
     assert isinstance(texture, Name)
     place = upright(node, node.input("texcoord"))
-    axes = node.network.borders(node.node, "file", node.scope)
+    axes = node.network.files.borders(node.node, "file", node.scope)
     if not any(axes):
         return _lanes(Call(texture.text, (place,)), node.type)
     is_filtered = node.static("filtertype") != "closest"
@@ -24,7 +24,7 @@ def _image(node: Application) -> Expression:
 def _beyond(node: Application) -> Expression:
     """The colour beyond the borders of an image, with four lanes. It is encoded as the file is."""
     color = node.input("default")
-    if node.network.is_encoded(node.node, "file", node.scope):
+    if node.network.files.is_encoded(node.node, "file", node.scope):
         color = Call(node.library("from_srgb_texture"), (color,))
     lanes = LANES[node.type]
     if lanes == 1:

@@ -17,6 +17,8 @@ pytestmark = pytest.mark.xdist_group("materialx")  # One process draws for all.
 ONE_COLOR = {
     ("unlit_constant", "Lamp"): "it says one colour",
     ("looks", "Red"): "it says one colour",
+    ("document_input", "bare/out"): "it has no surface",
+    ("graph_defaults", "IMP_pattern/out"): "it names no file",
     ("inheritance", "OldBrick"): "MaterialX's own text does not follow `inherit` of materials",
 }
 """The renderables that are of one colour all over, and why."""

@@ -13,7 +13,8 @@ from .kit import documents
 
 HERE = Path(__file__).parent
 READ = (
-    "graph_interface", "image_wraps", "inheritance", "lama_layers", "open_pbr_varnish",
+    "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
+    "open_pbr_varnish",
     "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
 )  # fmt: skip
 """Documents whose files are kept, so that a person sees what changes."""
@@ -44,3 +45,33 @@ def test_a_document_of_a_model_has_an_equation_for_each_input_that_it_sets() -> 
     lines = found.files[found.main].decode().splitlines()
     equations = [line for line in lines if line.startswith("    ") and " = " in line]
     assert len(equations) == 9
+
+
+def test_a_light_of_another_kind_is_left_out_and_told(tmp_path: Path) -> None:
+    text = (HERE / "documents" / "lights.mtlx").read_text("utf-8")
+    path = tmp_path / "lights.mtlx"
+    path.write_text(text.replace("directional_light", "moon_light"), "utf-8")
+    found = imported(path)
+    (problem,) = found.problems
+    assert str(problem).endswith("sun: moon_light is no light of Burnish: it is left out")
+    assert not problem.is_error
+    lights = found.files[found.main].decode().partition("rig DocumentLights {")[2]
+    assert [word for word in ("sun :", "bulb :", "torch :") if word in lights] == [
+        "bulb :", "torch :",
+    ]  # fmt: skip
+
+
+def test_of_a_set_of_files_the_first_is_copied_and_told() -> None:
+    found = imported(HERE / "documents" / "image_set.mtlx")
+    (problem,) = found.problems
+    assert not problem.is_error
+    assert problem.text.startswith("of the files `images/set.<UDIM>.png` for the squares")
+    copied = (HERE / "documents" / "images" / "set.1001.png").read_bytes()
+    assert found.files["textures/set.1001.png"] == copied
+
+
+def test_a_displacement_is_left_out_and_told() -> None:
+    found = imported(HERE / "documents" / "displaced.mtlx")
+    (problem,) = found.problems
+    assert (problem.path, problem.text) == ("Rock", "its `displacementshader` is left out")
+    assert not problem.is_error
