@@ -19,6 +19,7 @@ COMMANDS = (
     "check",
     "graph",
     "import",
+    "export",
     "render",
     "view",
     "conform",

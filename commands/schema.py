@@ -11,7 +11,7 @@ from .console import say
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package", "golden", "corpus", "corpus_index")
+DOCUMENTS = ("reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph")
 
 
 @click.command()
@@ -22,7 +22,8 @@ def schema(document: str) -> None:
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
     what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
-    Each has the version of its format as `format`, `plan`, `package`, `version` or `corpus`.
+    A graph has the equations of materials, as `burnish export` writes them. Each has the version of
+    its format as `format`, `plan`, `package`, `version`, `corpus` or `graph`.
 
     \b
     Example:
@@ -39,11 +40,12 @@ def schema(document: str) -> None:
 
 def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
+    from ..compiler.documents.equation_graph import EquationGraphs
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
     from ..targets.conformance.corpus.records import Corpus, CorpusIndex
     from ..targets.conformance.golden.document import Golden
     from ..targets.web_host.serving.packages import Package
 
-    kinds = (Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex)
+    kinds = (Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs)
     return dict(zip(DOCUMENTS, kinds, strict=True))

@@ -109,11 +109,21 @@ class Frontend:
         """
         from .semantics.equations.building import equations_of
 
+        found = self.assembled(module, material, rig, pass_)
+        return [equations_of(setting) for setting, _shader in found]
+
+    def assembled(
+        self, module: Module, material: str | None, rig: str | None, pass_: str | None
+    ) -> list[tuple[Setting, Shader]]:
+        """The materials that ``shaders`` chooses, as they are checked, each with its shader.
+
+        Errors are in the report.
+        """
         parts = self._parts(module, material, rig, pass_)
         if parts is None:
             return []
         found = self._elaborated(module, *parts, set())
-        return [equations_of(setting) for setting, shader in found if shader is not None]
+        return [(setting, shader) for setting, shader in found if shader is not None]
 
     def _parts(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None

@@ -151,7 +151,7 @@ class _Body:
         # An argument would hide a function of its name that the body calls.
         self._names = Names((), {*catalogue(), *functions.called_by(definition)})
         self._arguments = {
-            name: Name(self._names.fresh(slot_name(name))) for name in definition.inputs
+            name: Name(argument) for name, argument in arguments_of(definition, self._names).items()
         }
         bound = _Read(self._arguments)
         self._parts: list[Equation] = []
@@ -184,12 +184,8 @@ class _Body:
             if functions.is_shared(definition, name)
             and _default(definition.inputs[name]) is not None
         )
-        name = slot_name(
-            definition.category if definition.is_library else definition.category or definition.name
-        )
-        self.result_function = Function(
-            f"mx_{name}" if name in BUILTINS else name, used, is_term, is_closure, defaults, members
-        )
+        name = function_name(definition.category or definition.name)
+        self.result_function = Function(name, used, is_term, is_closure, defaults, members)
 
     def _without_last_name(self, value: Expression) -> Expression:
         """The result itself, where it is a part that nothing else reads."""
@@ -279,6 +275,17 @@ class _Body:
         fresh = self._names.fresh(part_name(name, value))
         self._parts.append(Equation(fresh, value, doc=one_line(node.hints.get("doc", ""))))
         return Name(fresh)
+
+
+def function_name(category: str) -> str:
+    """The name of the functions for a category, unless there are others with the same arguments."""
+    name = slot_name(category)
+    return f"mx_{name}" if name in BUILTINS else name
+
+
+def arguments_of(definition: Definition, names: Names) -> dict[str, str]:
+    """The names of arguments for all inputs of a definition, by the inputs."""
+    return {name: names.fresh(slot_name(name)) for name in definition.inputs}
 
 
 class _Read(dict[str, Expression]):

@@ -9,16 +9,15 @@ from typing import NamedTuple
 from ..support.depth import with_depth
 from ..support.garbage import seldom_collected
 from .definitions import Functions
-from .library import library
+from .known import known
 from .lights import lights_of, rig_of
 from .materials import Material, Materials, Renderable
-from .model import Definition, Document
+from .model import Document
 from .models import Models
 from .names import slot_name
 from .pictures import FIRST, Pictures
 from .problems import Problem, UnsupportedError
 from .reading import read
-from .records import Records
 from .texts import File, one_line
 
 
@@ -54,7 +53,7 @@ def converted(
     """Convert what of a document is drawn, to a file with this
     name and to those that it imports."""
     own = File(name)
-    functions = Functions(own, _Known())
+    functions = Functions(own, known)
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
     problems = list(_repeated(document))
@@ -142,14 +141,3 @@ def _continued(words: Sequence[str]) -> list[str]:
         else:
             lines[-1] += f" {word}"
     return lines
-
-
-class _Known:
-    """The definitions of MaterialX's own library by their categories."""
-
-    def __init__(self) -> None:
-        self._records = Records(library(), library())
-
-    def __call__(self, category: str) -> list[Definition]:
-        names = [found.getName() for found in library().getMatchingNodeDefs(category)]
-        return [found for name in names if (found := self._records.definition(name)) is not None]

@@ -64,9 +64,7 @@ class Models:
                 "set the slots that differ."
             )
             file = self._functions.file(f"{FOLDER}/{slot_name(definition.category)}", heading)
-        slots = {
-            name: _slot(port) for name, port in definition.inputs.items() if port.type in TYPES
-        }
+        slots = slots_of(definition)
         members = Members(file, self._functions, slots.values())
         rows = [
             _declared(members, port, slots[name])
@@ -77,9 +75,7 @@ class Models:
         network = network_of(members)
         scope = Scope(definition.graph, bound={name: Name(slot) for name, slot in slots.items()})
         found = root(network, next(iter(definition.graph.outputs.values())), scope)
-        name = file.names.fresh(record_name(definition.category))
-        if not name.endswith("Surface"):
-            name = f"{name}Surface"
+        name = file.names.fresh(model_name(definition.category))
         color: list[Equation] = []
         if found is not None:
             look = shown(members, network, *found, slot_name(definition.category))
@@ -98,6 +94,18 @@ class Models:
         taken = {*slots.values(), *(row.name for row in members.slots), *surface_slots()}
         defaults = {row.name: flat(row.value) for row in rows if row.value is not None}
         return Model(name, file, slots, defaults, frozenset(taken))
+
+
+def model_name(category: str) -> str:
+    """The name of the abstract material for a surface."""
+    name = record_name(category)
+    return name if name.endswith("Surface") else f"{name}Surface"
+
+
+def slots_of(definition: Definition) -> dict[str, str]:
+    """The slots of a model by the inputs that they are; other inputs are no values of slots."""
+    inputs = definition.inputs.items()
+    return {name: _slot(port) for name, port in inputs if port.type in TYPES}
 
 
 def _slot(port: Port) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..expressions import Binary, Call, Choice, Expression, Name, Number, Unary, binary, flat, splat
 from ..networks import Application, Row
 from ..values import LANES, as_float
-from .application import builtin
+from .application import Written, builtin
 
 _NEUTRAL = {"+": 0.0, "-": 0.0, "*": 1.0, "/": 1.0}
 """What leaves the other operand as it is; on the left only where operands may be exchanged."""
@@ -156,24 +156,27 @@ def _round_integer(name: str) -> Row:
     return row
 
 
+_TWO = ("in1", "in2")
+_COMPARED = ("value1", "value2")
+
 ROWS: dict[str, Row] = {
-    "add": _infix("+"),
-    "subtract": _infix("-"),
-    "multiply": _multiply,
-    "divide": _divide,
-    "modulo": _modulo,
+    "add": Written("+", _TWO, _infix("+")),
+    "subtract": Written("-", _TWO, _infix("-")),
+    "multiply": Written("*", _TWO, _multiply),
+    "divide": Written("/", _TWO, _divide),
+    "modulo": Written("mod", _TWO, _modulo),
     "invert": _invert,
     "remap": _remap,
-    "mix": _mix,
-    "clamp": _clamp,
-    "min": _minimum_of_two("min"),
-    "max": _minimum_of_two("max"),
+    "mix": Written("mix", ("bg", "fg", "mix"), _mix),
+    "clamp": Written("clamp", ("in", "low", "high"), _clamp, {"saturate": ("in",)}),
+    "min": Written("min", _TWO, _minimum_of_two("min")),
+    "max": Written("max", _TWO, _minimum_of_two("max")),
     "power": builtin("pow", "in1", "in2"),
     "fract": builtin("fract", "in"),
     "absval": builtin("abs", "in"),
-    "floor": _round_integer("floor"),
-    "ceil": _round_integer("ceil"),
-    "round": _round_integer("round"),
+    "floor": Written("floor", ("in",), _round_integer("floor")),
+    "ceil": Written("ceil", ("in",), _round_integer("ceil")),
+    "round": Written("round", ("in",), _round_integer("round")),
     "sin": builtin("sin", "in"),
     "cos": builtin("cos", "in"),
     "tan": builtin("tan", "in"),
@@ -193,12 +196,12 @@ ROWS: dict[str, Row] = {
     "determinant": builtin("determinant", "in"),
     "invertmatrix": builtin("inverse", "in"),
     "transformmatrix": _transform_by_matrix,
-    "ifgreater": _comparison(">"),
-    "ifgreatereq": _comparison(">="),
-    "ifequal": _comparison("=="),
-    "and": lambda node: Binary("and", *node.inputs("in1", "in2")),
-    "or": lambda node: Binary("or", *node.inputs("in1", "in2")),
-    "not": lambda node: Unary("not", node.input("in")),
+    "ifgreater": Written(">", _COMPARED, _comparison(">")),
+    "ifgreatereq": Written(">=", _COMPARED, _comparison(">=")),
+    "ifequal": Written("==", _COMPARED, _comparison("==")),
+    "and": Written("and", _TWO, lambda node: Binary("and", *node.inputs("in1", "in2"))),
+    "or": Written("or", _TWO, lambda node: Binary("or", *node.inputs("in1", "in2"))),
+    "not": Written("not", ("in",), lambda node: Unary("not", node.input("in"))),
     "dot": lambda node: node.input("in"),
     "constant": lambda node: node.input("value"),
 }

@@ -6,6 +6,7 @@ the names of its inputs. So a leaf needs no row of its own here.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
@@ -22,7 +23,7 @@ from .application import SUFFIXES
 PACKAGE = "mtlx"
 _SPELLED = MappingProxyType({"in": ("value", "x", "color", "height"), "mix": ("amount",)})
 """Inputs whose names are words of Burnish, and the names that arguments have in place of them."""
-_WORDS = MappingProxyType({
+WORDS = MappingProxyType({
     "scatter_mode": ("R", "T", "RT"),
     "mode": ("conty_kulla", "zeltner"),
 })  # fmt: skip
@@ -30,7 +31,7 @@ _WORDS = MappingProxyType({
 """
 
 
-_OF_SURFACE = MappingProxyType({
+OF_SURFACE = MappingProxyType({
     "to_eye": "to_eye",
     "position": "position_world",
     "normal": "normal_world",
@@ -113,7 +114,7 @@ def _argument(node: Application, argument: str) -> Expression:
         return node.network.asked
     name = _input_of(node, argument)
     if not name:
-        return node.texts.surface(_OF_SURFACE[argument])
+        return node.texts.surface(OF_SURFACE[argument])
     if node.input_type(name) == "string":
         return _word(node, name)
     if node.input_type(name) == "filename":
@@ -126,7 +127,14 @@ def _argument(node: Application, argument: str) -> Expression:
 def _input_of(node: Application, argument: str) -> str:
     """The input for an argument; empty for what functions take of the surface."""
     assert node.node.definition is not None
-    inputs = node.node.definition.inputs
+    name = input_named(node.node.definition.inputs, argument)
+    if not name and argument not in OF_SURFACE:
+        raise AssertionError(f"{node.node.category} has no input for '{argument}'")
+    return name
+
+
+def input_named(inputs: Iterable[str], argument: str) -> str:
+    """The one of some inputs that an argument of a function is for; empty if it is for none."""
     if argument in inputs:
         return argument
     for name in inputs:
@@ -135,13 +143,11 @@ def _input_of(node: Application, argument: str) -> str:
     for name, others in _SPELLED.items():
         if argument in others and name in inputs:
             return name
-    if argument in _OF_SURFACE:
-        return ""
-    raise AssertionError(f"{node.node.category} has no input for '{argument}'")
+    return ""
 
 
 def _word(node: Application, name: str) -> Expression:
-    words = _WORDS[name]
+    words = WORDS[name]
     word = node.static(name) or words[0]
     if word not in words:
         raise UnsupportedError(f"'{word}' is none of {', '.join(words)}")

@@ -6,10 +6,11 @@ from ..expressions import Call, Expression, Name
 from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import CLOSURES
+from .application import Written
 from .arithmetic import ROWS as ARITHMETIC
 
 
-def _by_type(name: str, *inputs: str) -> Row:
+def _by_type(name: str, *inputs: str) -> Written:
     """A row for closures of light that is scattered; what is sent
     out adds up as other colours do."""
     other = ARITHMETIC[{"added": "add", "scaled": "multiply", "mixed": "mix"}[name]]
@@ -19,7 +20,7 @@ def _by_type(name: str, *inputs: str) -> Row:
             return other(node)
         return Call(node.library(name), node.inputs(*inputs))
 
-    return row
+    return Written(name, inputs, row)
 
 
 def _layer(node: Application) -> Expression:
@@ -43,12 +44,12 @@ def _uniform(node: Application) -> Expression:
 
 
 ROWS: dict[str, Row] = {
-    "layer": _layer,
+    "layer": Written("layer", ("top", "base"), _layer),
     "anisotropic_vdf": _volume,
     "absorption_vdf": _volume,
     "uniform_edf": _uniform,
 }
-CLOSURE_ROWS: dict[str, Row] = {
+CLOSURE_ROWS: dict[str, Written] = {
     "mix": _by_type("mixed", "bg", "fg", "mix"),
     "add": _by_type("added", "in1", "in2"),
     "multiply": _by_type("scaled", "in1", "in2"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ..constants import PROPERTIES
 from ..expressions import Binary, Call, Expression, Member, Name, Number
 from ..names import slot_name
@@ -10,9 +12,7 @@ from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
 
 
-def _in_space(letter: str) -> Row:
-    names = {"P": "position", "N": "normal", "T": "tangent", "B": "bitangent"}
-
+def _in_space(name: str) -> Row:
     def row(node: Application) -> Expression:
         space = node.static("space") or "object"
         # MaterialX's generators know model space as that of the object.
@@ -21,7 +21,7 @@ def _in_space(letter: str) -> Row:
             raise UnsupportedError(f"there is no space '{space}'")
         if node.has("index") and _index(node):
             raise UnsupportedError("only the first tangents of a mesh are read")
-        return node.texts.surface(f"{names[letter]}_{space}")
+        return node.texts.surface(f"{name}_{space}")
 
     return row
 
@@ -102,11 +102,30 @@ def _transformed(kind: str) -> Row:
     return row
 
 
+PLACED = ("position", "normal", "tangent", "bitangent")
+"""Nodes that are slots of ``std.mtlx.surface`` in two spaces, such as ``normal_world``."""
+SLOTS: Mapping[str, tuple[str, Mapping[str, str]]] = {
+    **{
+        f"{name}_{space}": (name, {"space": space})
+        for name in PLACED
+        for space in ("object", "world")
+    },
+    "view_world": ("viewdirection", {"space": "world"}),
+    "view_object": ("viewdirection", {"space": "object"}),
+    "st": ("texcoord", {}),
+    "time": ("time", {}),
+    "frame": ("frame", {}),
+}
+"""The slots of ``std.mtlx.surface`` as nodes with their texts: the converse of the rows."""
+MOVED = {
+    f"{kind}_to_{space}": (f"transform{kind}", {"fromspace": other, "tospace": space})
+    for kind in ("point", "vector", "normal")
+    for space, other in (("world", "object"), ("object", "world"))
+}
+"""The functions of ``std.mtlx.surface`` that move something from space to space, as nodes."""
+
 ROWS: dict[str, Row] = {
-    "position": _in_space("P"),
-    "normal": _in_space("N"),
-    "tangent": _in_space("T"),
-    "bitangent": _in_space("B"),
+    **{name: _in_space(name) for name in PLACED},
     "viewdirection": _view_direction,
     "texcoord": _coordinates,
     "geomcolor": _vertex_color,

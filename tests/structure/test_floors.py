@@ -133,7 +133,11 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
-    "materialx": "depth stdlib diagnostics syntax library_trees library",
+    "materialx": "depth garbage stdlib diagnostics syntax library_trees library",
+    "materialx.export": (
+        "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
+        "compiling materialx"
+    ),
     "materialx.fidelity": (
         "installing diagnostics ir documents reference reflection closing runner conformance "
         "toolchain entry_points materialx"

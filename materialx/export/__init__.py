@@ -1,0 +1,1 @@
+"""Materials of Burnish as documents of MaterialX: the converse of importing."""
