@@ -177,7 +177,7 @@ def _said_elsewhere(written: str, fitting: Mapping[str, str]) -> Meant | None:
     """What the library has for a name of another system; one of several names may be meant.
 
     It differs in its style, as ``softLight`` does; has the word ``light`` beside it, as
-    ``DirectionalLight``; or is another one, as ``luma``.
+    ``HemisphericLamp``; or is another one, as ``luma``.
     """
     from ....stdlib.other_names import BY_FOLDED, Meant, folded
 
