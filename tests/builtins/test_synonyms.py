@@ -32,7 +32,9 @@ def test_what_is_meant_is_declared_in_its_file(name: str) -> None:
 
 def test_names_that_are_known_need_no_row() -> None:
     # A mixin may have the name of what it adds, such as `Sheen`, which others call as a function.
-    called = {name for name, offers in OFFERS.items() if {each.kind for each in offers} != {"mixin"}}
+    called = {
+        name for name, offers in OFFERS.items() if {each.kind for each in offers} != {"mixin"}
+    }
     assert {folded(name) for name in called} & BY_FOLDED.keys() == set()
     for elsewhere in (BUILTINS, FUNCTIONS, KEYWORDS, TYPES):
         assert elsewhere.keys() & SYNONYMS.keys() == set()
