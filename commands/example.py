@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
 
-from .console import say, show
-from .failures import fail
+from .console import say
+from .giving_out import give_out
 from .shipped import EXAMPLES, chosen, say_groups
-from .terminal import FAILED
 
 _COMMENT = re.compile(r"^//!(.*)$", re.MULTILINE)
 _FILE = re.compile(r"[\w./-]+\.\w+")
@@ -63,37 +61,13 @@ def example(name: str | None, out: Path, as_path: bool) -> None:
 
 def _write(file: Path, out: Path) -> None:
     """Write an example and what it needs, or end the command with a message."""
-    from ..compiler.diagnostics.diagnostic import CompileError
-    from .output import write_tree
-
     contents = {path: (EXAMPLES / path).read_bytes() for path in sorted(_needed(file))}
-    new = {path: content for path, content in contents.items() if not _is_there(out, path, content)}
-    try:
-        write_tree(out, new)
-    except CompileError as error:
-        show(error.diagnostics)
-        click.get_current_context().exit(FAILED)
-    _tell(file, out, contents, new)
-
-
-def _tell(file: Path, out: Path, contents: Mapping[str, bytes], new: Mapping[str, bytes]) -> None:
-    for path in contents:
-        say(f"{out / path}{'' if path in new else ' (was there already)'}")
+    give_out(
+        out, contents, "is there already, and nothing was written",
+        "move it away, or name another folder: `-o FOLDER`",
+    )  # fmt: skip
     written = out / file.relative_to(EXAMPLES)
     say(f"To see it: burnish render {written}, or burnish view {written}")
-
-
-def _is_there(out: Path, path: str, content: bytes) -> bool:
-    """True if the file has this content already; ends the command if it has another one."""
-    place = out / path
-    if not os.path.lexists(place):
-        return False
-    if not place.is_symlink() and place.is_file() and place.read_bytes() == content:
-        return True
-    return fail(
-        f"`{place}` is there already, and nothing was written\n"
-        "  = help: move it away, or name another folder: `-o FOLDER`"
-    )
 
 
 def _needed(file: Path) -> set[str]:

@@ -6,22 +6,20 @@ of any material a JSON document.
 
 from __future__ import annotations
 
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import click
 
-from ..support.installing import install_command
 from .console import remark, show
-from .failures import fail
+from .failures import insist_on_materialx
 from .options import file_argument, pass_option, rig_option, search_option, values_option
-from .terminal import FAILED, print_output
+from .single_output import STDOUT, deliver, insist_on_another_file
+from .terminal import FAILED
 
 if TYPE_CHECKING:
     from ..materialx.export.unsayable import UnsaidError
 
-STDOUT = "-"
 FORMATS = ("mtlx", "json")
 
 
@@ -76,20 +74,14 @@ def export(**chosen: Any) -> None:
     from ..compiler.diagnostics.diagnostic import CompileError
 
     request = ExportRequest(**chosen)
-    _insist_on_another_file(request)
+    insist_on_another_file(request.file, request.output)
     written = {"mtlx": _mtlx, "json": _json}[_form(request)]
     try:
-        _deliver(request, written(request))
+        text = written(request)
+        deliver(request.output, text.removesuffix("\n") if request.output == STDOUT else text)
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
-
-
-def _insist_on_another_file(request: ExportRequest) -> None:
-    """Raise ``BadParameter`` if the output would overwrite the file that is read."""
-    with suppress(OSError):
-        if request.output != STDOUT and request.file.samefile(request.output):
-            raise click.BadParameter("it is FILE itself", param_hint="--output")
 
 
 def _form(request: ExportRequest) -> str:
@@ -105,14 +97,7 @@ def _form(request: ExportRequest) -> str:
 
 
 def _mtlx(request: ExportRequest) -> str:
-    try:
-        import MaterialX
-    except ImportError:
-        fail(
-            "documents of MaterialX are written by the package MaterialX: "
-            f"{install_command(['materialx'])}"
-        )
-    assert MaterialX
+    insist_on_materialx("written")
     from ..materialx.export.files import export as exported
     from ..materialx.export.unsayable import UnsaidError
     from .exported_pictures import pictures_of
@@ -158,16 +143,3 @@ def _json(request: ExportRequest) -> str:
         search_path=request.search_path,
     )  # fmt: skip
     return to_text(equations_document(found))
-
-
-def _deliver(request: ExportRequest, text: str) -> None:
-    if request.output == STDOUT:
-        print_output(text.removesuffix("\n"))
-        return
-    from .output import unwritable, write_file
-
-    path = Path(request.output)
-    try:
-        write_file(path, text.encode())
-    except OSError as error:
-        raise unwritable(path, error.strerror or str(error)) from error

@@ -37,6 +37,17 @@ def fail(text: str) -> NoReturn:
     click.get_current_context().exit(FAILED)
 
 
+def insist_on_materialx(done: str) -> None:
+    """End the command with a message if documents cannot be ``read`` or ``written``."""
+    try:
+        import MaterialX  # noqa: F401
+    except ImportError:
+        fail(
+            f"documents of MaterialX are {done} by the package MaterialX: "
+            f"{install_command(['materialx'])}"
+        )
+
+
 def drawing_errors() -> tuple[type[Exception], ...]:
     """The exceptions whose texts tell people why something cannot be drawn."""
     from ..compiler.budget import BudgetError

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from ..support.installing import install_command
-from .console import remark, say, show
-from .failures import fail
+from .console import remark, say
+from .failures import fail, insist_on_materialx
+from .giving_out import give_out
 from .terminal import FAILED
 
 if TYPE_CHECKING:
@@ -86,14 +84,7 @@ def _is_faithful(
 
 def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:
     """Convert a document, or end the command with a message."""
-    try:
-        import MaterialX
-    except ImportError:
-        fail(
-            "documents of MaterialX are read by the package MaterialX: "
-            f"{install_command(['materialx'])}"
-        )
-    assert MaterialX
+    insist_on_materialx("read")
     from ..materialx.importing import imported
     from ..materialx.outline import DocumentError
 
@@ -105,43 +96,13 @@ def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:
 
 
 def _write(found: Imported, out: Path, force: bool) -> None:
-    from ..compiler.diagnostics.diagnostic import CompileError
-    from .output import write_tree
-
-    new = {
-        path: content
-        for path, content in found.files.items()
-        if not _is_there(out, path, content, force)
-    }
-    try:
-        write_tree(out, new)
-    except CompileError as error:
-        show(error.diagnostics)
-        click.get_current_context().exit(FAILED)
-    _tell(found, out, new)
-
-
-def _tell(found: Imported, out: Path, new: Mapping[str, bytes]) -> None:
-    for path in found.files:
-        say(f"{out / path}{'' if path in new else ' (was there already)'}")
+    give_out(
+        out, found.files, "is there already with other contents, and nothing was written",
+        "name another folder, `-o FOLDER`, or replace what is there: `--force`", force,
+    )  # fmt: skip
     names = ", ".join(material.name for material in found.materials[:6])
     more = f" and {len(found.materials) - 6} more" if len(found.materials) > 6 else ""
     say(
         f"{names}{more}. To see it: burnish render {out / found.main}, "
         f"or burnish view {out / found.main}"
-    )
-
-
-def _is_there(out: Path, path: str, content: bytes, force: bool) -> bool:
-    """True if the file has this content already; ends the command if it has another one."""
-    place = out / path
-    if not os.path.lexists(place):
-        return False
-    if not place.is_symlink() and place.is_file() and place.read_bytes() == content:
-        return True
-    if force:
-        return False
-    return fail(
-        f"`{place}` is there already with other contents, and nothing was written\n"
-        "  = help: name another folder, `-o FOLDER`, or replace what is there: `--force`"
     )

@@ -9,7 +9,7 @@ from math import isfinite
 from ..compiler.syntax import ast
 from .constants import constant
 from .definitions import Functions
-from .expressions import Expression, Name, flat, is_literal
+from .expressions import Expression, Name, is_literal
 from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
@@ -183,8 +183,3 @@ def _settings(sampling: Sampling) -> str:
     else:
         settings += [f"wrap_u = {u}", f"wrap_v = {v}"]
     return f" with {{ {', '.join(settings)} }}" if settings else ""
-
-
-def is_same(left: Expression, right: Expression) -> bool:
-    """True if two expressions are written alike."""
-    return flat(left) == flat(right)

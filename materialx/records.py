@@ -13,15 +13,6 @@ TARGET = "genglsl"
 _HINTS = (
     "doc", "uiname", "uifolder", "uimin", "uimax", "uisoftmin", "uisoftmax", "enum", "enumvalues",
 )  # fmt: skip
-_OWN_TYPES = (
-    "nodedef",
-    "implementation",
-    "typedef",
-    "unitdef",
-    "unittypedef",
-    "geompropdef",
-    "targetdef",
-)
 
 
 class Records:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -13,7 +12,8 @@ from ...compiler.diagnostics.display import harmless_lines
 from ..console import show
 from ..failures import errors_as_messages, fail
 from ..options import file_argument, pass_option, pixel, rig_option, search_option
-from ..terminal import FAILED, print_output
+from ..single_output import STDOUT, deliver, insist_on_another_file
+from ..terminal import FAILED
 
 if TYPE_CHECKING:
     from ...api.compiled import CompiledFrame, CompiledMaterial
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     Subject = CompiledMaterial | CompiledFrame | Equations
     """A program, a frame, or the equations of a material."""
 
-STDOUT = "-"
 FORMATS = ("svg", "dot", "text")
 LARGEST = 600
 """The largest number of boxes in a picture; people cannot read more."""
@@ -129,19 +128,12 @@ def graph(**chosen: Any) -> None:
     from ...compiler.diagnostics.diagnostic import CompileError
 
     request = GraphRequest(**chosen)
-    _insist_on_another_file(request)
+    insist_on_another_file(request.file, request.output)
     try:
         _deliver(request, _subjects(request))
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
-
-
-def _insist_on_another_file(request: GraphRequest) -> None:
-    """Raise ``BadParameter`` if the output would overwrite the file to show."""
-    with suppress(OSError):
-        if request.output != STDOUT and request.file.samefile(request.output):
-            raise click.BadParameter("it is FILE itself", param_hint="--output")
 
 
 def _parts(material: CompiledMaterial, request: GraphRequest) -> Mapping[Span, float] | None:
@@ -230,16 +222,7 @@ def _deliver(request: GraphRequest, subjects: Sequence[Subject]) -> None:
     text = "\n".join(_written(subject, request, form) for subject in subjects)
     if form == "text":
         text = harmless_lines(text)
-    if request.output == STDOUT:
-        print_output(text)
-        return
-    from ..output import unwritable, write_file
-
-    path = Path(request.output)
-    try:
-        write_file(path, text.encode())
-    except OSError as error:
-        raise unwritable(path, error.strerror or str(error)) from error
+    deliver(request.output, text)
 
 
 def _form(request: GraphRequest) -> str:

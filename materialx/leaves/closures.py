@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..expressions import Call, Expression, Name
+from ..expressions import Call, Expression
 from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import CLOSURES
@@ -32,11 +32,6 @@ def _volume(node: Application) -> Expression:
     if node.network.asked is None:
         raise UnsupportedError("a volume can only be part of a surface")
     return Call(node.library("absorbing_volume"), (node.network.asked, node.input("absorption")))
-
-
-def nothing(node: Application) -> Expression:
-    """What a closure is that is not connected."""
-    return Name(node.library("clear_bsdf"))
 
 
 def _uniform(node: Application) -> Expression:
