@@ -34,6 +34,9 @@ FURTHER: dict[tuple[str, str], dict[str, tuple[float, float]]] = {
         "spread": (math.radians(1), math.radians(170)), "aspect": (0.01, 100.0),
     },
     ("Luminaire", "ies"): {"dimming": (0.0, 1000.0)},
+    ("DirectionalLight", "mtlx.lights"): {"intensity": (0.0, 1e6)},
+    ("PointLight", "mtlx.lights"): {"intensity": (0.0, 1e6), "decay_rate": (0.0, 16.0)},
+    ("SpotLight", "mtlx.lights"): {"inner_angle": (-1.0, 1.0), "outer_angle": (-1.0, 1.0)},
 }  # fmt: skip
 """Lights whose ranges are tried at all of their ends together, by their files."""
 TESTED = {
