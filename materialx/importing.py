@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ..support.depth import with_depth
 from ..support.garbage import seldom_collected
+from .archives import unpacked
 from .definitions import Functions
 from .known import known
 from .lights import lights_of, rig_of
@@ -38,13 +39,15 @@ def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> 
 
     The main one is called ``name``, or else like the document.
 
-    Pictures are taken from the document's folder and from ``image_folders``, and from nowhere else.
-    Raises ``DocumentError``, and ``OSError`` if the document cannot be read.
+    Pictures are taken from the document's folder, from the archive that it lies in, and from
+    ``image_folders``, and from nowhere else. Raises ``DocumentError``, ``FileError`` for what is
+    neither a file nor an archive, and ``OSError`` if the document cannot be read.
     """
-    document, renderables = read(path)
-    pictures = Pictures((path.parent, *image_folders))
-    title = name or slot_name(path.stem)
-    return with_depth(lambda: converted(document, renderables, title, pictures))
+    with unpacked(path, tuple(image_folders)) as source:
+        document, renderables = read(source.document)
+        pictures = Pictures((source.document.parent, *source.image_folders))
+        title = name or slot_name(source.document.stem)
+        return with_depth(lambda: converted(document, renderables, title, pictures))
 
 
 def converted(
