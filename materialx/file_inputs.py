@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from .constants import OF_OTHERS
 from .expressions import Expression
 from .model import Node, Port
 from .places import Sampling, Scope, Texts
 from .problems import UnsupportedError
 
-_SRGB = ("srgb_texture", "srgb_rec709_scene")
+_SRGB = ("srgb_texture", *OF_OTHERS["from_srgb_texture"])
 
 
 class Nodes(Protocol):

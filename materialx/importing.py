@@ -19,6 +19,7 @@ from .names import slot_name
 from .pictures import FIRST, Pictures
 from .problems import Problem, UnsupportedError
 from .reading import read
+from .structures import Structures
 from .texts import File, one_line
 
 
@@ -56,7 +57,7 @@ def converted(
     """Convert what of a document is drawn, to a file with this
     name and to those that it imports."""
     own = File(name)
-    functions = Functions(own, known)
+    functions = Functions(own, known, Structures(own, document.structures))
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
     problems = list(_repeated(document))

@@ -54,18 +54,20 @@ class Materials:
 
     def written(self, renderable: Renderable) -> Material:
         """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
-        kept = len(self._file.declarations)
+        before = frozenset(self._file.declarations)
         try:
             base, members, color = self._converted(renderable, slot_name(renderable.name))
         except UnsupportedError:
-            del self._file.declarations[kept:]
+            # Functions may be read by others that follow.
+            others = before | self._file.helpers.keys()
+            self._file.keep(lambda text: text in others)
             raise
         if base == SURFACE:
             self._file.imported(module_of(SURFACE), SURFACE)
         self._file.names.take([base])
         name = self._file.names.fresh(record_name(renderable.name))
-        terms = self._file.declarations[kept:]
-        del self._file.declarations[kept:]
+        terms = [text for text in self._file.declarations if text not in before]
+        self._file.keep(lambda text: text in before)
         lines = members.lines()
         lines += ["", *equations(color)] if lines and color else equations(color)
         doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]

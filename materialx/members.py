@@ -15,6 +15,7 @@ from .library_files import declarations
 from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
 from .places import Function, Sampling, Scope
+from .structures import Structures
 from .texts import Equation, File, equations, one_line
 from .values import TYPES, zero
 
@@ -77,21 +78,30 @@ class Members:
 
     # ---- The ``Texts`` of networks
 
+    @property
+    def structures(self) -> Structures:
+        return self._functions.structures
+
     def surface(self, slot: str) -> Expression:
         return Name(slot)
 
     def parameter(self, scope: Scope, port: Port) -> Expression:
         key = (scope.graph.path, port.name)
         if key not in self._parameters:
-            if port.type not in TYPES:
+            if port.type not in TYPES and not self.structures.has(port.type):
                 return zero(port.type)
-            value = zero(port.type) if port.value is None else constant(self, port, port.type)
+            value, kind = self._default(port), self.structures.type(port.type, bare=False)
             doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
             self._parameters[key] = Equation(
-                self._names.fresh(slot_name(port.name)), value, TYPES[port.type], one_line(doc),
+                self._names.fresh(slot_name(port.name)), value, kind, one_line(doc),
                 "param ", _range(port, value),
             )  # fmt: skip
         return Name(self._parameters[key].name)
+
+    def _default(self, port: Port) -> Expression:
+        if self.structures.has(port.type):
+            return self.structures.value(port.value, port.type)
+        return zero(port.type) if port.value is None else constant(self, port, port.type)
 
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         if not port.value:

@@ -65,6 +65,8 @@ class Network:
     def _constant(self, port: Port, kind: str) -> Expression:
         if kind in ASKED:
             return Name(self.texts.library("clear_bsdf"))
+        if self.texts.structures.has(kind):
+            return self.texts.structures.value(port.value, kind)
         if port.value is None or (kind in CLOSURES and not port.value):
             return zero(kind)
         return constant(self.texts, port, kind)

@@ -47,7 +47,8 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
     except (LookupError, MaterialX.ExceptionFoundCycle) as error:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    found = Document(path.name, version, top, texts.lines, texts.repeated)
+    structures = records.structures()
+    found = Document(path.name, version, top, texts.lines, structures, texts.repeated)
     return found, list(_with_looks(top, document))
 
 

@@ -177,6 +177,7 @@ class _Parts:
         self.attribute = members.attribute
         self.function = members.function
         self.library = members.library
+        self.structures = members.structures
 
     def part(self, name: str, value: Expression, node: Node) -> Expression:
         found = self._members.part(name, value, node)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from burnish.materialx.constants import OF_OTHERS
 from burnish.materialx.importing import imported
 
 from ..golden import assert_golden
@@ -15,7 +16,8 @@ HERE = Path(__file__).parent
 READ = (
     "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
     "open_pbr_varnish",
-    "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
+    "own_definition", "own_multioutput", "primvars", "structures", "surface_mix",
+    "units",
 )  # fmt: skip
 """Documents whose files are kept, so that a person sees what changes."""
 
@@ -68,6 +70,25 @@ def test_of_a_set_of_files_the_first_is_copied_and_told() -> None:
     assert problem.text.startswith("of the files `images/set.<UDIM>.png` for the squares")
     copied = (HERE / "documents" / "images" / "set.1001.png").read_bytes()
     assert found.files["textures/set.1001.png"] == copied
+
+
+def test_all_names_of_color_spaces_are_known(tmp_path: Path) -> None:
+    """Of constants and of files; OpenColorIO takes no heed of capital letters."""
+    rows = [(name, function) for function, names in OF_OTHERS.items() for name in names]
+    nodes = "".join(
+        f'<output name="o{place}" type="color3" nodename="n{place}"/>'
+        f'<constant name="n{place}" type="color3"><input name="value" type="color3" '
+        f'value="0.1, 0.2, 0.3" colorspace="{name.upper()}"/></constant>'
+        for place, (name, _) in enumerate(rows)
+    )
+    path = tmp_path / "spaces.mtlx"
+    path.write_text(f'<materialx version="1.39">{nodes}</materialx>')
+    found = imported(path)
+    assert not found.problems
+    text = found.files[found.main].decode()
+    for place, (_, function) in enumerate(rows):
+        material = text.partition(f"material O{place} :")[2].partition("}")[0]
+        assert f"{function}(rgb(0.1, 0.2, 0.3))" in material
 
 
 def test_a_displacement_is_left_out_and_told() -> None:
