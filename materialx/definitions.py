@@ -40,10 +40,14 @@ class Functions:
     """The functions of an import, each written once, in the files that they belong to."""
 
     def __init__(
-        self, own: File, known: Callable[[str], Iterable[Definition]], structures: Structures
+        self,
+        own: File,
+        known: Callable[[str], Iterable[Definition]],
+        structures: Structures,
+        tiles: Callable[[str], tuple[int, ...]] = lambda _file: (),
     ) -> None:
         self.files: dict[str, File] = {}
-        self.structures = structures
+        self.structures, self.tiles = structures, tiles
         self._own, self._known = own, known
         self._places: dict[Definition, Place | None] = {}
         self._signatures: dict[tuple[str, str, tuple[str, ...]], tuple[str, Function]] = {}
@@ -278,6 +282,9 @@ class _Body:
         return zero(port.type) if port.value is None else literal(port.value, port.type)
 
     def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
+        raise NeedsTextsError
+
+    def tiles(self, _file: str) -> tuple[int, ...]:
         raise NeedsTextsError
 
     def text(self, _name: str) -> str:

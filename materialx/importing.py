@@ -16,7 +16,7 @@ from .materials import Material, Materials, Renderable
 from .model import Document
 from .models import Models
 from .names import slot_name
-from .pictures import FIRST, Pictures
+from .pictures import Picture, Pictures, is_set
 from .problems import Problem, UnsupportedError
 from .reading import read
 from .structures import Structures
@@ -57,7 +57,8 @@ def converted(
     """Convert what of a document is drawn, to a file with this
     name and to those that it imports."""
     own = File(name)
-    functions = Functions(own, known, Structures(own, document.structures))
+    structures = Structures(own, document.structures)
+    functions = Functions(own, known, structures, pictures.tiles)
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
     problems = list(_repeated(document))
@@ -73,28 +74,31 @@ def converted(
     for left_out in rig_of(lights_of(document.top), document.top, own, functions):
         place = document.place(left_out.path)
         problems.append(Problem(left_out.path, place, left_out.text, is_error=False))
-    copied = {}
+    copied: dict[str, list[Picture]] = {}
     for material in materials:
         for word in material.left_out:
             place = document.place(material.path)
             text = f"its `{word}` is left out"
             problems.append(Problem(material.path, place, text, is_error=False))
-        for title, file in material.files.items():
-            found = pictures.found(file)
-            if found is not None:
-                copied[title] = found
-            text = _about(file, is_there=found is not None)
-            if text:
-                place = document.place(material.path)
-                problems.append(Problem(material.path, place, text, is_error=False))
-    own.heading = _heading(
-        document, name, materials, {title: picture.path for title, picture in copied.items()}
-    )
+        for title, files in material.files.items():
+            found = [pictures.found(file) for file in files]
+            copied[title] = [each for each in found if each is not None]
+            for file, picture in zip(files, found, strict=True):
+                text = _about(file, picture, is_too_large=file in pictures.too_large)
+                if text:
+                    place = document.place(material.path)
+                    problems.append(Problem(material.path, place, text, is_error=False))
+    set_by = {
+        title: ",".join(picture.path for picture in layers)
+        for title, layers in copied.items()
+        if layers
+    }
+    own.heading = _heading(document, name, materials, set_by)
     texts = {
         f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())
     }
-    files = texts | {picture.path: picture.content for picture in copied.values()}
-    return Imported(files, f"{name}.burnish", materials, problems)
+    contents = {picture.path: picture.content for layers in copied.values() for picture in layers}
+    return Imported(texts | contents, f"{name}.burnish", materials, problems)
 
 
 def _repeated(document: Document) -> Iterator[Problem]:
@@ -103,14 +107,19 @@ def _repeated(document: Document) -> Iterator[Problem]:
         yield Problem(path, f"{file}:{line}", text)
 
 
-def _about(file: str, *, is_there: bool) -> str:
+def _about(file: str, picture: Picture | None, *, is_too_large: bool) -> str:
     """What a person should know about a picture; nothing if it is one that was found."""
-    if not is_there:
+    if is_too_large:
+        return (
+            f"the picture `{file}` is too large to be copied: "
+            "its texture is white until a host binds it"
+        )
+    if picture is None:
         return (
             f"the picture `{file}` is not in the document's folder: "
             "its texture is white until a host binds it"
         )
-    if any(token in file for token in FIRST):
+    if is_set(file):
         return (
             f"of the files `{file}` for the squares of a chart, the first is drawn on all of them"
         )

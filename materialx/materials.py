@@ -42,7 +42,8 @@ class Material(NamedTuple):
 
     name: str
     path: str
-    files: dict[str, str]
+    files: dict[str, tuple[str, ...]]
+    """One file for each texture, or one for each of its layers."""
     left_out: tuple[str, ...] = ()
 
 

@@ -14,6 +14,7 @@ from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
+from .pictures import files_of_set, without_tokens
 from .places import Function, Sampling, Scope
 from .structures import Structures
 from .texts import Equation, File, equations, one_line
@@ -48,8 +49,8 @@ class Members:
     def __init__(self, file: File, functions: Functions, taken: Iterable[str]) -> None:
         self.file = file
         self.slots: list[Equation] = []
-        self.files: dict[str, str] = {}
-        """The files of textures, by the names of their maps."""
+        self.files: dict[str, tuple[str, ...]] = {}
+        """The files of textures, by the names of their maps: one, or one for each layer."""
         self._functions = functions
         self._names = Names((*surface_slots(), *taken), catalogue())
         self._parameters: dict[tuple[str, str], Equation] = {}
@@ -109,14 +110,19 @@ class Members:
         path = port.value
         key = (path, sampling)
         if key not in self._maps:
-            stem = slot_name(path.replace("\\", "/").rpartition("/")[2].rpartition(".")[0])
+            file = without_tokens(path).replace("\\", "/").rpartition("/")[2]
+            stem = slot_name(file.rpartition(".")[0])
             name = self._names.fresh(stem if stem != "unnamed" else slot_name(node.name))
-            self.files[name] = path
-            kind = "texture2d of rgb" if sampling.is_encoded else "texture2d"
+            self.files[name] = files_of_set(path, sampling.tiles) or (path,)
+            kind = "texture2d_array" if sampling.tiles else "texture2d"
+            kind += " of rgb" if sampling.is_encoded else ""
             self._maps[key] = Equation(
                 name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
             )
         return Name(self._maps[key].name)
+
+    def tiles(self, file: str) -> tuple[int, ...]:
+        return self._functions.tiles(file)
 
     def text(self, name: str) -> str:
         raise AssertionError(f"the text '{name}' is asked for outside of a function")
@@ -187,6 +193,8 @@ def _settings(sampling: Sampling) -> str:
     settings = [] if sampling.is_encoded else ["intent = data"]
     if sampling.filter in _FILTERS:
         settings += [f"filter = {_FILTERS[sampling.filter]}", f"mip = {_FILTERS[sampling.filter]}"]
+    if sampling.tiles:
+        return f" with {{ {', '.join([*settings, 'wrap = clamp'])} }}"
     u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")
     if u == v:
         settings += [f"wrap = {u}"] if u != "repeat" else []

@@ -59,6 +59,9 @@ class Texts(Protocol):
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         """The texture of the file that a node reads, or nothing if the input names none."""
 
+    def tiles(self, file: str) -> tuple[int, ...]:
+        """The squares of a chart for which a set of files has files; none for one file."""
+
     def text(self, name: str) -> str:
         """The text that an argument of a function has. Raises ``NeedsTextsError``."""
 
@@ -97,6 +100,8 @@ class Sampling(NamedTuple):
     v: str
     filter: str
     is_encoded: bool
+    tiles: tuple[int, ...] = ()
+    """The numbers of the squares of a chart that have files of their own; none for one file."""
 
 
 class NeedsSurfaceError(Exception):

@@ -173,6 +173,7 @@ class _Parts:
         self.surface = members.surface
         self.parameter = members.parameter
         self.texture = members.texture
+        self.tiles = members.tiles
         self.text = members.text
         self.attribute = members.attribute
         self.function = members.function
