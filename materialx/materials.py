@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from .definitions import Functions
 from .expressions import Call, Expression, Member, Name, flat
+from .heirs import Heirs, Written
 from .leaves import network as network_of
 from .leaves.catalogue import module_of
 from .members import SURFACE, Members
@@ -52,6 +53,7 @@ class Materials:
 
     def __init__(self, file: File, functions: Functions, models: Models) -> None:
         self._file, self._functions, self._models = file, functions, models
+        self._heirs = Heirs()
 
     def written(self, renderable: Renderable) -> Material:
         """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
@@ -69,15 +71,23 @@ class Materials:
         name = self._file.names.fresh(record_name(renderable.name))
         terms = [text for text in self._file.declarations if text not in before]
         self._file.keep(lambda text: text in before)
-        lines = members.lines()
-        lines += ["", *equations(color)] if lines and color else equations(color)
-        doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
-        head = f"material {name} : {base} {{"
-        self._file.declarations += [
-            "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
-            *terms,
-        ]
+        text = self._declaration(renderable, Written(name, base, members.rows() + color), members)
+        self._file.declarations += [text, *terms]
         return Material(name, renderable.path, members.files, _left_out(renderable))
+
+    def _declaration(self, renderable: Renderable, whole: Written, members: Members) -> str:
+        """The text of a material: of one that inherits, what differs."""
+        port, graph = renderable.port, renderable.graph
+        ancestor = self._heirs.ancestor(port, graph, whole) if whole.base != SURFACE else None
+        self._heirs.add(port, graph, whole)
+        others = ancestor.members if ancestor is not None else []
+        kept = [row for row in whole.members if row not in others]
+        lines = members.lines(kept)
+        color = equations([row for row in kept if row not in members.rows()])
+        lines += ["", *color] if lines and color else color
+        doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
+        head = f"material {whole.name} : {ancestor.name if ancestor else whole.base} {{"
+        return "\n".join([*doc, head, *lines, "}"] if lines else [*doc, f"{head}}}"])
 
     def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
         scope = Scope(renderable.graph)

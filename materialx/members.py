@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from functools import cache
 from math import isfinite
 
@@ -57,15 +57,20 @@ class Members:
         self._maps: dict[tuple[str, Sampling], Equation] = {}
         self._attributes: dict[str, Equation] = {}
 
-    def lines(self) -> list[str]:
-        """The lines between the braces."""
+    def rows(self) -> list[Equation]:
+        """All members, in the order in which they are written."""
+        groups = (self._attributes, self._parameters, self._maps)
+        return [*(row for group in groups for row in group.values()), *self.slots]
+
+    def lines(self, kept: Container[Equation] | None = None) -> list[str]:
+        """The lines between the braces, of all members or of those that are ``kept``."""
         found: list[str] = []
         for group in (self._attributes, self._parameters, self._maps):
-            rows = list(group.values())
-            found += equations(rows)
-        if found and self.slots:
+            found += equations(_only(group.values(), kept))
+        slots = _only(self.slots, kept)
+        if found and slots:
             found.append("")
-        return found + equations(self.slots)
+        return found + equations(slots)
 
     def take(self, names: Iterable[str]) -> None:
         """Keep names from being given to parts."""
@@ -149,6 +154,10 @@ class Members:
             Equation(fresh, value, doc=one_line(node.hints.get("doc", "") if node else ""))
         )
         return Name(fresh)
+
+
+def _only(rows: Iterable[Equation], kept: Container[Equation] | None) -> list[Equation]:
+    return [row for row in rows if kept is None or row in kept]
 
 
 def _range(port: Port, value: Expression) -> str:

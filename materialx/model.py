@@ -51,6 +51,8 @@ class Node:
     inputs: Mapping[str, Port]
     definition: Definition | None
     hints: Mapping[str, str] = field(default_factory=dict)
+    inherit: str = ""
+    """The node whose inputs this one takes over, or nothing."""
 
     def output(self, name: str) -> str:
         """The name of an output: the only one has none in links."""

@@ -62,6 +62,7 @@ class Records:
             {port.getName(): _port(port) for port in element.getActiveInputs()},
             None if found is None else self._defined(found),
             _hints(element),
+            element.getInheritString(),
         )
 
     def _defined(self, element: Any) -> Definition:

@@ -130,6 +130,58 @@ def test_pictures_that_are_too_large_are_told(
     assert "textures/a.1001.png" in found.files
 
 
+VOLUMES = """<materialx version="1.39">
+<standard_surface name="s" type="surfaceshader"/>
+<absorption_vdf name="v" type="VDF"/>
+<volume name="fog" type="volumeshader"><input name="vdf" type="VDF" nodename="v"/></volume>
+<surfacematerial name="Clay" type="material">
+<input name="surfaceshader" type="surfaceshader" nodename="s"/></surfacematerial>
+<volumematerial name="Fog" type="material">
+<input name="volumeshader" type="volumeshader" nodename="fog"/></volumematerial>
+</materialx>"""
+
+
+def test_volumes_are_told_and_the_rest_is_converted(tmp_path: Path) -> None:
+    path = tmp_path / "volumes.mtlx"
+    path.write_text(VOLUMES)
+    found = imported(path)
+    assert [str(problem) for problem in found.problems] == [
+        "volumes.mtlx:7: Fog: volumematerial is no surface that Burnish draws"
+    ]
+    assert found.problems[0].is_error
+    assert [material.name for material in found.materials] == ["Clay"]
+
+
+HEIRS = """<materialx version="1.39"><standard_surface name="a" type="surfaceshader">
+<input name="specular" type="float" value="0.5"/><input name="coat" type="float" value="0.5"/>
+</standard_surface><standard_surface name="b" type="surfaceshader" inherit="a">
+<input name="specular" type="float" {}/></standard_surface>
+<surfacematerial name="A" type="material">
+<input name="surfaceshader" type="surfaceshader" nodename="a"/></surfacematerial>
+<surfacematerial name="B" type="material" doc="The heir">
+<input name="surfaceshader" type="surfaceshader" nodename="b"/></surfacematerial>
+<constant name="half" type="float"><input name="value" type="float" value="0.5"/></constant>
+</materialx>"""
+
+
+@pytest.mark.parametrize(
+    ("specular", "expected"),
+    [
+        ('value="0.2"', "/// The heir\nmaterial B : A {\n    specular = 0.2\n}\n"),
+        ('nodename="half"', "/// The heir\nmaterial B : A {}\n"),
+        # The default of the model is not written, so this one has fewer slots.
+        ('value="1"', "/// The heir\nmaterial B : StandardSurface {\n    coat = 0.5\n}\n"),
+    ],
+)
+def test_of_an_heir_only_what_differs_is_written(
+    specular: str, expected: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "heirs.mtlx"
+    path.write_text(HEIRS.format(specular))
+    found = imported(path)
+    assert found.files[found.main].decode().endswith(expected)
+
+
 def test_all_names_of_color_spaces_are_known(tmp_path: Path) -> None:
     """Of constants and of files; OpenColorIO takes no heed of capital letters."""
     rows = [(name, function) for function, names in OF_OTHERS.items() for name in names]
