@@ -20,7 +20,7 @@ from .pictures import Picture, Pictures, is_set
 from .problems import Problem, UnsupportedError
 from .reading import read
 from .structures import Structures
-from .texts import File, one_line
+from .texts import File, one_line, wrapped
 
 
 class Imported(NamedTuple):
@@ -134,6 +134,8 @@ def _heading(
         f"//! Imported from `{one_line(document.name)}`, "
         f"a document of MaterialX {one_line(document.version)}."
     ]
+    if document.comment:
+        lines += ["//!", *(f"//! {line}" for line in wrapped(one_line(document.comment), 110))]
     if materials:
         first = materials[0]
         words = [f"burnish render {name}.burnish -o {name}.png"]

@@ -54,23 +54,31 @@ class Members:
         self._functions = functions
         self._names = Names((*surface_slots(), *taken), catalogue())
         self._parameters: dict[tuple[str, str], Equation] = {}
+        self._declared: dict[tuple[str, str], int] = {}
+        """For each parameter, how many others its graph declares before it."""
         self._maps: dict[tuple[str, Sampling], Equation] = {}
         self._attributes: dict[str, Equation] = {}
 
     def rows(self) -> list[Equation]:
         """All members, in the order in which they are written."""
-        groups = (self._attributes, self._parameters, self._maps)
-        return [*(row for group in groups for row in group.values()), *self.slots]
+        declared = (self._attributes.values(), self._ordered(), self._maps.values())
+        return [*(row for rows in declared for row in rows), *self.slots]
 
     def lines(self, kept: Container[Equation] | None = None) -> list[str]:
         """The lines between the braces, of all members or of those that are ``kept``."""
         found: list[str] = []
-        for group in (self._attributes, self._parameters, self._maps):
-            found += equations(_only(group.values(), kept))
+        for rows in (self._attributes.values(), self._ordered(), self._maps.values()):
+            found += equations(_only(rows, kept))
         slots = _only(self.slots, kept)
         if found and slots:
             found.append("")
         return found + equations(slots)
+
+    def _ordered(self) -> list[Equation]:
+        """The parameters in the order in which the document declares them, graph by graph."""
+        graphs = list(dict.fromkeys(path for path, _ in self._parameters))
+        keys = sorted(self._parameters, key=lambda key: (graphs.index(key[0]), self._declared[key]))
+        return [self._parameters[key] for key in keys]
 
     def take(self, names: Iterable[str]) -> None:
         """Keep names from being given to parts."""
@@ -97,10 +105,11 @@ class Members:
             if port.type not in TYPES and not self.structures.has(port.type):
                 return zero(port.type)
             value, kind = self._default(port), self.structures.type(port.type, bare=False)
+            self._declared[key] = list(scope.graph.inputs).index(port.name)
             doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
             self._parameters[key] = Equation(
                 self._names.fresh(slot_name(port.name)), value, kind, one_line(doc),
-                "param ", _range(port, value),
+                "param ", _range(port, value), one_line(port.hints.get("uifolder", "")),
             )  # fmt: skip
         return Name(self._parameters[key].name)
 

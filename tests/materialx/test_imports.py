@@ -15,7 +15,8 @@ from .kit import documents
 
 HERE = Path(__file__).parent
 READ = (
-    "graph_interface", "image_set", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
+    "comments", "graph_interface", "image_set", "image_wraps", "inheritance", "lama_layers",
+    "lights", "looks",
     "open_pbr_varnish",
     "own_definition", "own_multioutput", "primvars", "structures", "surface_mix",
     "units",
