@@ -8,55 +8,10 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.materialx.importing import Imported, imported
+from burnish.materialx.importing import imported
 from burnish.materialx.outline import DocumentError
 
-UNLIT = (
-    '<surface_unlit name="s" type="surfaceshader">\n'
-    '<input name="emission_color" type="color3" {}/>\n'
-    "</surface_unlit>\n"
-    '<surfacematerial name="{}" type="material"{}>\n'
-    '<input name="surfaceshader" type="surfaceshader" nodename="s"/>\n'
-    "</surfacematerial>"
-)
-RED = 'value="1, 0, 0"'
-
-
-def lit(color: str = RED, name: str = "m", more: str = "") -> str:
-    """A material that shows a colour."""
-    return UNLIT.format(color, name, more)
-
-
-def document(body: str, version: str = "1.39") -> str:
-    """A document; its first element stands in line 2."""
-    return f'<materialx version="{version}">\n{body}\n</materialx>\n'
-
-
-def converted(folder: Path, text: str | bytes) -> Imported:
-    """What a document becomes; its files are written beside it."""
-    path = folder / "doc.mtlx"
-    path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    found = imported(path)
-    for name, content in found.files.items():
-        place = folder / name
-        place.parent.mkdir(exist_ok=True)
-        place.write_bytes(content)
-    return found
-
-
-def told(folder: Path, text: str | bytes) -> list[str]:
-    """What is said of a document: why it is not read, or what is not converted."""
-    try:
-        return [str(problem) for problem in converted(folder, text).problems]
-    except DocumentError as error:
-        return [str(error)]
-
-
-def node(text: str) -> str:
-    """A node called x before a material that shows it."""
-    link = 'nodegraph="g"' if 'name="g"' in text else 'nodename="x"'
-    return document(f"{text}\n{lit(link)}")
-
+from .texts import RED, converted, document, lit, node, told
 
 ADD = '<add name="{}" type="color3"><input name="in1" type="color3" {}/></add>'
 LOOP = (
@@ -68,14 +23,6 @@ LOOP = (
 GRAPH = '<nodegraph name="g"><constant name="c" type="color3">{}</constant>{}</nodegraph>'
 OUT = '<output name="out" type="color3" {}/>'
 IN = '<input name="value" type="color3" {}/>'
-BAND = '<member name="width" type="float"/><member name="tint" type="color3"/>'
-MEMBER = (
-    '<typedef name="band">{}</typedef><nodedef name="ND_shows" node="shows">'
-    '<input name="in" type="band"/><output name="out" type="color3"/></nodedef>'
-    '<implementation name="IM_shows" nodedef="ND_shows" target="genglsl" '
-    'sourcecode="{{{{in}}}}{}"/>'
-    '<shows name="x" type="color3"><input name="in" type="band" value="{}"/></shows>'
-)
 NODES = {
     "unknown node": (
         node('<mystery name="x" type="color3"/>'),
@@ -139,46 +86,6 @@ NODES = {
     "no such space of colours": (
         document(lit(f'{RED} colorspace="mine"')),
         "doc.mtlx:2: s: there is no colour space 'mine'",
-    ),
-    "a structure with too few members": (
-        node(MEMBER.format(BAND, ".width", "{0.5}")),
-        "doc.mtlx:2: x: '{0.5}' is no value of the type band",
-    ),
-    "a structure without braces": (
-        node(MEMBER.format(BAND, ".width", "0.5; 1, 1, 1")),
-        "doc.mtlx:2: x: '0.5; 1, 1, 1' is no value of the type band",
-    ),
-    "a member that is no number": (
-        node(MEMBER.format(BAND, ".width", "{wide; 1, 1, 1}")),
-        "doc.mtlx:2: x: 'wide' is no value of the type float",
-    ),
-    "no such member": (
-        node(MEMBER.format(BAND, ".depth", "{0.5; 1, 1, 1}")),
-        "doc.mtlx:2: x: the type band has no member 'depth'",
-    ),
-    "a member of another type": (
-        node(MEMBER.format(BAND, ".width", "{0.5; 1, 1, 1}")),
-        "doc.mtlx:2: x: '{{in}}.width' is a float, and no color3",
-    ),
-    "a member that is a text": (
-        node(MEMBER.format('<member name="tint" type="string"/>', ".tint", "{red}")),
-        "doc.mtlx:2: x: there are no values of the type string in shaders",
-    ),
-    "a type within itself": (
-        node(MEMBER.format('<member name="tint" type="band"/>', ".tint", "")),
-        "doc.mtlx:2: x: the type band contains itself",
-    ),
-    "types that grow": (
-        node("".join(
-            f'<typedef name="b{place + 1}"><member name="l" type="b{place}"/>'
-            f'<member name="r" type="b{place}"/></typedef>' for place in range(50)
-        ) + '<typedef name="b0"><member name="l" type="float"/></typedef>'
-        + MEMBER.format('<member name="tint" type="b50"/>', ".tint", "")),
-        "doc.mtlx:2: x: the type b13 has more than 4096 members in members",
-    ),
-    "a source that is more than a member": (
-        node(MEMBER.format(BAND, ".tint * 2.0", "{0.5; 1, 1, 1}")),
-        "doc.mtlx:2: x: shows has no meaning for renderers of the kind of Burnish",
     ),
     "a material that is its own surface": (
         document('<surfacematerial name="m" type="material">\n'
@@ -403,26 +310,3 @@ def test_a_chain_without_end_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyP
 def test_3000_materials(tmp_path: Path) -> None:
     many = "\n".join(lit(name=f"m{place}").replace('"s"', f'"s{place}"') for place in range(3000))
     assert len(converted(tmp_path, document(many)).materials) == 3000
-
-
-OWN = (
-    '<nodedef name="ND_twice" node="twice"><input name="in" type="color3" value="1, 1, 1"/>'
-    '<output name="out" type="color3"/></nodedef>'
-    '<nodegraph name="NG_twice" nodedef="ND_twice"><multiply name="m" type="color3">'
-    '<input name="in1" type="color3" interfacename="in"/><input name="in2" type="float" value="2"/>'
-    '</multiply><output name="out" type="color3" nodename="m"/></nodegraph>'
-    '<twice name="t" type="color3"><input name="in" type="color3" value="0.1, 0.2, 0.3"/></twice>'
-)
-
-
-@pytest.mark.parametrize(("last", "expected"), [('nodename="t"', 1), (RED, 0)])
-def test_a_function_of_what_is_not_converted_stays_if_others_read_it(
-    last: str, expected: int, tmp_path: Path
-) -> None:
-    bad = lit('nodename="t"', "Bad").replace('name="s"', 'name="bad"').replace(
-        "</surface_unlit>", '<input name="opacity" type="float" nodename="gone"/></surface_unlit>'
-    ).replace('nodename="s"', 'nodename="bad"')  # fmt: skip
-    found = converted(tmp_path, document(f"{OWN}{bad}{lit(last, 'Good')}"))
-    assert [material.name for material in found.materials] == ["Good"]
-    assert found.files["doc.burnish"].decode().count("fn twice(") == expected
-    assert not burnish.check(tmp_path / found.main)
