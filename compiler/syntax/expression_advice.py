@@ -87,7 +87,8 @@ _FOUND: Mapping[str, str] = MappingProxyType(
     {
         "as": "`as` stands in parentheses: `(x as type)`",
         "{": f"{_VECTOR}, a structure `Name(a, b)`",
-        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`",
+        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`, and a "
+        "member of an enumeration `Mode.mix`",
     }
 )
 """Hints by the token that stands where an expression or an operator was expected."""

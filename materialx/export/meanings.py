@@ -15,6 +15,7 @@ from ..constants import FROM
 from ..leaves.geometry import MOVED
 from .callees import Callee, leaf_of, node_of
 from .closures import ASKED, ASKING, closure_node
+from .enumerations import member
 from .expressions import At, Expressions
 from .geometry import attribute, property_of, seen_from
 from .images import Border, read, with_space
@@ -149,7 +150,7 @@ class Meanings:
     def named(self, e: ast.Reference | ast.Field, at: At) -> Value | None:
         if isinstance(e, ast.Field):
             found = inherited(e, at.where)
-            return None if found is None else self._read(found)
+            return member(e, at.where) if found is None else self._read(found)
         meaning = meant(e.name, at.where)
         if isinstance(meaning, MeantSlot):
             return self._read(meaning)

@@ -244,7 +244,7 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
         is_slot = scope.instance is not None and scope.instance.has(name)
         hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
         if symbols and isinstance(symbols[0].declaration, ast.Enumeration):
-            hint = Members(symbols[0]).example
+            hint = _member_of_number(symbols[0].name, e) or Members(symbols[0]).example
         if not hint:
             place = Span(span.source, span.end, span.end)
             said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
@@ -256,6 +256,14 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
         ctx.report.add(rules.UNKNOWN_NAME, span, kind="function", name=name, hint=hint)
         return
     unknown_here(ctx, "function", name, span, _callables(scope), scope.module)
+
+
+def _member_of_number(enumeration: str, e: ast.Call) -> Hint:
+    """The hint for a number that is given to an enumeration, as other languages convert it."""
+    if len(e.arguments) != 1 or e.names:
+        return ""
+    written = f"({e.arguments[0].span.text} as {enumeration})"
+    return fix_it(f"the member of a number is `{shortened(written)}`", (e.span, written))
 
 
 def _callables(scope: Scope) -> Iterator[str]:

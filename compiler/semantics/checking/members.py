@@ -73,6 +73,11 @@ def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
             whole = build.swizzle(ctx.tree, node, lanes)
             is_color = ctx.meanings.of(node) == RGB and name.text == "rgb"
             return whole if is_color or whole is not node else ctx.meanings.ascribed(node, None)
+    meaning = ctx.meanings.of(node)
+    if meaning is not None and meaning.enumeration is not None:
+        hint = enumerations.compared(meaning.enumeration, e)
+        ctx.report.add(rules.NO_MEMBER, name.span, name=name.text, type=meaning, hint=hint)
+        return FAILURE
     ctx.report.add(
         rules.NO_MEMBER, name.span, name=name.text, type=node.type,
         hint=advice.missing_member(node.type, name.text, e.span),

@@ -260,7 +260,8 @@ def _range(
         or scalar_kind(type_) in (None, "bool")
         or not isinstance(type_, Scalar | Vector)
     ):
-        ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
+        hint = "its members are its range: leave `in …` out" if is_enum(declared.meaning) else ""
+        ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text, hint=hint)
         return None
     limits = []
     for expression in member.range:

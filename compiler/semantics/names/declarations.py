@@ -150,8 +150,13 @@ def _may_contain_unreadable(record: ast.Record | ast.Mixin) -> bool:
 def _check_inside(report: Report, declaration: Named) -> None:
     """Names that a declaration gives to its parts, each once."""
     match declaration:
-        case ast.StructDeclaration(members=members) | ast.Enumeration(members=members):
+        case ast.StructDeclaration(members=members):
             check_once(report, (member.name for member in members))
+        case ast.Enumeration(members=members):
+            check_once(
+                report, (member.name for member in members),
+                "each member has a name of its own: leave one of the two out",
+            )  # fmt: skip
         case ast.Function():
             check_once(report, (variable.name for variable in declaration.type_parameters))
             arguments = [argument.name for argument in declaration.arguments]
