@@ -104,13 +104,13 @@ def test_words_are_members_of_enumerations_and_words_again(tmp_path: Path) -> No
     found = imported(DOCUMENTS / "closure_sheen.mtlx")
     path = written(found, tmp_path / "cloth")
     assert "mode = SheenMode.zeltner" in path.read_text()
-    noise = imported(DOCUMENTS / "noise_flat.mtlx")
-    text = written(noise, tmp_path / "noise").read_text()
-    assert "WorleyStyle.solid" in text and "import std.mtlx.noise.{WorleyStyle" in text
-    document = exported(tmp_path / "noise" / noise.main)
+    tiles = imported(MATERIALS / "tiles.mtlx")
+    text = written(tiles, tmp_path / "tiles").read_text()
+    assert "worleynoise2d(st, style = WorleyStyle.solid)" in text
+    assert "import std.mtlx.noise.{WorleyStyle, worleynoise2d}" in text
+    document = exported(tmp_path / "tiles" / tiles.main)
     assert '<input name="style" type="integer" value="1" />' in document
-    back = read_back(document, tmp_path / "back", "noise_flat")
-    assert "WorleyStyle.solid" in back.read_text()
+    assert "WorleyStyle.solid" in read_back(document, tmp_path / "back", "tiles").read_text()
 
 
 def _saved(path: Path, text: str) -> Path:
