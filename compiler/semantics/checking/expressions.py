@@ -223,10 +223,10 @@ def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Node], _scope: Scop
     return ctx.crossings.interpolated(operand, e.span)
 
 
-def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Node], scope: Scope) -> Value:
-    (operand,) = operands
+def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Value], scope: Scope) -> Value:
     declared = declared_type(ctx, e.type, scope.module, scope.variables)
-    if declared is None:
+    operand = plain(ctx, operands[0], e.operand, declared)
+    if declared is None or isinstance(operand, Failure):
         return FAILURE
     fitted = fit(ctx, operand, declared.type, declared.text, e.operand.span)
     if isinstance(fitted, Failure):
@@ -274,10 +274,10 @@ RULES: Rules = {
     ast.Index: OpenRule(_place, _index),
     ast.Unary: Rule(_signed, _unary),
     ast.Binary: Rule(_sides, _binary),
-    ast.Conditional: Rule(choices.operands_of_choice, choices.choice),
+    ast.Conditional: OpenRule(choices.operands_of_choice, choices.choice),
     ast.AtRate: Rule(_operand, _at_rate),
     ast.Conversion: Rule(_operand, conversions.convert),
-    ast.Ascription: Rule(_operand, _ascription),
+    ast.Ascription: OpenRule(_operand, _ascription),
     ast.Array: Rule(_elements, aggregates.array),
     ast.Fold: Rule(loops.bounds_of_fold, loops.fold),
     ast.FoldOver: Rule(loops.no_operands, loops.fold_over),

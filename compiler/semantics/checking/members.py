@@ -22,6 +22,7 @@ from ..state.scope import (
     Instance,
     LightVariable,
     Members,
+    Undecided,
     Value,
 )
 from . import buffers, slots
@@ -51,6 +52,9 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
             return FAILURE
         case Inherited(instance, level):
             return slots.inherited(ctx, instance, level, name)
+        case Undecided():
+            value.report()
+            return FAILURE
         case Instance():
             return slots.slot_or_report(ctx, value, name.text, name.span)
 

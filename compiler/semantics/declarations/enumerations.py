@@ -18,6 +18,7 @@ from ...ir.meaning import Choice, Enumeration, Meaning
 from ...ir.node import Node
 from ...ir.types import INT
 from ...syntax import ast
+from ...syntax.quoting import shortened
 from ..hints import advice
 from ..names.modules import Module, Symbol
 from ..state.context import Context
@@ -145,6 +146,14 @@ def members_of(of: Enumeration) -> str:
     """The hint for a value that is no member of an enumeration: the members, if they are few."""
     shown = ", ".join(f"`{of.name}.{name}`" for name in of.names[:_FEW])
     return f"its members are {shown}{', …' if len(of.names) > _FEW else ''}"
+
+
+def converted(enumeration: str, e: ast.Call) -> Hint:
+    """The hint for a number that is given to an enumeration, as other languages convert it."""
+    if len(e.arguments) != 1 or e.names:
+        return ""
+    written = f"({e.arguments[0].span.text} as {enumeration})"
+    return fix_it(f"the member of a number is `{shortened(written)}`", (e.span, written))
 
 
 def compared(of: Enumeration, e: ast.Field) -> Hint:

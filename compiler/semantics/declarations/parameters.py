@@ -296,7 +296,7 @@ def _default(
     if member.default is None:
         return None
     scope = Scope(definition.owner.module)
-    node = node_of(ctx, member.default, scope)
+    node = node_of(ctx, member.default, scope, declared)
     # A direction is brought to length one below.
     node = as_declared(ctx, node, changed(declared, fact=UNKNOWN), member.default)
     if isinstance(node, Failure):
