@@ -37,8 +37,9 @@ def choice(
         _, then, otherwise = operands
         return of_choice(then, otherwise, partial(_between, ctx, e, operands[0], scope))
     written = operands_of_choice(e, scope)
-    nodes = [plain(ctx, each, part) for each, part in zip(operands, written, strict=True)]
-    if any(isinstance(node, Failure) for node in nodes):
+    found = [plain(ctx, each, part) for each, part in zip(operands, written, strict=True)]
+    nodes = [node for node in found if isinstance(node, Node)]
+    if len(nodes) < len(found):
         return FAILURE
     condition = fit(ctx, nodes[0], BOOL, "bool", e.condition.span)
     if isinstance(condition, Failure):
@@ -53,11 +54,11 @@ def _between(
     ctx: Context, e: ast.Conditional, condition: Value, scope: Scope, then: Value, otherwise: Value
 ) -> Value:
     """A choice between sides of which both are decided, or none can be."""
-    sides = plain(ctx, then, e.then), plain(ctx, otherwise, e.otherwise)
+    one, other = plain(ctx, then, e.then), plain(ctx, otherwise, e.otherwise)
     test = fit(ctx, plain(ctx, condition, e.condition), BOOL, "bool", e.condition.span)
-    if isinstance(test, Failure) or isinstance(sides[0], Failure) or isinstance(sides[1], Failure):
+    if isinstance(test, Failure) or isinstance(one, Failure) or isinstance(other, Failure):
         return FAILURE
-    return _chosen(ctx, e, test, *sides, scope)
+    return _chosen(ctx, e, test, one, other, scope)
 
 
 def _of_library(ctx: Context, e: ast.Conditional, condition: Node, scope: Scope) -> Continuation:

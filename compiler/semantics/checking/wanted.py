@@ -91,8 +91,9 @@ def decided_arguments(
 ) -> list[Value]:
     """The arguments of a call, of which some have the type that the called functions take."""
     callee = e.callee
-    is_named = isinstance(callee, ast.Reference) and callee.name not in scope.locals
-    called = scope.module.find(callee.name) if is_named else ()
+    called: Sequence[Symbol] = ()
+    if isinstance(callee, ast.Reference) and callee.name not in scope.locals:
+        called = scope.module.find(callee.name)
     return [
         value.decided(*_types_at(ctx, e, place, called)) if isinstance(value, Undecided) else value
         for place, value in enumerate(values)
