@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import radians
 
 from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...diagnostics import rules
@@ -26,6 +25,7 @@ from ...ir.types import (
 from ...srgb import linear
 from ...syntax import ast
 from ...syntax.quoting import shortened, spanned
+from ...syntax.units import value_of
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
@@ -72,13 +72,13 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scop
             ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=text, type=type_, hint=hint)
             return FAILURE
         return build.constant(ctx.tree, type_, whole)
-    value = float(e.text)
+    value = value_of(e.text, e.unit)
     if value >= _TOO_LARGE:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
     value = min(value, LARGEST_FLOAT)
-    number = build.floating(ctx.tree, radians(value) if e.unit == "deg" else value)
-    return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
+    number = build.floating(ctx.tree, value)
+    return ctx.meanings.ascribed(number, ANGLE) if e.kind == "angle" else number
 
 
 def _color(ctx: Context, e: ast.Color, _operands: Sequence[Node], _scope: Scope) -> Value:
