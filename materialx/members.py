@@ -18,6 +18,7 @@ from .pictures import files_of_set, without_tokens
 from .places import Function, Sampling, Scope
 from .structures import Structures
 from .texts import Equation, File, equations, one_line
+from .units import written_unit
 from .values import TYPES, zero
 
 SURFACE = "MaterialXSurface"
@@ -180,16 +181,18 @@ def _range(port: Port, value: Expression) -> str:
         values = _numbers(port.value or "0")
     except ValueError:
         return ""
+    unit = written_unit(port)
     if (
         len(set(lows)) > 1
         or len(set(highs)) > 1
         or not lows[0] < highs[0]
-        or (not is_literal(value) and port.type != "integer")
+        or (not is_literal(value) and port.type != "integer" and not unit)
+        or (port.unit and not unit)
     ):
         return ""
     if not all(lows[0] <= number <= highs[0] for number in values):
         return ""
-    return f" in {_number(lows[0])}..{_number(highs[0])}"
+    return f" in {_number(lows[0])}{unit}..{_number(highs[0])}{unit}"
 
 
 def _numbers(text: str) -> list[float]:
