@@ -52,6 +52,8 @@ class Node:
     inputs: Mapping[str, Port]
     definition: Definition | None
     hints: Mapping[str, str] = field(default_factory=dict)
+    inherit: str = ""
+    """The node whose inputs this one takes over, or nothing."""
 
     def output(self, name: str) -> str:
         """The name of an output: the only one has none in links, and of several the first is meant
@@ -82,6 +84,14 @@ class Graph:
 
 
 @dataclass(frozen=True)
+class Structure:
+    """A type of a document that has members, with their types and defaults."""
+
+    name: str
+    members: Mapping[str, Port]
+
+
+@dataclass(frozen=True)
 class Definition:
     """What a node of some category and types is: its inputs with their defaults, and its meaning.
 
@@ -95,6 +105,8 @@ class Definition:
     is_library: bool
     body: Callable[[], Graph | None]
     hints: Mapping[str, str] = field(default_factory=dict)
+    source: str = ""
+    """The expression that a leaf of a document gives for its value, such as ``{{in}}.ss``."""
 
     @cached_property
     def graph(self) -> Graph | None:
@@ -117,6 +129,8 @@ class Document:
     top: Graph
     lines: Mapping[str, tuple[str, int]]
     """The file and the line of each named element, by its path."""
+    structures: Mapping[str, Structure] = field(default_factory=dict)
+    """The types that have members, by their names."""
     repeated: Mapping[str, tuple[str, int]] = field(default_factory=dict)
     """The same of elements whose names are taken, which MaterialX does not read."""
     comment: str = ""
