@@ -56,15 +56,17 @@ class Node:
     """The node whose inputs this one takes over, or nothing."""
 
     def output(self, name: str) -> str:
-        """The name of an output: the only one has none in links."""
+        """The name of an output: the only one has none in links, and of several the first is meant
+        by links that name none."""
         outputs = list(self.definition.outputs) if self.definition is not None else []
-        return name if len(outputs) > 1 else ""
+        return name or outputs[0] if len(outputs) > 1 else ""
 
     def output_type(self, name: str) -> str:
         """The type of an output, which the node states itself if it has only one."""
-        if self.definition is None or not self.output(name):
+        output = self.output(name)
+        if self.definition is None or not output:
             return self.type
-        return self.definition.outputs[name].type
+        return self.definition.outputs[output].type
 
 
 @dataclass(frozen=True)
