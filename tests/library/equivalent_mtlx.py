@@ -5,6 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 BY_REASON: Mapping[str, Sequence[str]] = {
+    "At most one square has the number; of all others 0 is taken, and of a step before the first.": (
+        "std.mtlx.textures.udim_layer: : int[N]) -> int = ( [sum -> max] i in 0..N : (if is_i",
+        "std.mtlx.textures.udim_layer: -> int = (sum i in 0 [ -> - 1] ..N : (if is_in_row",
+    ),
+    "Where the two parts of a curve meet, they have the same value.": (
+        "std.mtlx.color.from_acescc: scg_to_rgb( choose(c [<= -> <] (9.72 - 15) / 17.52,",
+        "std.mtlx.color.from_acescct: scg_to_rgb( choose(c [<= -> <] 0.155251141552511, (",
+    ),
     "Corners are added up, in whatever order.": (
         (
             "std.mtlx.noise.corner2: t) -> ivec2 = ivec2( [i & 1, i >> 1 -> i >> 1, i & 1] ) "

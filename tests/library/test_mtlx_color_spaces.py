@@ -109,7 +109,9 @@ def _to_rec_709(primaries: tuple[Place, ...], white: Place = WHITE) -> Floats:
     return np.asarray(np.linalg.solve(_to_xyz(REC_709, WHITE), adapted @ _to_xyz(primaries, white)))
 
 
-STOPS = np.vstack([COLORS, [[-0.4, -0.30137, -0.30136], [0.15525, 0.15526, 0.1], [1.46, 1.47, 2]]])
+STOPS = np.vstack(
+    [COLORS, [[-0.4, -0.30137, -0.30136], [0.15525, 0.15526, 0.1], [1.46, 1.47, 0.18]]]
+)
 """Colours with numbers at both ends of the curves of ACES."""
 
 
