@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 BY_REASON: Mapping[str, Sequence[str]] = {
-    "At most one square has the number; of all others 0 is taken, and of a step before the first.": (
+    "At most one square has the number; all others give 0, and so does a step before them.": (
         "std.mtlx.textures.udim_layer: : int[N]) -> int = ( [sum -> max] i in 0..N : (if is_i",
         "std.mtlx.textures.udim_layer: -> int = (sum i in 0 [ -> - 1] ..N : (if is_in_row",
     ),
