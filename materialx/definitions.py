@@ -253,6 +253,9 @@ class _Body:
     def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
         raise NeedsTextsError
 
+    def read(self, texture: str, place: Expression) -> Expression:
+        return Call(texture, (place,))
+
     def text(self, _name: str) -> str:
         raise NeedsTextsError
 

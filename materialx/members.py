@@ -9,7 +9,7 @@ from math import isfinite
 from ..compiler.syntax import ast
 from .constants import constant
 from .definitions import Functions
-from .expressions import Expression, Name, is_literal
+from .expressions import Call, Expression, Name, is_literal
 from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
@@ -107,6 +107,9 @@ class Members:
                 name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
             )
         return Name(self._maps[key].name)
+
+    def read(self, texture: str, place: Expression) -> Expression:
+        return Call(texture, (place,))
 
     def text(self, name: str) -> str:
         raise AssertionError(f"the text '{name}' is asked for outside of a function")

@@ -42,6 +42,9 @@ class Texts(Protocol):
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         """The texture of the file that a node reads, or nothing if the input names none."""
 
+    def read(self, texture: str, place: Expression) -> Expression:
+        """The texel of a texture at a place."""
+
     def text(self, name: str) -> str:
         """The text that an argument of a function has. Raises ``NeedsTextsError``."""
 

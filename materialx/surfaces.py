@@ -74,6 +74,18 @@ def surface_root(
     network: Network, port: Port, scope: Scope, enter: bool = True
 ) -> tuple[Node, Scope] | None:
     """The surface that something drawn comes from: that of a material is an input of its node."""
+    found = material_root(network, port, scope, enter)
+    if found is None or found[0].category != "surfacematerial":
+        return found
+    below = found[0].inputs.get("surfaceshader")
+    return root(network, below, found[1], enter) if below is not None else None
+
+
+def material_root(
+    network: Network, port: Port, scope: Scope, enter: bool = True
+) -> tuple[Node, Scope] | None:
+    """The node that a material comes from: definitions whose graphs have one are entered. Of what
+    is no material, the node itself."""
     found = root(network, port, scope, enter)
     seen: set[tuple[Scope, str]] = set()
     while found is not None and found[0].type == "material":
@@ -81,14 +93,11 @@ def surface_root(
         if (place, node.name) in seen:
             raise UnsupportedError("this material depends on itself", node.path)
         seen.add((place, node.name))
-        if node.category == "surfacematerial":
-            below = node.inputs.get("surfaceshader")
-            found = root(network, below, place, enter) if below is not None else None
-        elif node.definition is not None and node.definition.graph is not None:
-            inner = network.entered(node, place)
-            found = root(network, next(iter(inner.graph.outputs.values())), inner, enter)
-        else:
+        is_graph = node.definition is not None and node.definition.graph is not None
+        if node.category == "surfacematerial" or not is_graph:
             return found
+        inner = network.entered(node, place)
+        found = root(network, next(iter(inner.graph.outputs.values())), inner, enter)
     return found
 
 
@@ -173,6 +182,7 @@ class _Parts:
         self.surface = members.surface
         self.parameter = members.parameter
         self.texture = members.texture
+        self.read = members.read
         self.text = members.text
         self.attribute = members.attribute
         self.function = members.function

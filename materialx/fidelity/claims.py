@@ -25,6 +25,10 @@ class Written(Protocol):
     def files(self) -> Mapping[str, str]:
         """The files of the textures by their names, as the document says them."""
 
+    @property
+    def is_displaced(self) -> bool:
+        """True if points are moved."""
+
 
 def claims_of(
     document: Path,
@@ -41,5 +45,6 @@ def claims_of(
     for material in materials:
         values = {name: NamedImage(images, file) for name, file in material.files.items()}
         yield Claim(
-            document, material.path, source, material.name, values, image_folders=image_folders
-        )
+            document, material.path, source, material.name, values,
+            image_folders=image_folders, is_displaced=material.is_displaced,
+        )  # fmt: skip

@@ -13,8 +13,8 @@ from .kit import documents
 
 HERE = Path(__file__).parent
 READ = (
-    "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
-    "open_pbr_varnish",
+    "displaced_wood", "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights",
+    "looks", "open_pbr_varnish",
     "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
 )  # fmt: skip
 """Documents whose files are kept, so that a person sees what changes."""
@@ -70,8 +70,11 @@ def test_of_a_set_of_files_the_first_is_copied_and_told() -> None:
     assert found.files["textures/set.1001.png"] == copied
 
 
-def test_a_displacement_is_left_out_and_told() -> None:
-    found = imported(HERE / "documents" / "displaced.mtlx")
-    (problem,) = found.problems
-    assert (problem.path, problem.text) == ("Rock", "its `displacementshader` is left out")
+def test_a_back_is_left_out_and_told(tmp_path: Path) -> None:
+    text = (HERE / "documents" / "surface_diffuse.mtlx").read_text("utf-8")
+    path = tmp_path / "back.mtlx"
+    side = 'name="{}surfaceshader"'
+    path.write_text(text.replace(side.format(""), side.format("back")), "utf-8")
+    (problem,) = imported(path).problems
+    assert (problem.path, problem.text) == ("Chalk", "its `backsurfaceshader` is left out")
     assert not problem.is_error
