@@ -153,7 +153,7 @@ class _Body:
         self._arguments = {
             name: Name(argument) for name, argument in arguments_of(definition, self._names).items()
         }
-        bound = _Read(self._arguments)
+        bound = Read(self._arguments)
         self._parts: list[Equation] = []
         network = network_of(self, Name("asked") if is_closure else None)
         scope = Scope(graph, bound=bound)
@@ -220,9 +220,7 @@ class _Body:
             )
         kind = "term" if self._is_term else "fn"
         result = "" if self._is_term else f" -> {self._type}"
-        head = f"{kind} {name}({', '.join(pairs)}){result} ="
-        if len(head) > 110:
-            head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
+        head = declared(kind, name, pairs, result)
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
         if "\n" in value and not isinstance(self._value, Call):
@@ -280,6 +278,12 @@ class _Body:
         return Name(fresh)
 
 
+def declared(kind: str, name: str, pairs: list[str], result: str = "") -> str:
+    """The head of a function with its arguments, on one line or in several."""
+    head = f"{kind} {name}({', '.join(pairs)}){result} ="
+    return head if len(head) <= 110 else f"{kind} {name}(\n{_filled(pairs)}\n){result} ="
+
+
 def function_name(category: str) -> str:
     """The name of the functions for a category, unless there are others with the same arguments."""
     name = slot_name(category)
@@ -291,7 +295,7 @@ def arguments_of(definition: Definition, names: Names) -> dict[str, str]:
     return {name: names.fresh(slot_name(name)) for name in definition.inputs}
 
 
-class _Read(dict[str, Expression]):
+class Read(dict[str, Expression]):
     """The arguments of a function, which remember which of them are read."""
 
     def __init__(self, arguments: Mapping[str, Expression]) -> None:

@@ -61,29 +61,30 @@ def displaced(members: Members, found: tuple[Node, Scope]) -> Equation:
     """The equation of a node that moves a surface."""
     network = network_of(_OfMesh(members))
     with network.counted():
-        _moved(network, *found)
-    is_vector, value = _moved(network, *found)
-    value = members.without_last_name(value)
+        _moved(network, *found, members)
+    is_vector, value = _moved(network, *found, members)
     return Equation(_ANYWHERE if is_vector else _ALONG_NORMAL, value)
 
 
-def _moved(network: Network, node: Node, scope: Scope) -> tuple[bool, Expression]:
-    """How far a node moves a surface, and true if that is a vector."""
+def _moved(network: Network, node: Node, scope: Scope, members: Members) -> tuple[bool, Expression]:
+    """True if a node moves a surface by a vector, and how far. What the surface is made of, too, is
+    written once."""
     if node.category == "displacement":
         is_vector = node.inputs.get("displacement") is not None and (
             node.inputs["displacement"].type == "vector3"
         )
         value, scale = (network.input(node, name, scope) for name in ("displacement", "scale"))
+        value = members.shared(value)
         return is_vector, value if scale == Number(1.0) else binary("*", value, scale)
     if node.category == "dot":
-        return _side(network, node, "in", scope)
+        return _side(network, node, "in", scope, members)
     if node.category == "mix":
-        return _mixed(network, node, scope)
+        return _mixed(network, node, scope, members)
     raise UnsupportedError(f"{node.category} is no displacement that Burnish draws", node.path)
 
 
-def _mixed(network: Network, node: Node, scope: Scope) -> tuple[bool, Expression]:
-    sides = [_side(network, node, name, scope) for name in ("bg", "fg")]
+def _mixed(network: Network, node: Node, scope: Scope, members: Members) -> tuple[bool, Expression]:
+    sides = [_side(network, node, name, scope, members) for name in ("bg", "fg")]
     is_vector = any(vector for vector, _ in sides)
     back, front = (
         value if vector or not is_vector else Call("vec3", (Number(0.0), Number(0.0), value))
@@ -92,10 +93,12 @@ def _mixed(network: Network, node: Node, scope: Scope) -> tuple[bool, Expression
     return is_vector, Call("mix", (back, front, network.input(node, "mix", scope)))
 
 
-def _side(network: Network, node: Node, name: str, scope: Scope) -> tuple[bool, Expression]:
+def _side(
+    network: Network, node: Node, name: str, scope: Scope, members: Members
+) -> tuple[bool, Expression]:
     port = node.inputs.get(name)
     found = root(network, port, scope) if port is not None else None
-    return (False, Number(0.0)) if found is None else _moved(network, *found)
+    return (False, Number(0.0)) if found is None else _moved(network, *found, members)
 
 
 class _OfMesh:

@@ -10,13 +10,14 @@ from .expressions import Call, Expression, Member, Name, flat
 from .leaves import network as network_of
 from .leaves.catalogue import module_of
 from .members import SURFACE, Members
+from .mixes import Mixes
 from .model import Graph, Node, Port
 from .models import Model, Models
 from .names import record_name, slot_name
 from .networks import Network
 from .places import Scope
 from .problems import UnsupportedError
-from .surfaces import shown, surface_root
+from .surfaces import surface_root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import LANES
 
@@ -67,6 +68,7 @@ class Materials:
         name = self._file.names.fresh(record_name(renderable.name))
         terms = self._file.declarations[kept:]
         del self._file.declarations[kept:]
+        rows = members.inlined(rows, terms)
         lines = members.lines()
         lines += ["", *equations(rows)] if lines and rows else equations(rows)
         doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
@@ -121,7 +123,8 @@ class Materials:
         entered = surface_root(network, port, scope)
         if entered is None:
             return SURFACE, members, [_NOTHING]
-        look = shown(members, network, *entered, slot_name(renderable.name))
+        mixes = Mixes(members, network, self._models.term, slot_name(renderable.name))
+        look = mixes.shown(*entered)
         rows = [Equation("color", members.without_last_name(look.color))]
         if look.alpha is not None:
             rows.append(Equation("alpha", look.alpha))
@@ -148,7 +151,7 @@ class Materials:
             slot = model.slots[name]
             value: Expression | None = network.input(node, name, scope)
             if value is not None and slot in ("normal", "tangent"):
-                value = _unit(value)
+                value = _unit(value, members)
             if value is not None and model.defaults.get(slot) != flat(value):
                 rows.append(Equation(slot, value))
         return members, rows
@@ -162,11 +165,12 @@ def _left_out(renderable: Renderable) -> tuple[str, ...]:
     return tuple(name for name in ("backsurfaceshader", "volumeshader") if name in inputs)
 
 
-def _unit(value: Expression) -> Expression | None:
+def _unit(value: Expression, members: Members) -> Expression | None:
     """A direction of length one; nothing for what the surface has anyway."""
     if value in (Name("normal_world"), Name("tangent_world")):
         return None
-    if isinstance(value, Call) and value.name in ("normalize", "normalmap"):
+    whole = members.value_of(value)
+    if isinstance(whole, Call) and whole.name in ("normalize", "normalmap"):
         return value
     return Call("normalize", (value,))
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import cache
 from math import isfinite
 
 from ..compiler.syntax import ast
 from .constants import constant
 from .definitions import Functions
-from .expressions import Call, Expression, Name, is_literal
+from .expressions import Call, Expression, Name, flat, is_literal
 from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
@@ -19,6 +22,7 @@ from .texts import Equation, File, equations, one_line
 from .values import TYPES, zero
 
 SURFACE = "MaterialXSurface"
+_WORD = re.compile(r"\w+")
 _WRAPS = {"periodic": "repeat", "clamp": "clamp", "mirror": "mirror", "constant": "clamp"}
 _FILTERS = {"closest": "nearest"}
 
@@ -75,6 +79,32 @@ class Members:
             return self.slots.pop().value or value
         return value
 
+    def inlined(self, rows: list[Equation], terms: Iterable[str]) -> list[Equation]:
+        """The same equations; a part that is the whole value of one of them, and that nothing else
+        reads, neither the ``terms`` of the material, is written there."""
+        values = [flat(row.value) for row in (*self.slots, *rows) if row.value is not None]
+        uses = Counter(word for text in (*values, *terms) for word in _WORD.findall(text))
+        parts = {Name(part.name): part for part in self.slots if uses[part.name] == 1}
+        inner = {row.name: parts[row.value] for row in rows if row.value in parts}
+        self.slots = [part for part in self.slots if part not in inner.values()]
+        return [
+            replace(row, value=inner[row.name].value, doc=row.doc or inner[row.name].doc)
+            if row.name in inner
+            else row
+            for row in rows
+        ]
+
+    def value_of(self, expression: Expression) -> Expression:
+        """What a name of a part stands for; any other expression itself."""
+        values = {part.name: part.value for part in self.slots}
+        name = expression.text if isinstance(expression, Name) else ""
+        return values.get(name) or expression
+
+    def shared(self, value: Expression) -> Expression:
+        """The name of the part that has a value already; the value itself if there is none."""
+        names = (part.name for part in self.slots if part.value == value)
+        return next(map(Name, names), value)
+
     # ---- The ``Texts`` of networks
 
     def surface(self, slot: str) -> Expression:
@@ -86,11 +116,11 @@ class Members:
             if port.type not in TYPES:
                 return zero(port.type)
             value = zero(port.type) if port.value is None else constant(self, port, port.type)
-            doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
+            name = self._names.fresh(slot_name(port.name))
+            doc = port.hints.get("doc", "") or _other_than(name, port.hints.get("uiname", ""))
             self._parameters[key] = Equation(
-                self._names.fresh(slot_name(port.name)), value, TYPES[port.type], one_line(doc),
-                "param ", _range(port, value),
-            )  # fmt: skip
+                name, value, TYPES[port.type], one_line(doc), "param ", _range(port, value)
+            )
         return Name(self._parameters[key].name)
 
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
@@ -136,6 +166,11 @@ class Members:
             Equation(fresh, value, doc=one_line(node.hints.get("doc", "") if node else ""))
         )
         return Name(fresh)
+
+
+def _other_than(name: str, title: str) -> str:
+    """The title of an input, unless it says no more than the name."""
+    return "" if slot_name(title).replace("_", "") == name.replace("_", "") else title
 
 
 def _range(port: Port, value: Expression) -> str:

@@ -22,7 +22,7 @@ from .places import Function, Scope, Texts
 from .problems import UnsupportedError
 from .values import ASKED, CLOSURES, LANES, literal, zero
 
-LONG = 84
+LONG = 80
 """Expressions longer than this become parts, in characters."""
 
 
