@@ -19,7 +19,7 @@ from .places import Scope
 from .problems import UnsupportedError
 from .surfaces import surface_root
 from .texts import Equation, File, equations, one_line, wrapped
-from .values import LANES
+from .values import CLOSURES, LANES
 
 _NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
 """The look of a material without a surface: MaterialX draws it black."""
@@ -71,7 +71,9 @@ class Materials:
         rows = members.inlined(rows, terms)
         lines = members.lines()
         lines += ["", *equations(rows)] if lines and rows else equations(rows)
-        doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
+        doc = [
+            f"/// {line}" for words in _words(renderable) for line in wrapped(one_line(words), 110)
+        ]
         head = f"material {name} : {bases} {{"
         self._file.declarations += [
             "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
@@ -153,8 +155,26 @@ class Materials:
             if value is not None and slot in ("normal", "tangent"):
                 value = _unit(value, members)
             if value is not None and model.defaults.get(slot) != flat(value):
-                rows.append(Equation(slot, value))
+                doc = one_line(node.inputs[name].hints.get("doc", ""))
+                rows.append(Equation(slot, value, doc=doc))
         return members, rows
+
+
+def _words(renderable: Renderable) -> list[str]:
+    """What a document says about a material, its surface, and the graphs that this reads: each
+    once. Sides of a mix have slots for their own words."""
+    graph, link = renderable.graph, renderable.port.link
+    found = {renderable.doc: None}
+    waiting = [link] if link is not None else []
+    while waiting:
+        link = waiting.pop(0)
+        if node := graph.nodes.get(link.node):
+            found[node.hints.get("doc", "")] = None
+            if node.type in ("material", "surfaceshader", *CLOSURES) and node.category != "mix":
+                waiting += [port.link for port in node.inputs.values() if port.link is not None]
+        elif group := graph.graphs.get(link.graph):
+            found[group.hints.get("doc", "")] = None
+    return [words for words in found if words]
 
 
 def _left_out(renderable: Renderable) -> tuple[str, ...]:

@@ -14,8 +14,8 @@ from .kit import documents
 
 HERE = Path(__file__).parent
 READ = (
-    "displaced_wood", "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights",
-    "looks", "mixed_models", "open_pbr_varnish",
+    "comments", "displaced_wood", "graph_interface", "image_wraps", "inheritance", "lama_layers",
+    "lights", "looks", "mixed_models", "open_pbr_varnish",
     "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
 )  # fmt: skip
 """Documents whose files are kept, so that a person sees what changes."""
