@@ -11,11 +11,12 @@ from .definitions import FOLDER, Functions
 from .expressions import Expression, Name, flat
 from .leaves import network as network_of
 from .members import SURFACE, Members, surface_slots
+from .mixes import Mixes
 from .model import Definition, Port
 from .names import record_name, slot_name
 from .places import Scope
 from .surface_terms import SurfaceTerm, SurfaceTerms
-from .surfaces import root, shown
+from .surfaces import root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import CLOSURES, TYPES, zero
 
@@ -80,7 +81,8 @@ class Models:
         name = file.names.fresh(model_name(definition.category))
         color: list[Equation] = []
         if found is not None:
-            look = shown(members, network, *found, slot_name(definition.category))
+            mixes = Mixes(members, network, self.term, slot_name(definition.category))
+            look = mixes.shown(*found)
             color.append(Equation("color", look.color))
             if look.alpha is not None:
                 color.append(Equation("alpha", look.alpha))

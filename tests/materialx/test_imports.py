@@ -16,7 +16,7 @@ HERE = Path(__file__).parent
 READ = (
     "comments", "displaced_wood", "graph_interface", "image_wraps", "inheritance", "lama_layers",
     "lights", "looks", "mixed_models", "open_pbr_varnish",
-    "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
+    "own_definition", "own_mixture", "own_multioutput", "primvars", "surface_mix", "units",
 )  # fmt: skip
 """Documents whose files are kept, so that a person sees what changes."""
 
@@ -96,6 +96,14 @@ BUMPY = """<materialx version="1.39">
 </surfacematerial>
 </materialx>
 """
+
+
+def test_a_material_with_the_name_of_a_function_has_an_ending(tmp_path: Path) -> None:
+    """Names that differ only by case count as one."""
+    text = (HERE / "documents" / "surface_diffuse.mtlx").read_text("utf-8")
+    path = tmp_path / "mixed.mtlx"
+    path.write_text(text.replace('"Chalk"', '"Mixed"'), "utf-8")
+    assert [each.name for each in imported(path).materials] == ["MixedMaterial"]
 
 
 def test_numbers_of_programs_with_32_bits_are_as_short_as_people_write_them() -> None:
