@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from .calls import Quad, called
+from .kit import close
 from .materialx import Node, Nodes, assert_alike
 from .truth import truth
 
@@ -297,6 +298,16 @@ def test_cloth_and_hair(name: str) -> None:
 @pytest.mark.parametrize("name", JOINED)
 def test_closures_that_are_put_together(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
+
+
+@truth(*of("asking", "mixed SurfaceLook"))
+def test_looks_that_are_mixed() -> None:
+    """Coverage is mixed as colours are, which are times their coverage already."""
+    looks = "SurfaceLook(rgb(0.2, 0.4, 0.8), 1), SurfaceLook(rgb(1, 0, 0.4), 0.2)"
+    found = called(IMPORTS, f"mixed({looks}, x).color", 3, x=np.array([0.0, 0.25, 1.0]))
+    assert found == close([(0.2, 0.4, 0.8), (0.4, 0.3, 0.7), (1.0, 0.0, 0.4)])
+    found = called(IMPORTS, f"mixed({looks}, x).alpha", 1, x=np.array([0.0, 0.25, 1.0]))
+    assert found == close([1.0, 0.8, 0.2])
 
 
 @truth(*of("closures", "uniform_edf generalized_schlick_edf"))
