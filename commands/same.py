@@ -254,7 +254,8 @@ def _number(text: str) -> float | None:
     try:
         found = float(text)
     except ValueError:
-        return measured(text, "angle") or measured(text, None)
+        found = measured(text, "angle")
+        return measured(text, None) if found is None else found
     return found if math.isfinite(found) else None
 
 
