@@ -254,8 +254,8 @@ def _number(text: str) -> float | None:
     try:
         found = float(text)
     except ValueError:
-        found = measured(text, "angle")
-        return measured(text, None) if found is None else found
+        angle = measured(text, "angle")
+        return measured(text, None) if angle is None else angle
     return found if math.isfinite(found) else None
 
 

@@ -12,8 +12,8 @@ from ..diagnostics import rules
 from ..diagnostics.diagnostic import Report
 from ..diagnostics.fixes import Hint, fix_it, write, write_color
 from ..diagnostics.source import Span
+from ..units import listed, named
 from .tokens import Token
-from .units import listed, named
 
 PERCENT = r"%(?=\s*(?:$|[\n,;)\]}=]|\.\.))"
 """A percent sign after a number that no second operand follows."""
