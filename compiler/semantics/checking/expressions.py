@@ -25,6 +25,7 @@ from ...ir.types import (
 from ...srgb import linear
 from ...syntax import ast
 from ...syntax.quoting import shortened, spanned
+from ...units import value_of
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
@@ -71,20 +72,13 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scop
             ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=text, type=type_, hint=hint)
             return FAILURE
         return build.constant(ctx.tree, type_, whole)
-    value = _measured(e.text, e.unit) if e.unit else float(e.text)
+    value = value_of(e.text, e.unit)
     if value >= _TOO_LARGE:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
     value = min(value, LARGEST_FLOAT)
     number = build.floating(ctx.tree, value)
     return ctx.meanings.ascribed(number, ANGLE) if e.kind == "angle" else number
-
-
-def _measured(digits: str, unit: str) -> float:
-    """A number with a unit, in radians or metres. Few texts have units."""
-    from ...units import value_of
-
-    return value_of(digits, unit)
 
 
 def _color(ctx: Context, e: ast.Color, _operands: Sequence[Node], _scope: Scope) -> Value:
