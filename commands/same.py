@@ -254,7 +254,8 @@ def _number(text: str) -> float | None:
     try:
         found = float(text)
     except ValueError:
-        return measured(text, "angle") or measured(text, None)
+        angle = measured(text, "angle")
+        return measured(text, None) if angle is None else angle
     return found if math.isfinite(found) else None
 
 
