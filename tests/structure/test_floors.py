@@ -133,7 +133,7 @@ FLOORS: dict[str, str] = {
         "selection runner compiled remembered compiling sameness"
     ),
     # Documents of MaterialX.
-    "materialx": "depth garbage stdlib diagnostics syntax library_trees library",
+    "materialx": "depth garbage stdlib diagnostics syntax library_trees library runner",
     "materialx.export": (
         "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
         "compiling materialx"
