@@ -270,14 +270,14 @@ def _lanes(text: str) -> tuple[float, ...] | None:
 
 
 def _number(text: str) -> float | None:
-    from ..targets.runner.instances.literals import angle
+    from ..targets.runner.instances.literals import measured
 
     if text in ("true", "false"):
         return float(text == "true")
     try:
         found = float(text)
     except ValueError:
-        return angle(text)
+        return measured(text, "angle") or measured(text, None)
     return found if math.isfinite(found) else None
 
 

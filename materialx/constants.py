@@ -7,8 +7,7 @@ from .expressions import Call, Expression
 from .model import Port
 from .places import Texts
 from .problems import UnsupportedError
-from .units import converted
-from .values import literal
+from .units import measured
 
 LINEAR = (
     "",
@@ -47,7 +46,10 @@ def constant(texts: Texts, port: Port, kind: str) -> Expression:
     assert port.value is not None
     if port.value == "" and kind not in ("string", "filename"):
         raise UnsupportedError("the input has neither a value nor a connection")
-    value = literal(converted(port), kind)
+    try:
+        value = measured(port, kind)
+    except UnsupportedError as error:
+        raise UnsupportedError(f"the input '{port.name}': {error.text}") from None
     return decoded(texts, value, port.color_space) if kind.startswith("color") else value
 
 

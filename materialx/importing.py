@@ -18,7 +18,7 @@ from .names import slot_name
 from .pictures import FIRST, Pictures
 from .problems import Problem, UnsupportedError
 from .reading import read
-from .texts import File, one_line
+from .texts import File, one_line, wrapped
 
 
 class Imported(NamedTuple):
@@ -121,6 +121,8 @@ def _heading(
         f"//! Imported from `{one_line(document.name)}`, "
         f"a document of MaterialX {one_line(document.version)}."
     ]
+    if document.comment:
+        lines += ["//!", *(f"//! {line}" for line in wrapped(one_line(document.comment), 110))]
     if materials:
         first = materials[0]
         words = [f"burnish render {name}.burnish -o {name}.png"]

@@ -17,7 +17,7 @@ from .places import Scope
 from .problems import UnsupportedError
 from .surfaces import shown, surface_root
 from .texts import Equation, File, equations, one_line, wrapped
-from .values import LANES
+from .values import CLOSURES, LANES
 
 DISPLACEMENT = "displacementshader"
 _NOTHING = Equation("color", Call("vec3", (Name("0"),)), doc="No surface is connected")
@@ -68,7 +68,9 @@ class Materials:
         del self._file.declarations[kept:]
         lines = members.lines()
         lines += ["", *equations(color)] if lines and color else equations(color)
-        doc = [f"/// {line}" for line in wrapped(one_line(renderable.doc), 110) if line]
+        doc = [
+            f"/// {line}" for words in _words(renderable) for line in wrapped(one_line(words), 110)
+        ]
         head = f"material {name} : {base} {{"
         self._file.declarations += [
             "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
@@ -126,8 +128,26 @@ class Materials:
             if value is not None and slot in ("normal", "tangent"):
                 value = _unit(value)
             if value is not None and model.defaults.get(slot) != flat(value):
-                rows.append(Equation(slot, value))
+                doc = one_line(node.inputs[name].hints.get("doc", ""))
+                rows.append(Equation(slot, value, doc=doc))
         return members, rows
+
+
+def _words(renderable: Renderable) -> list[str]:
+    """What a document says about a material, its surface, and the graphs that this reads: each
+    once."""
+    graph, link = renderable.graph, renderable.port.link
+    found = {renderable.doc: None}
+    waiting = [link] if link is not None else []
+    while waiting:
+        link = waiting.pop(0)
+        if node := graph.nodes.get(link.node):
+            found[node.hints.get("doc", "")] = None
+            if node.type in ("material", "surfaceshader", *CLOSURES):
+                waiting += [port.link for port in node.inputs.values() if port.link is not None]
+        elif group := graph.graphs.get(link.graph):
+            found[group.hints.get("doc", "")] = None
+    return [words for words in found if words]
 
 
 def _left_out(renderable: Renderable) -> tuple[str, ...]:

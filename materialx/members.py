@@ -16,6 +16,7 @@ from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
 from .places import Function, Sampling, Scope
 from .texts import Equation, File, equations, one_line
+from .units import written_unit
 from .values import TYPES, zero
 
 SURFACE = "MaterialXSurface"
@@ -52,18 +53,25 @@ class Members:
         self._functions = functions
         self._names = Names((*surface_slots(), *taken), catalogue())
         self._parameters: dict[tuple[str, str], Equation] = {}
+        self._declared: dict[tuple[str, str], int] = {}
+        """For each parameter, how many others its graph declares before it."""
         self._maps: dict[tuple[str, Sampling], Equation] = {}
         self._attributes: dict[str, Equation] = {}
 
     def lines(self) -> list[str]:
         """The lines between the braces."""
         found: list[str] = []
-        for group in (self._attributes, self._parameters, self._maps):
-            rows = list(group.values())
-            found += equations(rows)
+        for rows in (self._attributes.values(), self._ordered(), self._maps.values()):
+            found += equations(list(rows))
         if found and self.slots:
             found.append("")
         return found + equations(self.slots)
+
+    def _ordered(self) -> list[Equation]:
+        """The parameters in the order in which the document declares them, graph by graph."""
+        graphs = list(dict.fromkeys(path for path, _ in self._parameters))
+        keys = sorted(self._parameters, key=lambda key: (graphs.index(key[0]), self._declared[key]))
+        return [self._parameters[key] for key in keys]
 
     def take(self, names: Iterable[str]) -> None:
         """Keep names from being given to parts."""
@@ -86,10 +94,11 @@ class Members:
             if port.type not in TYPES:
                 return zero(port.type)
             value = zero(port.type) if port.value is None else constant(self, port, port.type)
+            self._declared[key] = list(scope.graph.inputs).index(port.name)
             doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
             self._parameters[key] = Equation(
                 self._names.fresh(slot_name(port.name)), value, TYPES[port.type], one_line(doc),
-                "param ", _range(port, value),
+                "param ", _range(port, value), one_line(port.hints.get("uifolder", "")),
             )  # fmt: skip
         return Name(self._parameters[key].name)
 
@@ -146,16 +155,18 @@ def _range(port: Port, value: Expression) -> str:
         values = _numbers(port.value or "0")
     except ValueError:
         return ""
+    unit = written_unit(port)
     if (
         len(set(lows)) > 1
         or len(set(highs)) > 1
         or not lows[0] < highs[0]
-        or (not is_literal(value) and port.type != "integer")
+        or (not is_literal(value) and port.type != "integer" and not unit)
+        or (port.unit and not unit)
     ):
         return ""
     if not all(lows[0] <= number <= highs[0] for number in values):
         return ""
-    return f" in {_number(lows[0])}..{_number(highs[0])}"
+    return f" in {_number(lows[0])}{unit}..{_number(highs[0])}{unit}"
 
 
 def _numbers(text: str) -> list[float]:

@@ -37,7 +37,8 @@ class Port:
     unit: str = ""
     unit_type: str = ""
     hints: Mapping[str, str] = field(default_factory=dict)
-    """Attributes for people: ``doc``, ``uiname``, ``uimin`` and so on, ``enum``."""
+    """Attributes for people: ``doc``, to which the comment before the element is added,
+    ``uiname``, ``uimin`` and so on, ``enum``."""
 
 
 @dataclass(frozen=True)
@@ -116,6 +117,8 @@ class Document:
     """The file and the line of each named element, by its path."""
     repeated: Mapping[str, tuple[str, int]] = field(default_factory=dict)
     """The same of elements whose names are taken, which MaterialX does not read."""
+    comment: str = ""
+    """The comment that stands before everything."""
 
     def place(self, path: str) -> str:
         """``FILE:LINE`` of an element, or of the nearest one around it."""

@@ -127,4 +127,5 @@ def _declared(members: Members, port: Port, name: str) -> Equation:
         value = zero(port.type)
     else:
         value = constant(members, port, port.type)
-    return Equation(name, value, TYPES[port.type], doc)
+    group = one_line(port.hints.get("uifolder", ""))
+    return Equation(name, value, TYPES[port.type], doc, group=group)

@@ -20,6 +20,7 @@ from .model import Node, Port
 from .names import slot_name
 from .places import Function, Scope, Texts
 from .problems import UnsupportedError
+from .unknown_nodes import no_definition
 from .values import ASKED, CLOSURES, zero
 
 LONG = 84
@@ -190,7 +191,7 @@ class Network:
 
     def _computed(self, node: Node, output: str, scope: Scope) -> Expression:
         if node.definition is None:
-            raise UnsupportedError(f"MaterialX knows no {node.category} of these types", node.path)
+            raise UnsupportedError(no_definition(node), node.path)
         default = self._default_without_file(node, scope)
         if default is not None:
             return default

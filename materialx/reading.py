@@ -40,13 +40,14 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
         if part is not document:
             document.importLibrary(part)
     document.setDataLibrary(library())
-    records = Records(document, library())
+    records = Records(document, library(), texts.comments)
     try:
         top = records.top()
     except (LookupError, MaterialX.ExceptionFoundCycle) as error:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    found = Document(path.name, version, top, texts.lines, texts.repeated)
+    words = texts.comments.get("", "")
+    found = Document(path.name, version, top, texts.lines, texts.repeated, words)
     return found, list(_with_looks(top, document))
 
 
@@ -57,6 +58,7 @@ class _Texts:
         self.texts: list[str] = []
         self.lines: dict[str, tuple[str, int]] = {}
         self.repeated: dict[str, tuple[str, int]] = {}
+        self.comments: dict[str, str] = {}
         self._root = path.parent.resolve()
         self._seen: set[Path] = set()
         self._left = LARGEST
@@ -76,6 +78,7 @@ class _Texts:
         outline = Outline(name, text.decode("utf-8", "replace"))
         self.lines = outline.places | self.lines
         self.repeated |= outline.repeated
+        self.comments = outline.comments | self.comments
         try:
             self.texts.append(text.decode("utf-8"))
         except UnicodeDecodeError:

@@ -18,8 +18,9 @@ _HINTS = (
 class Records:
     """Makes records of a document, each definition once."""
 
-    def __init__(self, document: Any, library: Any) -> None:
+    def __init__(self, document: Any, library: Any, comments: Mapping[str, str]) -> None:
         self._document, self._library = document, library
+        self._comments = comments
         self._definitions: dict[str, Definition] = {}
 
     def top(self) -> Graph:
@@ -45,11 +46,11 @@ class Records:
         return Graph(
             element.getName(),
             element.getNamePath(),
-            {port.getName(): _port(port) for port in owner.getActiveInputs()},
+            {port.getName(): self._port(port) for port in owner.getActiveInputs()},
             nodes,
-            {port.getName(): _port(port) for port in element.getOutputs()},
+            {port.getName(): self._port(port) for port in element.getOutputs()},
             graphs,
-            _hints(element),
+            self._hints(element),
         )
 
     def _node(self, element: Any) -> Node:
@@ -59,9 +60,9 @@ class Records:
             element.getCategory(),
             element.getType(),
             element.getNamePath(),
-            {port.getName(): _port(port) for port in element.getActiveInputs()},
+            {port.getName(): self._port(port) for port in element.getActiveInputs()},
             None if found is None else self._defined(found),
-            _hints(element),
+            self._hints(element),
         )
 
     def _defined(self, element: Any) -> Definition:
@@ -70,11 +71,11 @@ class Records:
             self._definitions[name] = Definition(
                 name,
                 element.getNodeString(),
-                {port.getName(): _port(port) for port in element.getActiveInputs()},
-                {port.getName(): _port(port) for port in element.getActiveOutputs()},
+                {port.getName(): self._port(port) for port in element.getActiveInputs()},
+                {port.getName(): self._port(port) for port in element.getActiveOutputs()},
                 self._document.getNodeDef(name) is None or self._is_of_library(element),
                 lambda: self._body(element),
-                _hints(element),
+                self._hints(element),
             )
         return self._definitions[name]
 
@@ -86,38 +87,42 @@ class Records:
         found = element.getImplementation(TARGET)
         return self._graph(found) if found is not None and found.isA(_graph_class()) else None
 
+    def _port(self, element: Any) -> Port:
+        link = None
+        node = element.getAttribute("nodename")
+        graph = element.getAttribute("nodegraph")
+        output = element.getAttribute("output")
+        if node or graph or output:
+            link = Link(node, graph, output)
+        value = None
+        if element.hasAttribute("value"):
+            # Of files, with the prefix and the tokens of the graph.
+            is_file = element.getType() == "filename"
+            value = element.getResolvedValueString() if is_file else element.getValueString()
+        return Port(
+            element.getName(),
+            element.getType(),
+            value,
+            link,
+            element.getAttribute("interfacename"),
+            element.getAttribute("defaultgeomprop"),
+            element.getActiveColorSpace(),
+            element.getAttribute("unit"),
+            element.getAttribute("unittype"),
+            self._hints(element),
+        )
+
+    def _hints(self, element: Any) -> Mapping[str, str]:
+        found = {name: element.getAttribute(name) for name in _HINTS if element.hasAttribute(name)}
+        comment = self._comments.get(element.getNamePath()) if self._comments else None
+        if comment is None:
+            return found
+        doc = found.get("doc", "").strip()
+        stop = "" if not doc or doc.endswith((".", "!", "?")) else "."
+        return {**found, "doc": f"{doc}{stop} {comment}".strip()}
+
 
 def _graph_class() -> Any:
     import MaterialX
 
     return MaterialX.NodeGraph
-
-
-def _port(element: Any) -> Port:
-    link = None
-    node = element.getAttribute("nodename")
-    graph = element.getAttribute("nodegraph")
-    output = element.getAttribute("output")
-    if node or graph or output:
-        link = Link(node, graph, output)
-    value = None
-    if element.hasAttribute("value"):
-        # Of files, with the prefix and the tokens of the graph.
-        is_file = element.getType() == "filename"
-        value = element.getResolvedValueString() if is_file else element.getValueString()
-    return Port(
-        element.getName(),
-        element.getType(),
-        value,
-        link,
-        element.getAttribute("interfacename"),
-        element.getAttribute("defaultgeomprop"),
-        element.getActiveColorSpace(),
-        element.getAttribute("unit"),
-        element.getAttribute("unittype"),
-        _hints(element),
-    )
-
-
-def _hints(element: Any) -> Mapping[str, str]:
-    return {name: element.getAttribute(name) for name in _HINTS if element.hasAttribute(name)}

@@ -18,6 +18,7 @@ from .networks import Network
 from .places import Scope
 from .problems import UnsupportedError
 from .texts import Equation, equations
+from .unknown_nodes import no_definition
 
 _ASKED = Name("asked")
 
@@ -95,6 +96,8 @@ def surface_root(
 def shown(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
     """The colour and coverage of a surface; its closures become terms that begin with ``name``."""
     rows = {"surface": _closures, "surface_unlit": _unlit, "mix": _mixed}
+    if node.definition is None:
+        raise UnsupportedError(no_definition(node), node.path)
     if node.category not in rows:
         raise UnsupportedError(f"{node.category} is no surface that Burnish draws", node.path)
     return rows[node.category](members, network, node, scope, name)

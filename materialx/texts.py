@@ -87,6 +87,8 @@ class Equation:
     prefix: str = ""
     suffix: str = ""
     """What stands between the type and the value, such as a range."""
+    group: str = ""
+    """The title above this row and those of the same group behind it."""
 
 
 def equations(rows: list[Equation], indent: int = 1) -> list[str]:
@@ -108,7 +110,18 @@ def equations(rows: list[Equation], indent: int = 1) -> list[str]:
             line += laid_out(row.value, len(line), indent)
         lines.append((line, row.doc))
     column = max((len(line) for line, doc in lines if doc and _fits(line, doc)), default=0)
-    return [_documented(line, doc, space, column) for line, doc in lines]
+    texts = [_documented(line, doc, space, column) for line, doc in lines]
+    return [part for row in zip(_titles(rows, space), texts, strict=True) for part in row if part]
+
+
+def _titles(rows: list[Equation], space: str) -> list[str]:
+    """For each row the title of the group that begins there, below an empty line."""
+    found, last = [], ""
+    for number, row in enumerate(rows):
+        title = f"{space}// {row.group}" if row.group else ""
+        found.append(("\n" if number else "") + title if row.group != last else "")
+        last = row.group
+    return found
 
 
 def _fits(line: str, doc: str) -> bool:

@@ -16,6 +16,7 @@ from ..diagnostics.source import Span
 from . import ast
 from .ast import Expression, Name
 from .tokens import Docs, Token
+from .units import ANGLES, parted
 
 _EDITION = 1
 
@@ -384,10 +385,9 @@ class Builder:
 
     def number(self, span: Span, token: Token) -> ast.Number:
         text = token.text
-        if text.endswith("deg"):
-            return ast.Number(span, text[:-3], "angle", "deg")
-        if text.endswith("rad"):
-            return ast.Number(span, text[:-3], "angle", "rad")
+        digits, unit = parted(text)
+        if unit:
+            return ast.Number(span, digits, "angle" if unit in ANGLES else "length", unit)
         if text.endswith("u"):
             return ast.Number(span, text[:-1], "uint")
         if text.startswith(("0x", "0X")):

@@ -71,7 +71,16 @@ IN = '<input name="value" type="color3" {}/>'
 NODES = {
     "unknown node": (
         node('<mystery name="x" type="color3"/>'),
-        "doc.mtlx:2: x: MaterialX knows no mystery of these types",
+        "doc.mtlx:2: x: MaterialX knows no 'mystery' of these types",
+    ),
+    "misspelt node": (
+        node('<constan name="x" type="color3"/>'),
+        "doc.mtlx:2: x: MaterialX knows no 'constan' of these types: did you mean 'constant'?",
+    ),
+    "a category for a type": (
+        node('<noise3d name="x" type="noise3d"/>'),
+        "doc.mtlx:2: x: noise3d is of the type float, color3, color4, vector2, vector3 or vector4, "
+        "and not 'noise3d'",
     ),
     "nodes in a circle": (
         node("\n".join((ADD.format("y", 'nodename="x"'), ADD.format("x", 'nodename="y"')))),
@@ -113,11 +122,11 @@ NODES = {
     ),
     "two numbers for three": (
         document(lit('value="1, 2"')),
-        "doc.mtlx:2: s: '1, 2' is no value of the type color3",
+        "doc.mtlx:2: s: the input 'emission_color': '1, 2' is no value of the type color3",
     ),
     "no number": (
         document(lit('value="nan, 1, 2"')),
-        "doc.mtlx:2: s: 'nan, 1, 2' is no value of the type color3",
+        "doc.mtlx:2: s: the input 'emission_color': 'nan, 1, 2' is no value of the type color3",
     ),
     "no such space of colours": (
         document(lit(f'{RED} colorspace="mine"')),

@@ -13,7 +13,7 @@ from .kit import documents
 
 HERE = Path(__file__).parent
 READ = (
-    "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
+    "comments", "graph_interface", "image_wraps", "inheritance", "lama_layers", "lights", "looks",
     "open_pbr_varnish",
     "own_definition", "own_multioutput", "primvars", "surface_mix", "units",
 )  # fmt: skip

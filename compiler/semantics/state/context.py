@@ -125,10 +125,10 @@ Kinds: TypeAlias = "tuple[tuple[Type, Meaning | None], ...]"
 class Overloads:
     """The functions that a file has under one name."""
 
-    exact: dict[Kinds, Symbol]
+    exact: dict[Kinds, Symbol | None]
     """The functions without type parameters, by their declared arguments.
 
-    Of equal ones, this is the first; that there are others has been reported.
+    There is none of several that differ in their results alone.
     """
     of_count: dict[int, list[Symbol]]
     """All of them, by how many arguments they take by position."""
@@ -300,7 +300,7 @@ class OpenRule:
     """A rule whose operands may be more than values: have members, or be called."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
-    value: Callable[[Context, Any, Sequence[Value], Scope], Value]
+    value: Callable[[Context, Any, Sequence[Value], Scope], Value | Continuation]
     """Gives the expression's value; it sees wrong operands, too."""
 
 
