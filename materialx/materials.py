@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from .definitions import Functions
 from .expressions import Call, Expression, Member, Name, flat
+from .heirs import Heirs, Written
 from .leaves import network as network_of
 from .leaves.catalogue import module_of
 from .members import SURFACE, Members
@@ -42,7 +43,8 @@ class Material(NamedTuple):
 
     name: str
     path: str
-    files: dict[str, str]
+    files: dict[str, tuple[str, ...]]
+    """One file for each texture, or one for each of its layers."""
     left_out: tuple[str, ...] = ()
 
 
@@ -51,32 +53,43 @@ class Materials:
 
     def __init__(self, file: File, functions: Functions, models: Models) -> None:
         self._file, self._functions, self._models = file, functions, models
+        self._heirs = Heirs()
 
     def written(self, renderable: Renderable) -> Material:
         """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
-        kept = len(self._file.declarations)
+        before = frozenset(self._file.declarations)
         try:
             base, members, color = self._converted(renderable, slot_name(renderable.name))
         except UnsupportedError:
-            del self._file.declarations[kept:]
+            # Functions may be read by others that follow.
+            others = before | self._file.helpers.keys()
+            self._file.keep(lambda text: text in others)
             raise
         if base == SURFACE:
             self._file.imported(module_of(SURFACE), SURFACE)
         self._file.names.take([base])
         name = self._file.names.fresh(record_name(renderable.name))
-        terms = self._file.declarations[kept:]
-        del self._file.declarations[kept:]
-        lines = members.lines()
-        lines += ["", *equations(color)] if lines and color else equations(color)
+        terms = [text for text in self._file.declarations if text not in before]
+        self._file.keep(lambda text: text in before)
+        text = self._declaration(renderable, Written(name, base, members.rows() + color), members)
+        self._file.declarations += [text, *terms]
+        return Material(name, renderable.path, members.files, _left_out(renderable))
+
+    def _declaration(self, renderable: Renderable, whole: Written, members: Members) -> str:
+        """The text of a material: of one that inherits, what differs."""
+        port, graph = renderable.port, renderable.graph
+        ancestor = self._heirs.ancestor(port, graph, whole) if whole.base != SURFACE else None
+        self._heirs.add(port, graph, whole)
+        others = ancestor.members if ancestor is not None else []
+        kept = [row for row in whole.members if row not in others]
+        lines = members.lines(kept)
+        color = equations([row for row in kept if row not in members.rows()])
+        lines += ["", *color] if lines and color else color
         doc = [
             f"/// {line}" for words in _words(renderable) for line in wrapped(one_line(words), 110)
         ]
-        head = f"material {name} : {base} {{"
-        self._file.declarations += [
-            "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
-            *terms,
-        ]
-        return Material(name, renderable.path, members.files, _left_out(renderable))
+        head = f"material {whole.name} : {ancestor.name if ancestor else whole.base} {{"
+        return "\n".join([*doc, head, *lines, "}"] if lines else [*doc, f"{head}}}"])
 
     def _converted(self, renderable: Renderable, name: str) -> tuple[str, Members, list[Equation]]:
         scope = Scope(renderable.graph)

@@ -134,7 +134,7 @@ FLOORS: dict[str, str] = {
     ),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
-    "materialx": "depth garbage stdlib diagnostics syntax library_trees library",
+    "materialx": "depth garbage stdlib diagnostics syntax library_trees library runner",
     "materialx.export": (
         "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
         "compiling materialx"

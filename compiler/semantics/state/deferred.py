@@ -187,7 +187,7 @@ class Deferred:
         """Yields the nodes that a node needs, without sides that are never taken."""
         yield from self._also.get(node, ())
         match node.op, node.data:
-            case "select", _:
+            case ("select", _) | ("call", "choose"):
                 condition, then, otherwise = node.operands
                 holds = self._conditions.value(condition)
                 yield condition
