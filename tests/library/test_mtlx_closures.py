@@ -44,7 +44,7 @@ NEEDLES = 0.1
 
 WEIGHT = "min(r.w + 1.0, 1.0)"
 WIDTHS, EVEN_WIDTHS = "vec2(0.05 + q.w, 0.1 + abs(r.x))", "vec2(0.05 + q.w)"
-NO_FILM, FILM = ("0.0", "1.5"), ("max(p.w * 100.0, 0.0)", "1.05 + q.x")
+NO_FILM, FILM = ("0.0", "1.5"), ("max(p.w * 100.0, 0.5)", "1.05 + q.x")
 MODE, BACK = "int(q.y * 2.99)", "q.z > 0.8"
 ROUGHNESS = "clamp(0.7 * r.y + 0.5, 0.0, 1.0)"
 INDEX = "1.1 + abs(r.z)"
