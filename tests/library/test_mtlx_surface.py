@@ -99,7 +99,7 @@ def test_axes_have_length_one_before_and_after_they_are_interpolated() -> None:
         ("world", NORMALS @ np.linalg.inv(to_world), TANGENTS @ to_world.T),
     ):
         axes = [units(normals), units(tangents)]
-        axes.append(np.cross(*axes))
+        axes.append(np.cross(axes[0], axes[1]))
         for name, axis in zip(("normal", "tangent", "bitangent"), axes, strict=True):
             found = drawn[AXES.index(f"{name}_{space}")][seen][:, :3]
             assert found == pytest.approx(units(shares @ axis), abs=1e-6), (name, space)
