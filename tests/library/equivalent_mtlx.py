@@ -172,6 +172,31 @@ BY_REASON: Mapping[str, Sequence[str]] = {
     ),
     "The cosine between two directions is the same from both.": (
         (
+            "std.mtlx.closures.oren_nayar_diffuse_bsdf: eye) nv = cosine_of( [facing, "
+            "asked.to_eye -> asked.to_eye, facing] ) nl = cosine_of(fac"
+        ),
+        (
+            "std.mtlx.closures.oren_nayar_diffuse_bsdf: eye) nl = cosine_of( [facing, "
+            "asked.to_light -> asked.to_light, facing] ) lv = cosine_of(ask"
+        ),
+        (
+            "std.mtlx.closures.oren_nayar_diffuse_bsdf: ght) lv = cosine_of( [asked.to_light, "
+            "asked.to_eye -> asked.to_eye, asked.to_light] ) response = if aske"
+        ),
+        (
+            "std.mtlx.closures.burley_diffuse_bsdf: eye) nv = cosine_of( [facing, asked.to_eye "
+            "-> asked.to_eye, facing] ) nl = cosine_of(fac"
+        ),
+        (
+            "std.mtlx.closures.burley_diffuse_bsdf: eye) nl = cosine_of( [facing, asked.to_light "
+            "-> asked.to_light, facing] ) lh = cosine_of(ask"
+        ),
+        (
+            "std.mtlx.closures.burley_diffuse_bsdf: ght) lh = cosine_of( [asked.to_light, "
+            "normalize(asked.to_light + asked.to_eye) -> normalize(asked.to_light + "
+            "asked.to_eye), asked.to_light] ) response = if aske"
+        ),
+        (
             "std.mtlx.closures.chiang_hair_bsdf: eye) nv = cosine_of( [facing, asked.to_eye -> "
             "asked.to_eye, facing] ) widths = clamp((ro"
         ),
@@ -181,7 +206,15 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "exponent))"
         ),
     ),
-    "Burley's share is the same if light and eye change places.": (
+    "Shares of matt surfaces are the same if light and eye change places.": (
+        (
+            "std.mtlx.closures.oren_nayar_diffuse_bsdf: n compensated_share( [nv, nl -> nl, nv] "
+            ", lv, roughness, col"
+        ),
+        (
+            "std.mtlx.closures.oren_nayar_diffuse_bsdf: * oren_nayar_share( [nv, nl -> nl, nv] , "
+            "lv, roughness)) el"
+        ),
         (
             "std.mtlx.closures.burley_diffuse_bsdf: / pi * burley_share( [nv, nl -> nl, nv] , "
             "lh, roughness)) el"

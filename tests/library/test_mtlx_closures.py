@@ -337,20 +337,23 @@ def test_light_below_skin(name: str) -> None:
 
 
 @truth(*of("closures", "subsurface_bsdf"))
-@pytest.mark.parametrize(("size", "height"), [(0.2, 0.8), (5.0, 0.8), (1000.0, 0.8), (5.0, -0.8)])
-def test_round_bodies_are_known_by_their_normals(size: float, height: float) -> None:
+@pytest.mark.parametrize(
+    ("size", "height", "side"),
+    [(0.2, 0.8, 1), (5.0, 0.8, 1), (1000.0, 0.8, 1), (5.0, -0.8, 1), (5.0, 0.8, -1)],
+)
+def test_round_bodies_are_known_by_their_normals(size: float, height: float, side: int) -> None:
     # The normals of a ball at places that are as far apart as neighbouring pixels.
     x, y = np.meshgrid([0.3, 0.31], [0.2, 0.215])
     normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
     color, path, to_light = "rgb(0.8, 0.5, 0.3)", "rgb(0.4, 0.3, 0.2)", f"vec3(0.6, 0, {height})"
     found = called(
         IMPORTS,
-        f"vec3(subsurface_bsdf(by_light({to_light}, vec3(0, 0, 1)), 0.5, {color}, {path}, 0, n, "
-        f"{size} * n).response)",
+        f"vec3(subsurface_bsdf(by_light({to_light}, vec3(0, 0, {side})), 0.5, {color}, {path}, 0, "
+        f"n, {size} * n).response)",
         3,
         n=Quad(normals),
     )
-    angle = np.arccos(normals[0, 0] @ [0.6, 0, height])
+    angle = np.arccos(side * normals[0, 0] @ [0.6, 0, height])
     around = called(IMPORTS, f"vec3(lit_around(a, {min(size, 100.0)}, {path}))", 3, a=[angle])
     assert found[0, 0] == pytest.approx(0.5 * np.array([0.8, 0.5, 0.3]) * around[0] / np.pi)
 
