@@ -36,6 +36,8 @@ _OF_PIXELS = (
     "filtered_step", "splitlr", "splittb",
 )  # fmt: skip
 """Functions of ``std.mtlx`` that compare a pixel with those beside it."""
+_AT_VERTICES = MappingProxyType({"udim_set": "udim_set_level"})
+"""Such functions, and what vertices have in their place."""
 
 
 @cache
@@ -108,6 +110,8 @@ class _OfMesh:
         self._members = members
         self.parameter = members.parameter
         self.texture = members.texture
+        self.structures = members.structures
+        self.tiles = members.tiles
         self.text = members.text
         self.attribute = members.attribute
         self.part = members.part
@@ -129,7 +133,7 @@ class _OfMesh:
     def library(self, name: str) -> str:
         if name in _OF_PIXELS:
             raise UnsupportedError("a displacement cannot compare a pixel with those beside it")
-        return self._members.library(name)
+        return self._members.library(_AT_VERTICES.get(name, name))
 
     def read(self, texture: str, place: Expression) -> Expression:
         return Call(f"{texture}.level", (place, Number(0.0)))

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from .definitions import Functions
 from .displacements import BASE, KIND, MIXIN, displaced, displaced_slots, displacement
 from .expressions import Call, Expression, Member, Name, flat
+from .heirs import Heirs, Written
 from .leaves import network as network_of
 from .leaves.catalogue import module_of
 from .members import SURFACE, Members
@@ -43,7 +44,8 @@ class Material(NamedTuple):
 
     name: str
     path: str
-    files: dict[str, str]
+    files: dict[str, tuple[str, ...]]
+    """One file for each texture, or one for each of its layers."""
     left_out: tuple[str, ...] = ()
     is_displaced: bool = False
     """True if points are moved, which MaterialX's own GLSL does not do."""
@@ -54,33 +56,45 @@ class Materials:
 
     def __init__(self, file: File, functions: Functions, models: Models) -> None:
         self._file, self._functions, self._models = file, functions, models
+        self._heirs = Heirs()
 
     def written(self, renderable: Renderable) -> Material:
         """Write a material. Raises ``UnsupportedError``, and then has written nothing."""
-        kept = len(self._file.declarations)
+        before = frozenset(self._file.declarations)
         try:
             base, members, rows, is_displaced = self._converted(renderable)
         except UnsupportedError:
-            del self._file.declarations[kept:]
+            # Functions may be read by others that follow.
+            others = before | self._file.helpers.keys()
+            self._file.keep(lambda text: text in others)
             raise
         bases = self._bases(base, is_displaced)
         self._file.names.take([base])
         name = self._file.names.fresh(record_name(renderable.name))
-        terms = self._file.declarations[kept:]
-        del self._file.declarations[kept:]
+        terms = [text for text in self._file.declarations if text not in before]
+        self._file.keep(lambda text: text in before)
         rows = members.inlined(rows, terms)
-        lines = members.lines()
-        lines += ["", *equations(rows)] if lines and rows else equations(rows)
+        text = self._declaration(renderable, Written(name, bases, members.rows() + rows), members)
+        self._file.declarations += [text, *terms]
+        left_out = _left_out(renderable)
+        return Material(name, renderable.path, members.files, left_out, is_displaced)
+
+    def _declaration(self, renderable: Renderable, whole: Written, members: Members) -> str:
+        """The text of a material: of one that inherits, what differs."""
+        port, graph = renderable.port, renderable.graph
+        ancestor = self._heirs.ancestor(port, graph, whole)
+        if whole.base not in (SURFACE, BASE):
+            self._heirs.add(port, graph, whole)
+        others = ancestor.members if ancestor is not None else []
+        kept = [row for row in whole.members if row not in others]
+        lines = members.lines(kept)
+        color = equations([row for row in kept if row not in members.rows()])
+        lines += ["", *color] if lines and color else color
         doc = [
             f"/// {line}" for words in _words(renderable) for line in wrapped(one_line(words), 110)
         ]
-        head = f"material {name} : {bases} {{"
-        self._file.declarations += [
-            "\n".join([*doc, head, *lines, "}"]) if lines else f"{head}}}",
-            *terms,
-        ]
-        left_out = _left_out(renderable)
-        return Material(name, renderable.path, members.files, left_out, is_displaced)
+        head = f"material {whole.name} : {ancestor.name if ancestor else whole.base} {{"
+        return "\n".join([*doc, head, *lines, "}"] if lines else [*doc, f"{head}}}"])
 
     def _bases(self, base: str, is_displaced: bool) -> str:
         """What the header of a material names, which is imported."""

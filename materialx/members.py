@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import replace
 from functools import cache
 from math import isfinite
@@ -17,7 +17,9 @@ from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
 from .names import Names, part_name, slot_name
+from .pictures import files_of_set, without_tokens
 from .places import Function, Sampling, Scope
+from .structures import Structures
 from .texts import Equation, File, equations, one_line
 from .units import written_unit
 from .values import TYPES, zero
@@ -52,8 +54,8 @@ class Members:
     def __init__(self, file: File, functions: Functions, taken: Iterable[str]) -> None:
         self.file = file
         self.slots: list[Equation] = []
-        self.files: dict[str, str] = {}
-        """The files of textures, by the names of their maps."""
+        self.files: dict[str, tuple[str, ...]] = {}
+        """The files of textures, by the names of their maps: one, or one for each layer."""
         self._functions = functions
         self._names = Names((*surface_slots(), *taken), catalogue())
         self._parameters: dict[tuple[str, str], Equation] = {}
@@ -62,14 +64,20 @@ class Members:
         self._maps: dict[tuple[str, Sampling], Equation] = {}
         self._attributes: dict[str, Equation] = {}
 
-    def lines(self) -> list[str]:
-        """The lines between the braces."""
+    def rows(self) -> list[Equation]:
+        """All members, in the order in which they are written."""
+        declared = (self._attributes.values(), self._ordered(), self._maps.values())
+        return [*(row for rows in declared for row in rows), *self.slots]
+
+    def lines(self, kept: Container[Equation] | None = None) -> list[str]:
+        """The lines between the braces, of all members or of those that are ``kept``."""
         found: list[str] = []
         for rows in (self._attributes.values(), self._ordered(), self._maps.values()):
-            found += equations(list(rows))
-        if found and self.slots:
+            found += equations(_only(rows, kept))
+        slots = _only(self.slots, kept)
+        if found and slots:
             found.append("")
-        return found + equations(self.slots)
+        return found + equations(slots)
 
     def _ordered(self) -> list[Equation]:
         """The parameters in the order in which the document declares them, graph by graph."""
@@ -115,23 +123,32 @@ class Members:
 
     # ---- The ``Texts`` of networks
 
+    @property
+    def structures(self) -> Structures:
+        return self._functions.structures
+
     def surface(self, slot: str) -> Expression:
         return Name(slot)
 
     def parameter(self, scope: Scope, port: Port) -> Expression:
         key = (scope.graph.path, port.name)
         if key not in self._parameters:
-            if port.type not in TYPES:
+            if port.type not in TYPES and not self.structures.has(port.type):
                 return zero(port.type)
-            value = zero(port.type) if port.value is None else constant(self, port, port.type)
+            value, kind = self._default(port), self.structures.type(port.type, bare=False)
             self._declared[key] = list(scope.graph.inputs).index(port.name)
             name = self._names.fresh(slot_name(port.name))
             doc = port.hints.get("doc", "") or _other_than(name, port.hints.get("uiname", ""))
             self._parameters[key] = Equation(
-                name, value, TYPES[port.type], one_line(doc),
+                name, value, kind, one_line(doc),
                 "param ", _range(port, value), one_line(port.hints.get("uifolder", "")),
             )  # fmt: skip
         return Name(self._parameters[key].name)
+
+    def _default(self, port: Port) -> Expression:
+        if self.structures.has(port.type):
+            return self.structures.value(port.value, port.type)
+        return zero(port.type) if port.value is None else constant(self, port, port.type)
 
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         if not port.value:
@@ -139,14 +156,19 @@ class Members:
         path = port.value
         key = (path, sampling)
         if key not in self._maps:
-            stem = slot_name(path.replace("\\", "/").rpartition("/")[2].rpartition(".")[0])
+            file = without_tokens(path).replace("\\", "/").rpartition("/")[2]
+            stem = slot_name(file.rpartition(".")[0])
             name = self._names.fresh(stem if stem != "unnamed" else slot_name(node.name))
-            self.files[name] = path
-            kind = "texture2d of rgb" if sampling.is_encoded else "texture2d"
+            self.files[name] = files_of_set(path, sampling.tiles) or (path,)
+            kind = "texture2d_array" if sampling.tiles else "texture2d"
+            kind += " of rgb" if sampling.is_encoded else ""
             self._maps[key] = Equation(
                 name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
             )
         return Name(self._maps[key].name)
+
+    def tiles(self, file: str) -> tuple[int, ...]:
+        return self._functions.tiles(file)
 
     def read(self, texture: str, place: Expression) -> Expression:
         return Call(texture, (place,))
@@ -176,6 +198,10 @@ class Members:
             Equation(fresh, value, doc=one_line(node.hints.get("doc", "") if node else ""))
         )
         return Name(fresh)
+
+
+def _only(rows: Iterable[Equation], kept: Container[Equation] | None) -> list[Equation]:
+    return [row for row in rows if kept is None or row in kept]
 
 
 def _other_than(name: str, title: str) -> str:
@@ -227,6 +253,8 @@ def _settings(sampling: Sampling) -> str:
     settings = [] if sampling.is_encoded else ["intent = data"]
     if sampling.filter in _FILTERS:
         settings += [f"filter = {_FILTERS[sampling.filter]}", f"mip = {_FILTERS[sampling.filter]}"]
+    if sampling.tiles:
+        return f" with {{ {', '.join([*settings, 'wrap = clamp'])} }}"
     u, v = _WRAPS.get(sampling.u, "repeat"), _WRAPS.get(sampling.v, "repeat")
     if u == v:
         settings += [f"wrap = {u}"] if u != "repeat" else []

@@ -95,6 +95,7 @@ class Models:
         parts = [*equations(rows), "", *members.lines(), "", *equations(color)]
         record = [*doc, f"abstract material {name} : {SURFACE} {{", *parts, "}"]
         file.declarations.insert(0, "\n".join(record))
+        file.helpers[file.declarations[0]] = name
         taken = {*slots.values(), *(row.name for row in members.slots), *surface_slots()}
         defaults = {row.name: flat(row.value) for row in rows if row.value is not None}
         return Model(name, file, slots, defaults, frozenset(taken))

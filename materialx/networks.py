@@ -66,6 +66,8 @@ class Network:
     def _constant(self, port: Port, kind: str) -> Expression:
         if kind in ASKED:
             return Name(self.texts.library("clear_bsdf"))
+        if self.texts.structures.has(kind):
+            return self.texts.structures.value(port.value, kind)
         if port.value is None or (kind in CLOSURES and not port.value):
             return zero(kind)
         return constant(self.texts, port, kind)
@@ -206,7 +208,9 @@ class Network:
         if function is None or not self.files.can_be_called(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
-            return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
+            port = outputs[output] if output else next(iter(outputs.values()))
+            found = self.value(port, inner)
+            return found if output else self._decoded(found, node, scope)
         return self._application(function, node, output, scope)
 
     def _application(self, function: Function, node: Node, output: str, scope: Scope) -> Expression:

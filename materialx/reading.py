@@ -11,6 +11,7 @@ from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import Any
 
+from ..targets.runner.files import regular
 from .library import library
 from .materials import Renderable
 from .model import Document, Graph, Link, Port
@@ -23,8 +24,8 @@ LARGEST = 32 << 20
 
 
 def read(path: Path) -> tuple[Document, list[Renderable]]:
-    """A document and what of it is drawn. Raises ``DocumentError``, and ``OSError`` if it cannot be
-    read."""
+    """A document and what of it is drawn. Raises ``DocumentError``, ``FileError`` for what is no
+    file, and ``OSError`` if it cannot be read."""
     import MaterialX
 
     texts = _Texts(path)
@@ -46,8 +47,10 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
     except (LookupError, MaterialX.ExceptionFoundCycle) as error:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    words = texts.comments.get("", "")
-    found = Document(path.name, version, top, texts.lines, texts.repeated, words)
+    found = Document(
+        path.name, version, top, texts.lines, records.structures(), texts.repeated,
+        texts.comments.get("", ""),
+    )  # fmt: skip
     return found, list(_with_looks(top, document))
 
 
@@ -68,7 +71,7 @@ class _Texts:
         if path.resolve() in self._seen:
             return
         self._seen.add(path.resolve())
-        with path.open("rb") as file:
+        with regular(path, str(path)) as file:
             text = file.read(self._left + 1)
         if len(text) > self._left:
             raise DocumentError(

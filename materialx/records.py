@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .model import Definition, Graph, Link, Node, Port
+from .model import Definition, Graph, Link, Node, Port, Structure
 
 TARGET = "genglsl"
 """The generator whose choice of implementations is followed: it is what most renderers execute."""
@@ -63,6 +63,7 @@ class Records:
             {port.getName(): self._port(port) for port in element.getActiveInputs()},
             None if found is None else self._defined(found),
             self._hints(element),
+            element.getInheritString(),
         )
 
     def _defined(self, element: Any) -> Definition:
@@ -76,12 +77,30 @@ class Records:
                 self._document.getNodeDef(name) is None or self._is_of_library(element),
                 lambda: self._body(element),
                 self._hints(element),
+                self._source(element),
             )
         return self._definitions[name]
 
     def _is_of_library(self, element: Any) -> bool:
         found = self._library.getNodeDef(element.getName())
         return found is not None and bool(found == element)
+
+    def structures(self) -> dict[str, Structure]:
+        """The types of the document that have members."""
+        return {
+            found.getName(): Structure(
+                found.getName(),
+                {member.getName(): _member(member) for member in found.getMembers()},
+            )
+            for found in self._document.getTypeDefs()
+            if found.getMembers()
+        }
+
+    def _source(self, element: Any) -> str:
+        if self._is_of_library(element):
+            return ""
+        found = element.getImplementation(TARGET)
+        return "" if found is None else str(found.getAttribute("sourcecode"))
 
     def _body(self, element: Any) -> Graph | None:
         found = element.getImplementation(TARGET)
@@ -126,3 +145,8 @@ def _graph_class() -> Any:
     import MaterialX
 
     return MaterialX.NodeGraph
+
+
+def _member(element: Any) -> Port:
+    value = element.getAttribute("value") if element.hasAttribute("value") else None
+    return Port(element.getName(), element.getType(), value)

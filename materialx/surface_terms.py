@@ -184,6 +184,7 @@ class _Texts:
 
     def __init__(self, functions: Functions, file: File, names: Names) -> None:
         self._functions, self._file, self.names = functions, file, names
+        self.structures = functions.structures
         self.rows: list[Equation] = []
 
     def without_last_name(self, value: Expression) -> Expression:
@@ -199,6 +200,9 @@ class _Texts:
 
     def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
         raise UnsupportedError("a model reads no files")
+
+    def tiles(self, _file: str) -> tuple[int, ...]:
+        return ()
 
     def read(self, texture: str, place: Expression) -> Expression:
         return Call(texture, (place,))

@@ -192,11 +192,13 @@ class _Parts:
         self.surface = members.surface
         self.parameter = members.parameter
         self.texture = members.texture
+        self.tiles = members.tiles
         self.read = members.read
         self.text = members.text
         self.attribute = members.attribute
         self.function = members.function
         self.library = members.library
+        self.structures = members.structures
 
     def part(self, name: str, value: Expression, node: Node) -> Expression:
         found = self._members.part(name, value, node)

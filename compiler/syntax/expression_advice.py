@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from ..diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ..diagnostics.source import Span
+from ..units import ANGLES, UNITS
 from .expectations import may_begin_member
 from .foreign_choices import unfinished_if
 from .foreign_syntax import elsewhere, types
@@ -18,7 +19,6 @@ from .forms import FOLDS
 from .quoting import closed, shortened
 from .token_view import TokenView
 from .tokens import RESERVED
-from .units import ANGLES, UNITS
 
 _NUMBER = rf"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:{'|'.join(UNITS)})?"
 _RANGE = re.compile(rf"\s*([\[(]?)\s*({_NUMBER})\s*(?:-|–|,|:|;|to\b)\s*({_NUMBER})(?:\s*([\])]))?")

@@ -13,7 +13,6 @@ from ..diagnostics.diagnostic import Report
 from ..diagnostics.fixes import Hint, fix_it, write, write_color
 from ..diagnostics.source import Span
 from .tokens import Token
-from .units import listed, named
 
 PERCENT = r"%(?=\s*(?:$|[\n,;)\]}=]|\.\.))"
 """A percent sign after a number that no second operand follows."""
@@ -152,6 +151,8 @@ _BITS = r"([0-9.]+)([iuf])(?:8|16|32|64)"
 
 
 def _number(word: str, span: Span, report: Report) -> Token:
+    from ..units import listed, named
+
     if re.fullmatch(r"[0-9]+[A-Za-z_]\w*", word) and _is_defined(span):
         name = re.sub("[0-9]+", "", word, count=1)
         begun = fix_it(f"names begin with a letter: `{name}`", (span, name))

@@ -12,6 +12,7 @@ from ..definitions import FOLDER, Functions, arguments_of
 from ..known import categories, known
 from ..leaves.catalogue import OF_SURFACE, catalogue, input_named
 from ..names import Names
+from ..structures import Structures
 from ..texts import File
 from .closures import ASKED
 from .enumerations import word
@@ -112,7 +113,8 @@ def node_of(symbol: Symbol) -> Callee | None:
     path = symbol.module.path
     if symbol.module.is_standard or path is None or path.parent.name != FOLDER:
         return None
-    functions = Functions(File(""), known)
+    own = File("")
+    functions = Functions(own, known, Structures(own, {}))
     for category in categories().get(path.stem, ()):
         named: dict[str, str] = {}
         for definition in known(category):

@@ -16,7 +16,7 @@ from ...compiler.semantics.checking.constructors import is_constructor
 from ...compiler.semantics.equations.reads import Where
 from ...compiler.srgb import linear
 from ...compiler.syntax import ast
-from ...compiler.syntax.units import value_of
+from ...compiler.units import value_of
 from .lanes import built, lanes, matrix_column, picked
 from .nodes import Nodes
 from .table import ways, written_out

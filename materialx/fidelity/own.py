@@ -153,7 +153,9 @@ def _set_values(instance: Instance, values: Values) -> None:
     rows = {row.name: row for row in instance.declared.textures}
     for name, value in values.items():
         if isinstance(value, NamedImage):
-            texture = value.texture(is_srgb=name in rows and rows[name].intent == "color")
+            is_srgb = name in rows and rows[name].intent == "color"
+            dimension = rows[name].dimension if name in rows else "2d"
+            texture = value.texture(is_srgb=is_srgb, dimension=dimension)
             if texture is not None:
                 instance.set(name, texture)
         elif isinstance(value, str):

@@ -9,7 +9,7 @@ import pytest
 
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.compiler.syntax.units import LENGTHS, UNITS, value_of
+from burnish.compiler.units import LENGTHS, UNITS, value_of
 
 from . import kit
 

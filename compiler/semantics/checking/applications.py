@@ -30,7 +30,6 @@ from .candidates import best
 from .functions import bound, fit_result, may_enter, scope_of_body, usage, used
 from .operands import listed
 from .signatures import SharedCall, applied, failed, shared_call, stand_ins
-from .wanted import by_result
 
 if TYPE_CHECKING:
     from .arguments import Head
@@ -47,11 +46,12 @@ def apply_best(
     found = overloaded if len(overloaded) == 1 else best(ctx, overloaded, arguments, e.names)
     if len(found) == 1:
         return apply(ctx, found[0], arguments, e, scope)
-    if (
-        len(found) > 1
-        and (undecided := by_result(ctx, found, arguments, e, scope, apply)) is not None
-    ):
-        return undecided
+    if len(found) > 1:
+        from .wanted import by_result
+
+        undecided = by_result(ctx, found, arguments, e, scope, apply)
+        if undecided is not None:
+            return undecided
     labels = [Label(s.declaration.name.span, "a candidate") for s in found or overloaded]
     if not found and (name := _unknown_to_all(overloaded, e)) is not None:
         from .arguments import unknown_argument

@@ -36,7 +36,6 @@ from .slots import like_overridden, slot
 from .step_needs import applied, is_drawn, is_frame
 from .surfaces import shaded, slots_given
 from .unknown_names import is_declared, is_known, unknown, unknown_here
-from .wanted import decided_arguments
 
 if TYPE_CHECKING:
     from ....stdlib.other_names import Instead
@@ -99,6 +98,8 @@ def _arguments(
     """The values of a call's arguments as plain ones, and whether one of them failed."""
     written: Sequence[ast.Expression] = e.arguments
     if any(isinstance(value, Undecided) for value in values):
+        from .wanted import decided_arguments
+
         values = decided_arguments(ctx, e, values, scope)
     if len(values) < len(written):
         written = [a for a in written if not _has_no_value(e, a, scope)]

@@ -19,7 +19,6 @@ from ..state.evaluation import plain
 from ..state.scope import FAILURE, Continuation, Failure, Scope, Undecided, Value
 from ..types.coercion import coerce, is_constant
 from .combinations import checked
-from .wanted import of_choice
 
 
 def operands_of_choice(e: ast.Conditional, scope: Scope) -> tuple[ast.Expression, ...]:
@@ -34,6 +33,8 @@ def choice(
 ) -> Value | Continuation:
     """The value of a choice, or the sides that are still to be evaluated."""
     if any(isinstance(side, Undecided) for side in operands[1:]):
+        from .wanted import of_choice
+
         _, then, otherwise = operands
         return of_choice(then, otherwise, partial(_between, ctx, e, operands[0], scope))
     written = operands_of_choice(e, scope)

@@ -25,7 +25,7 @@ from ...ir.types import (
 from ...srgb import linear
 from ...syntax import ast
 from ...syntax.quoting import shortened, spanned
-from ...syntax.units import value_of
+from ...units import value_of
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type

@@ -28,7 +28,7 @@ class Number:
     """Digits as written, without suffix or unit."""
     kind: Literal["int", "uint", "float", "angle", "length"]
     unit: str = ""
-    """One of ``syntax.units``, or none."""
+    """One of ``compiler.units``, or none."""
 
 
 @frozen(eq=False)

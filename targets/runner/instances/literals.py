@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ....compiler.srgb import linear
-from ....compiler.syntax.units import ANGLES, LENGTHS, parted, value_of
+from ....compiler.units import ANGLES, LENGTHS, parted, value_of
 
 _LITERAL = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 
