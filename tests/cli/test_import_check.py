@@ -45,3 +45,11 @@ def test_what_cannot_be_compared_is_no_pass(
     assert said.exit_code == 1
     assert "Lamp      not run    there is no driver\n" in said.stdout
     assert said.stdout.endswith("beside MaterialX's own pictures: 1 not run\n")
+
+
+def test_materials_are_compared_without_displacement_which_is_told(tmp_path: Path) -> None:
+    said = invoke("import", document("displaced"), "-o", tmp_path, "--check")
+    assert said.exit_code == 0, said.output
+    row, _, last = said.stdout.splitlines()[-3:]
+    assert row.startswith("Rock      alike      0 of ")
+    assert last == "compared without displacement, which MaterialX's GLSL leaves out: Rock"
