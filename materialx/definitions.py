@@ -164,7 +164,7 @@ class _Body:
         self._arguments = {
             name: Name(argument) for name, argument in arguments_of(definition, self._names).items()
         }
-        bound = _Read(self._arguments)
+        bound = Read(self._arguments)
         self._parts: list[Equation] = []
         network = network_of(self, Name("asked") if is_closure else None)
         scope = Scope(graph, bound=bound)
@@ -245,9 +245,7 @@ class _Body:
             )
         kind = "term" if self._is_term else "fn"
         result = "" if self._is_term else f" -> {self._type}"
-        head = f"{kind} {name}({', '.join(pairs)}){result} ="
-        if len(head) > 110:
-            head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
+        head = declared(kind, name, pairs, result)
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
         if "\n" in value and not isinstance(self._value, Call):
@@ -287,6 +285,9 @@ class _Body:
     def tiles(self, _file: str) -> tuple[int, ...]:
         raise NeedsTextsError
 
+    def read(self, texture: str, place: Expression) -> Expression:
+        return Call(texture, (place,))
+
     def text(self, _name: str) -> str:
         raise NeedsTextsError
 
@@ -311,6 +312,12 @@ class _Body:
         return Name(fresh)
 
 
+def declared(kind: str, name: str, pairs: list[str], result: str = "") -> str:
+    """The head of a function with its arguments, on one line or in several."""
+    head = f"{kind} {name}({', '.join(pairs)}){result} ="
+    return head if len(head) <= 110 else f"{kind} {name}(\n{_filled(pairs)}\n){result} ="
+
+
 def function_name(category: str) -> str:
     """The name of the functions for a category, unless there are others with the same arguments."""
     name = slot_name(category)
@@ -322,7 +329,7 @@ def arguments_of(definition: Definition, names: Names) -> dict[str, str]:
     return {name: names.fresh(slot_name(name)) for name in definition.inputs}
 
 
-class _Read(dict[str, Expression]):
+class Read(dict[str, Expression]):
     """The arguments of a function, which remember which of them are read."""
 
     def __init__(self, arguments: Mapping[str, Expression]) -> None:

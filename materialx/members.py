@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Container, Iterable
+from dataclasses import replace
 from functools import cache
 from math import isfinite
 
 from ..compiler.syntax import ast
 from .constants import constant
 from .definitions import Functions
-from .expressions import Expression, Name, is_literal
+from .expressions import Call, Expression, Name, flat, is_literal
 from .leaves.catalogue import catalogue, module_of
 from .library_files import declarations
 from .model import Definition, Node, Port
@@ -22,6 +25,7 @@ from .units import written_unit
 from .values import TYPES, zero
 
 SURFACE = "MaterialXSurface"
+_WORD = re.compile(r"\w+")
 _WRAPS = {"periodic": "repeat", "clamp": "clamp", "mirror": "mirror", "constant": "clamp"}
 _FILTERS = {"closest": "nearest"}
 
@@ -91,6 +95,32 @@ class Members:
             return self.slots.pop().value or value
         return value
 
+    def inlined(self, rows: list[Equation], terms: Iterable[str]) -> list[Equation]:
+        """The same equations; a part that is the whole value of one of them, and that nothing else
+        reads, neither the ``terms`` of the material, is written there."""
+        values = [flat(row.value) for row in (*self.slots, *rows) if row.value is not None]
+        uses = Counter(word for text in (*values, *terms) for word in _WORD.findall(text))
+        parts = {Name(part.name): part for part in self.slots if uses[part.name] == 1}
+        inner = {row.name: parts[row.value] for row in rows if row.value in parts}
+        self.slots = [part for part in self.slots if part not in inner.values()]
+        return [
+            replace(row, value=inner[row.name].value, doc=row.doc or inner[row.name].doc)
+            if row.name in inner
+            else row
+            for row in rows
+        ]
+
+    def value_of(self, expression: Expression) -> Expression:
+        """What a name of a part stands for; any other expression itself."""
+        values = {part.name: part.value for part in self.slots}
+        name = expression.text if isinstance(expression, Name) else ""
+        return values.get(name) or expression
+
+    def shared(self, value: Expression) -> Expression:
+        """The name of the part that has a value already; the value itself if there is none."""
+        names = (part.name for part in self.slots if part.value == value)
+        return next(map(Name, names), value)
+
     # ---- The ``Texts`` of networks
 
     @property
@@ -107,9 +137,10 @@ class Members:
                 return zero(port.type)
             value, kind = self._default(port), self.structures.type(port.type, bare=False)
             self._declared[key] = list(scope.graph.inputs).index(port.name)
-            doc = port.hints.get("doc", "") or port.hints.get("uiname", "")
+            name = self._names.fresh(slot_name(port.name))
+            doc = port.hints.get("doc", "") or _other_than(name, port.hints.get("uiname", ""))
             self._parameters[key] = Equation(
-                self._names.fresh(slot_name(port.name)), value, kind, one_line(doc),
+                name, value, kind, one_line(doc),
                 "param ", _range(port, value), one_line(port.hints.get("uifolder", "")),
             )  # fmt: skip
         return Name(self._parameters[key].name)
@@ -138,6 +169,9 @@ class Members:
 
     def tiles(self, file: str) -> tuple[int, ...]:
         return self._functions.tiles(file)
+
+    def read(self, texture: str, place: Expression) -> Expression:
+        return Call(texture, (place,))
 
     def text(self, name: str) -> str:
         raise AssertionError(f"the text '{name}' is asked for outside of a function")
@@ -168,6 +202,11 @@ class Members:
 
 def _only(rows: Iterable[Equation], kept: Container[Equation] | None) -> list[Equation]:
     return [row for row in rows if kept is None or row in kept]
+
+
+def _other_than(name: str, title: str) -> str:
+    """The title of an input, unless it says no more than the name."""
+    return "" if slot_name(title).replace("_", "") == name.replace("_", "") else title
 
 
 def _range(port: Port, value: Expression) -> str:

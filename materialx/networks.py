@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from .constants import constant, decoded, property_named
+from .constants import LINEAR, constant, decoded, property_named
 from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
 from .file_inputs import FileInputs, files_of, gives_color, is_srgb
 from .links import check_type, output_of
@@ -21,9 +21,9 @@ from .names import slot_name
 from .places import Function, Scope, Texts
 from .problems import UnsupportedError
 from .unknown_nodes import no_definition
-from .values import ASKED, CLOSURES, zero
+from .values import ASKED, CLOSURES, LANES, literal, zero
 
-LONG = 84
+LONG = 80
 """Expressions longer than this become parts, in characters."""
 
 
@@ -249,9 +249,7 @@ class Network:
         port = node.inputs.get(name, wanted)
         if port.link is not None or port.interface or wanted.geometry:
             return False
-        return port is wanted or (
-            port.value == wanted.value and not port.unit and not port.color_space
-        )
+        return port is wanted or is_same(port, wanted)
 
     def _argument(self, node: Node, name: str, scope: Scope) -> Expression:
         assert node.definition is not None
@@ -303,6 +301,16 @@ class Network:
                 return self.static(scope.node, port.interface, scope.outer)
             port = scope.graph.inputs.get(port.interface, port)
         return port.value or ""
+
+
+def is_same(port: Port, wanted: Port) -> bool:
+    """True if an input has the constant of another one, however it is written."""
+    is_encoded = port.type.startswith("color") and port.color_space.lower() not in LINEAR
+    if port.unit or is_encoded:
+        return False
+    if port.value is None or wanted.value is None or port.type not in LANES:
+        return port.value == wanted.value
+    return literal(port.value, port.type) == literal(wanted.value, port.type)
 
 
 @dataclass(frozen=True)

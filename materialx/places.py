@@ -62,6 +62,9 @@ class Texts(Protocol):
     def tiles(self, file: str) -> tuple[int, ...]:
         """The squares of a chart for which a set of files has files; none for one file."""
 
+    def read(self, texture: str, place: Expression) -> Expression:
+        """The texel of a texture at a place."""
+
     def text(self, name: str) -> str:
         """The text that an argument of a function has. Raises ``NeedsTextsError``."""
 

@@ -26,6 +26,10 @@ class Written(Protocol):
         """The files of the textures by their names, as the document says them: one, or one for each
         layer."""
 
+    @property
+    def is_displaced(self) -> bool:
+        """True if points are moved."""
+
 
 def claims_of(
     document: Path,
@@ -42,5 +46,6 @@ def claims_of(
     for material in materials:
         values = {name: NamedImage(images, files) for name, files in material.files.items()}
         yield Claim(
-            document, material.path, source, material.name, values, image_folders=image_folders
-        )
+            document, material.path, source, material.name, values,
+            image_folders=image_folders, is_displaced=material.is_displaced,
+        )  # fmt: skip

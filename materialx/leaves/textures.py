@@ -19,7 +19,7 @@ def _image(node: Application) -> Expression:
     place = upright(node, node.input("texcoord"))
     axes = node.network.files.borders(node.node, "file", node.scope)
     if not any(axes):
-        return _lanes(Call(texture.text, (place,)), node.type)
+        return _lanes(node.texts.read(texture.text, place), node.type)
     is_filtered = node.static("filtertype") != "closest"
     function = node.library("bordered" if is_filtered else "bordered_nearest")
     sides = literal(", ".join("1" if is_bordered else "0" for is_bordered in axes), "vector2")

@@ -136,6 +136,7 @@ class Picture:
         """The value of a read."""
         if name == "texture_size":
             return self._size
-        assert name in ("sample", "sample_grad"), name
-        self.steps += operands[self._places :]
+        assert name in ("sample", "sample_grad", "sample_level"), name
+        if name == "sample_grad":
+            self.steps += operands[self._places :]
         return self._color(*(lane for place in operands[: self._places] for lane in place))

@@ -59,7 +59,7 @@ def call(function: str, axes: tuple[int, int]) -> str:
     return f"{function}(t, p, vec2({axes[0]}, {axes[1]}), vec4({beyond}))"
 
 
-@truth("std.mtlx.textures.bordered", "std.mtlx.textures.share_within")
+@truth(*(f"std.mtlx.textures.{name}" for name in ("bordered", "share_within", "level_within")))
 @pytest.mark.parametrize("name", AXES)
 def test_borders_are_those_of_a_sampler(name: str) -> None:
     found = called(ALL, call("bordered", AXES[name]), 4, t=Picture(clamped, SIZE), p=COORDINATES)
@@ -76,16 +76,24 @@ def test_borders_without_a_filter(name: str) -> None:
     np.testing.assert_allclose(found, texel(column, row, AXES[name]), atol=1e-12)
 
 
-@truth("std.mtlx.textures.bordered")
-@pytest.mark.parametrize("step", [(0.2, 0.1), (1.6, 0.4), (0.3, 4.0)], ids=str)
-def test_smaller_levels_have_wider_edges(step: tuple[float, float]) -> None:
-    """The levels are those of a device: each is half as wide, by the longest way of a pixel."""
-    size = np.array([64.0, 32.0])
+@truth("std.mtlx.textures.bordered", "std.mtlx.textures.level_within")
+@pytest.mark.parametrize("axes", AXES)
+@pytest.mark.parametrize("step", [(0.2, 0.1), (1.6, 0.4), (0.3, 4.0), (2.5, 40.0)], ids=str)
+def test_edges_of_two_levels_are_mixed(step: tuple[float, float], axes: str) -> None:
+    """The levels are those of a device, by the longest way of a pixel. A side that is no power of
+    two is rounded down at each of them, and the last ones are one texel wide."""
+    size = np.array([64.0, 27.0])
     first = COORDINATES[:64, None, None, :]
     row, column = np.mgrid[:2, :2][..., None]
     at = first + (column * step[0] * np.array([0.8, 0.6]) + row * step[1] * [0.0, 1.0]) / size
-    white = Picture(lambda u, _: (0 * u + 1,) * 4, (64, 32))
-    found = called(ALL, "bordered(t, p, vec2(1), vec4(0)).x", t=white, p=Quad(at))
-    texels = size / 2 ** max(0, np.log2(max(step)))
-    share = np.clip(np.minimum(at, 1 - at) * texels + 0.5, 0, 1)
-    np.testing.assert_allclose(found.reshape(-1), share.prod(-1).reshape(-1), atol=1e-9)
+    white = Picture(lambda u, _: (0 * u + 1,) * 4, (64, 27))
+    expression = f"bordered(t, p, vec2({AXES[axes][0]}, {AXES[axes][1]}), vec4(0)).x"
+    found = called(ALL, expression, t=white, p=Quad(at))
+    level = max(0, np.log2(max(step)))
+    lower = int(level)
+    shares = []
+    for texels in (np.maximum(size // 2**lower, 1), np.maximum(size // 2 ** (lower + 1), 1)):
+        share = np.clip(np.minimum(at, 1 - at) * texels + 0.5, 0, 1)
+        shares.append(np.where(np.array(AXES[axes]) == 1, share, 1).prod(-1))
+    wanted = shares[0] + (level - lower) * (shares[1] - shares[0])
+    np.testing.assert_allclose(found.reshape(-1), wanted.reshape(-1), atol=1e-9)

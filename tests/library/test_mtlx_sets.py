@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
 
 from .calls import Picture, Quad, called, scattered
 from .kit import Floats
 from .truth import truth
 
-ALL = "import std.mtlx.textures.{udim_layer, udim_set}"
+ALL = "import std.mtlx.textures.{udim_layer, udim_set, udim_set_level}"
 TILES = [1003, 1001, 1012, 1020]
 READ = f"udim_set(t, p, {TILES}, vec4(0.25, 2, -1, 0.5))"
 AROUND = np.concatenate([
@@ -35,10 +36,11 @@ def test_a_square_has_the_layer_of_its_number() -> None:
     np.testing.assert_array_equal(found, layers_of(AROUND))
 
 
-@truth("std.mtlx.textures.udim_set")
-def test_each_square_shows_its_file_with_v_downwards() -> None:
+@truth("std.mtlx.textures.udim_set", "std.mtlx.textures.udim_set_level")
+@pytest.mark.parametrize("read", [READ, READ.replace("udim_set", "udim_set_level")])
+def test_each_square_shows_its_file_with_v_downwards(read: str) -> None:
     shown = Picture(lambda u, v, layer: (u, v, layer, 0 * u + 1), layered=True)
-    found = called(ALL, READ, 4, t=shown, p=AROUND)
+    found = called(ALL, read, 4, t=shown, p=AROUND)
     layer = layers_of(AROUND)
     within = AROUND - np.floor(AROUND)
     texels = np.column_stack([within[:, 0], 1 - within[:, 1], layer, np.ones(len(layer))])

@@ -6,6 +6,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import burnish
+from burnish.compiler.reference.picture import RasterRules
+from burnish.targets.runner.cameras import looking
+from burnish.targets.runner.meshes import Mesh
+from burnish.targets.runner.reference import expected
+from burnish.targets.runner.scene import Scene
+from burnish.targets.runner.scene_state import set_up
+
 from .kit import (
     EYE,
     NORMAL,
@@ -53,6 +61,53 @@ def test_the_axes_of_the_mesh(mirror: float, sign: float) -> None:
     assert _seen("normal_world", mirror, sign) == close(normal)
     assert _seen("tangent_world", mirror, sign) == close(tangent)
     assert _seen("bitangent_world", mirror, sign) == close(third)
+
+
+AXES = tuple(
+    f"{axis}_{space}"
+    for space in ("object", "world")
+    for axis in ("normal", "tangent", "bitangent")
+)
+CORNERS = np.array([[-2.0, -2.0, 0.0], [2.0, -2.0, 0.4], [0.0, 2.5, -0.3]])
+NORMALS = np.array([[0.1, 0.4, 1.5], [-0.3, 0.05, 0.4], [0.2, -1.0, 2.0]])
+TANGENTS = np.array([[0.6, 0.1, 0.2], [1.5, -0.4, 0.3], [0.9, 0.8, -0.1]])
+"""A triangle whose normals and tangents have different lengths."""
+SHAPE = np.array([[0.8, 0.2, 0.0, 0.1], [0, 0.9, -0.3, 0], [0.1, 0, 1.3, 0.2], [0, 0, 0, 1]])
+
+
+@truth("std.mtlx.surface.MaterialXSurface")
+def test_axes_have_length_one_before_and_after_they_are_interpolated() -> None:
+    shown = ("position_object", *AXES)
+    targets = [f"target t{i} : rgba32f = vec4(material.{each}, 1)" for i, each in enumerate(shown)]
+    text = (
+        f"burnish 1\n{IMPORTS}.{{MaterialXSurface}}\nmaterial {HEADER} {{ }}\n"
+        "pass P {\n" + "\n".join(targets) + "\n}"
+    )
+    material = burnish.compile(text, (), pass_="P").materials[0]
+    tangents = np.column_stack([TANGENTS, np.ones(3)])
+    uv = np.zeros((3, 2))
+    channels = {"position": CORNERS, "normal": NORMALS, "tangent": tangents, "uv": uv}
+    scene = Scene(looking(eye=(0.0, 0.0, 6.0)), tuple(map(tuple, SHAPE.tolist())))
+    state = set_up(material.instance(), Mesh(channels, np.array([[0, 1, 2]])), scene, (9, 9))
+    at, *drawn = expected(material.shader, state, RasterRules(9, 9)).targets
+    seen = at[..., 3] == 1
+    shares = np.linalg.solve(CORNERS.T, at[seen][:, :3].T).T
+    assert len(shares) > 9
+    to_world = SHAPE[:3, :3]
+    for space, normals, tangents in (
+        ("object", NORMALS, TANGENTS),
+        ("world", NORMALS @ np.linalg.inv(to_world), TANGENTS @ to_world.T),
+    ):
+        axes = [units(normals), units(tangents)]
+        axes.append(np.cross(axes[0], axes[1]))
+        for name, axis in zip(("normal", "tangent", "bitangent"), axes, strict=True):
+            found = drawn[AXES.index(f"{name}_{space}")][seen][:, :3]
+            assert found == pytest.approx(units(shares @ axis), abs=1e-6), (name, space)
+
+
+def units(vectors: Floats) -> Floats:
+    """Vectors in rows, made as long as one."""
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 @truth("std.mtlx.surface.third_axis")

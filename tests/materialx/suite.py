@@ -1,12 +1,17 @@
 """``python -m burnish.tests.materialx.suite FOLDER``: compares all documents of a folder.
 
 Each document is imported, and each of its materials is drawn beside the picture by MaterialX's own
-text. It prints a line for each document that is not alike as a whole, and a table at the end. Two
-processes share the documents. Results are kept as they come, in ``build/materialx.jsonl``, and a
-later run does only what is not there yet; ``--again`` forgets them.
+text. With ``--bounds``, each material is drawn by every route instead, and held against the bounds
+of its own meaning, as ``burnish conform`` does. The command prints a line for each document, with
+what does not pass, and a table at the end. Two processes share the documents. Results are kept as
+they come, in ``build/materialx.jsonl`` or ``build/materialx_bounds.jsonl``, and a later run does
+only what is not there yet; ``--again`` forgets them. ``--only`` names a file with the documents
+that count, one a line: those in ``sixty.txt`` use all nodes that MaterialX 1.39.5 tests.
 
     python -m burnish.tests.materialx.suite ~/MaterialX/resources/Materials \\
         --images ~/MaterialX --images ~/MaterialX/resources
+    python -m burnish.tests.materialx.suite ~/MaterialX/resources --bounds \\
+        --only tests/materialx/sixty.txt
     python -m burnish.tests.materialx.suite tests/materialx/documents
 """
 
@@ -22,16 +27,20 @@ from queue import Empty, SimpleQueue
 from typing import Any
 
 import burnish
-from burnish.targets.toolchain.limits import WORKERS
+from burnish.targets.toolchain.limits import BROWSERS, WORKERS
 from burnish.targets.toolchain.surroundings import python_worker
 from burnish.targets.toolchain.workers import Worker
 
 from ..suite.processes import Background
 
 OUTPUT = Path(burnish.__file__).parent / "build" / "materialx.jsonl"
+BOUNDS = OUTPUT.with_name("materialx_bounds.jsonl")
 WORKER = f"{__package__}.suite_worker"
+BOUNDS_WORKER = f"{__package__}.bounds_worker"
 OF_DOCUMENT = 1200.0
 """The seconds that one document may take; some have a hundred renderables."""
+PASSED = ("alike", "agrees")
+"""The verdicts that need no reason."""
 
 Row = Mapping[str, Any]
 
@@ -43,7 +52,7 @@ def main() -> None:
         asked.output.unlink(missing_ok=True)
     done = {row["document"] for row in rows_of(asked.output)}
     waiting: SimpleQueue[Path] = SimpleQueue()
-    for path in sorted(asked.folder.rglob("*.mtlx")):
+    for path in _documents(asked.folder, asked.only):
         if _name(path, asked.folder) not in done:
             waiting.put(path)
     asked.output.parent.mkdir(exist_ok=True)
@@ -52,6 +61,13 @@ def main() -> None:
         each.returned(limit=asked.limit)
     print(table(list(rows_of(asked.output))))
     print(f"written to {asked.output}")
+
+
+def _documents(folder: Path, only: Path | None) -> list[Path]:
+    """The documents of a folder that count."""
+    if only is None:
+        return sorted(folder.rglob("*.mtlx"))
+    return [folder / name for name in only.read_text("utf-8").splitlines()]
 
 
 def rows_of(path: Path) -> Iterator[Row]:
@@ -66,7 +82,9 @@ def rows_of(path: Path) -> Iterator[Row]:
 
 def _work(asked: Namespace, waiting: SimpleQueue[Path]) -> None:
     """Compare documents, one after the other, in a process that is started again if it dies."""
-    worker = Worker(lambda: python_worker(WORKER), WORKERS, tells_command=False)
+    # The process of the bounds starts a browser, which has its limits.
+    module, limits = (BOUNDS_WORKER, BROWSERS) if asked.bounds else (WORKER, WORKERS)
+    worker = Worker(lambda: python_worker(module), limits, tells_command=False)
     try:
         while True:
             try:
@@ -94,15 +112,19 @@ def _compare(asked: Namespace, worker: Worker, path: Path) -> None:
 
 
 def _told(name: str, rows: Sequence[Row]) -> str:
-    """The verdicts of a document, and a line for each renderable that is not alike."""
+    """The verdicts of a document, and a line for each row that does not pass."""
     verdicts = Counter(row["verdict"] for row in rows)
     lines = [f"{name}: {', '.join(f'{count} {verdict}' for verdict, count in verdicts.items())}"]
     lines += [
-        f"    {row['renderable']}: {row['verdict']}: {_first(row['reason'])}"
+        f"    {row['renderable']}{_route(row)}: {row['verdict']}: {_first(row['reason'])}"
         for row in rows
-        if row["verdict"] != "alike"
+        if row["verdict"] not in PASSED
     ]
     return "\n".join(lines)
+
+
+def _route(row: Row) -> str:
+    return f" by {row['route']}" if "route" in row else ""
 
 
 def _first(reason: str) -> str:
@@ -117,11 +139,17 @@ def table(rows: Sequence[Row]) -> str:
     """The numbers of all verdicts, and the most frequent reasons of what did not run."""
     verdicts = Counter(row["verdict"] for row in rows)
     documents = len({row["document"] for row in rows})
-    lines = [f"{len(rows)} renderables of {documents} documents"]
+    renderables = len({(row["document"], row["renderable"]) for row in rows})
+    lines = [f"{renderables} renderables of {documents} documents"]
     lines += [f"{count:6} {verdict}" for verdict, count in verdicts.most_common()]
     reasons = Counter(_first(row["reason"]) for row in rows if row["verdict"] == "not run")
     lines += ["", "not run:"] if reasons else []
     lines += [f"{count:6} {reason}" for reason, count in reasons.most_common(30)]
+    by_route = Counter((row["route"], row["verdict"]) for row in rows if "route" in row)
+    lines += ["", "by route:"] if by_route else []
+    lines += [
+        f"{count:6} {route} {verdict}" for (route, verdict), count in sorted(by_route.items())
+    ]
     return "\n".join(lines)
 
 
@@ -134,11 +162,16 @@ def _asked() -> Namespace:
     parser.add_argument(
         "--images", type=Path, action="append", default=[], help="a further folder with images"
     )
-    parser.add_argument("--output", type=Path, default=OUTPUT, help="the file of the results")
+    parser.add_argument(
+        "--bounds", action="store_true", help="hold pictures of all routes against their bounds"
+    )
+    parser.add_argument("--only", type=Path, help="a file with the names of documents, one a line")
+    parser.add_argument("--output", type=Path, help="the file of the results")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--limit", type=float, default=7200.0, help="the seconds of the whole run")
     parser.add_argument("--again", action="store_true", help="forget what was found before")
     asked = parser.parse_args()
+    asked.output = asked.output or (BOUNDS if asked.bounds else OUTPUT)
     # Processes run in no folder of the user's.
     asked.folder = asked.folder.resolve()
     asked.images = [folder.resolve() for folder in asked.images]

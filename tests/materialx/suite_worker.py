@@ -25,13 +25,13 @@ def compared(
         found = imported(document, image_folders=image_folders)
         names = checker.renderables(document)
     except Exception as error:  # a converter that fails is a result, too
-        yield _not_run("", f"not imported: {_told(error)}")
+        yield not_run("", f"not imported: {told(error)}")
         return
     with TemporaryDirectory(prefix="burnish-") as folder:
-        _write(Path(folder), found)
+        write_import(Path(folder), found)
         rows = _rows(checker, document, found, Path(folder), image_folders)
         for name in names:
-            yield rows.pop(name) if name in rows else _not_run(name, _problem(found, name))
+            yield rows.pop(name) if name in rows else not_run(name, _problem(found, name))
         yield from rows.values()
 
 
@@ -49,9 +49,9 @@ def _rows(
             try:
                 rows[claim.renderable] = _row(check(checker, claim))
             except Exception as error:  # so is a compiler that fails
-                rows[claim.renderable] = _not_run(claim.renderable, f"failed: {_told(error)}")
+                rows[claim.renderable] = not_run(claim.renderable, f"failed: {told(error)}")
     except FidelityError as error:
-        rows[""] = _not_run("", str(error))
+        rows[""] = not_run("", str(error))
     return rows
 
 
@@ -69,11 +69,13 @@ def _row(checked: Checked) -> Mapping[str, Any]:
     return row
 
 
-def _not_run(name: str, reason: str) -> Mapping[str, Any]:
+def not_run(name: str, reason: str) -> Mapping[str, Any]:
+    """The row of a renderable that nothing has drawn."""
     return {"renderable": name, "verdict": "not run", "reason": reason}
 
 
-def _told(error: Exception) -> str:
+def told(error: Exception) -> str:
+    """The kind and the words of an error."""
     return f"{type(error).__name__}: {error}"
 
 
@@ -84,7 +86,8 @@ def _problem(found: Imported, name: str) -> str:
     return f"not converted: {texts[0] if texts else 'nothing is said of it'}"
 
 
-def _write(folder: Path, found: Imported) -> None:
+def write_import(folder: Path, found: Imported) -> None:
+    """Write the files of an import into a folder."""
     for name, content in found.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

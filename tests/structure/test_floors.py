@@ -133,6 +133,7 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
         "selection runner compiled remembered compiling sameness"
     ),
+    "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
     "materialx": "depth garbage stdlib diagnostics syntax library_trees library runner",
     "materialx.export": (
@@ -147,7 +148,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points materialx"
+        "entry_points frame_sameness materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
