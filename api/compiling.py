@@ -65,6 +65,8 @@ class Asked(NamedTuple):
     keep_graphs: bool
     values: tuple[tuple[str, str], ...]
     """Values and ranges of parameters, by name, to which the texts are limited."""
+    specialise: bool = True
+    """False if the texts serve all values, and only hosts are told of these."""
 
 
 @seldom_collected
@@ -138,7 +140,7 @@ def _specialised(
     from .specialising import specialised, specialised_frames
 
     if frames is None:
-        return specialised(shaders, asked.values, report), None
+        return specialised(shaders, asked.values, report, told=not asked.specialise), None
     frames = specialised_frames(frames, asked.values, report)
     return [each.shader for frame in frames for each in frame.shaders], frames
 

@@ -68,6 +68,7 @@ def compile(
     pass_: str | None = None,
     search_path: Sequence[str | Path] = (),
     values: Mapping[str, GivenValue] = EMPTY,
+    specialise: bool = True,
     hoist: bool = True,
     flip_y: bool = False,
     single_file: bool = False,
@@ -83,9 +84,11 @@ def compile(
     every profile that need not be named, and ``"default"`` the first profile of every language that
     is not marked as unproven. All materials that are not abstract are compiled, unless ``material``
     names one; then only what it uses is checked, but all of the file is read, with its syntax.
-    ``rig`` and ``pass_`` are only needed if a file has several. With ``hoist=False`` the shaders
-    compute everything themselves. With ``line_directives``, texts have ``#line`` directives that
-    name the material's lines, if the language has them. If a profile lacks something that a
+    ``rig`` and ``pass_`` are only needed if a file has several. Texts serve only the ``values`` and
+    ranges that parameters are given; with ``specialise=False`` they serve all, and materials only
+    have these defaults and ranges for hosts, so that both draw the same. With ``hoist=False`` the
+    shaders compute everything themselves. With ``line_directives``, texts have ``#line`` directives
+    that name the material's lines, if the language has them. If a profile lacks something that a
     material needs, this is an error; with ``partial``, that material has no text for this profile,
     and its ``lacking`` says why. With ``native_stages``, a material that expands primitives or
     divides patches has the stages for it that a target provides; otherwise each primitive or patch
@@ -98,14 +101,14 @@ def compile(
     """
     _check_names(material=material, rig=rig, pass_=pass_)
     _check_flags(
-        hoist=hoist, flip_y=flip_y, single_file=single_file,
+        specialise=specialise, hoist=hoist, flip_y=flip_y, single_file=single_file,
         line_directives=line_directives, partial=partial, native_stages=native_stages,
         keep_graphs=keep_graphs,
     )  # fmt: skip
     asked = Asked(
         tuple(_names_of_targets(targets)), *sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
-        keep_graphs, _texts_of(values),
+        keep_graphs, _texts_of(values), specialise,
     )  # fmt: skip
     library = current_library()
     result = _REMEMBERED.find(asked, library)

@@ -24,10 +24,22 @@ Narrowed = dict[Parameter, ParameterInfo]
 """The new declarations of parameters."""
 
 
-def specialised(shaders: Sequence[Shader], values: Values, report: Report) -> list[Shader]:
-    """The shaders of materials or kernels for some values; mistakes are in the report."""
+def specialised(
+    shaders: Sequence[Shader], values: Values, report: Report, *, told: bool = False
+) -> list[Shader]:
+    """The shaders of materials or kernels for some values; mistakes are in the report.
+
+    Where hosts are only ``told``, the shaders still serve all values.
+    """
     found = _narrowed([_own_names(each) for each in shaders], values, report)
+    if told:
+        found = [_told(narrowed) for narrowed in found]
     return [_with(shader, new) for shader, new in zip(shaders, found, strict=True)]
+
+
+def _told(narrowed: Narrowed) -> Narrowed:
+    """New defaults and ranges, with all that passes prove by as it was declared."""
+    return {leaf: changed(info, leaf=leaf) for leaf, info in narrowed.items()}
 
 
 def specialised_frames(frames: Iterable[Frame], values: Values, report: Report) -> list[Frame]:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+import click
+
 from .console import remark, show
 
 if TYPE_CHECKING:
@@ -33,6 +35,7 @@ class ConformRequest(NamedTuple):
     native_stages: bool
     measure: bool = False
     golden: Path | None = None
+    values: tuple[tuple[str, str], ...] = ()
 
 
 Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]
@@ -82,9 +85,13 @@ def subjects_in(
     profiles: Iterable[str],
     *,
     native_stages: bool,
+    specialise: bool = True,
     read: Callable[[Inputs], None] = lambda _inputs: None,
 ) -> tuple[Subjects, Said]:
-    """The subjects of one file of a request; there are none if there are errors in it."""
+    """The subjects of one file of a request; there are none if there are errors in it.
+
+    Without ``specialise``, they serve all values of parameters, whatever the request narrows.
+    """
     from ..compiler.diagnostics.diagnostic import CompileError
 
     found: Subjects = []
@@ -93,7 +100,10 @@ def subjects_in(
     wanted = sorted(profiles)
     try:
         for variant in _variants(path, request):
-            for result in _results(path, variant, request, wanted, native_stages, remarks):
+            for result in _results(
+                path, variant, request, wanted, remarks,
+                native_stages=native_stages, specialise=specialise,
+            ):  # fmt: skip
                 warnings += result.diagnostics
                 read(result.inputs)
                 for subject in result.frames or result.materials:
@@ -122,8 +132,10 @@ def _results(
     variant: Variant,
     request: ConformRequest,
     profiles: Sequence[str],
-    native_stages: bool,
     remarks: list[str],
+    *,
+    native_stages: bool,
+    specialise: bool,
 ) -> list[CompileResult]:
     """The materials of a file with a rig and a pass.
 
@@ -138,11 +150,14 @@ def _results(
         return api.compile(
             path, profiles, material=material, rig=variant[0], pass_=pass_,
             search_path=request.search_path, hoist=request.hoist, partial=True,
-            native_stages=native_stages, keep_graphs=True,
+            native_stages=native_stages, keep_graphs=True, values=dict(request.values),
+            specialise=specialise,
         )  # fmt: skip
 
     try:
-        return [compiled(None, variant[1])]
+        found = compiled(None, variant[1])
+        _check_frames(found, request)
+        return [found]
     except CompileError as error:
         if variant[1] is None or {one.rule for one in error.diagnostics} != {rules.UNKNOWN_NAME}:
             raise
@@ -159,6 +174,15 @@ def _results(
             label = _label(path, request.files, name, variant)
             remarks.append(f"{label}: not drawn, as it does not fit this pass: {message}")
         return fitting
+
+
+def _check_frames(found: CompileResult, request: ConformRequest) -> None:
+    """Raise ``UsageError`` for versions of frames, which are compared with nothing."""
+    if request.values and found.frames:
+        raise click.UsageError(
+            f"--set compares versions of materials and kernels, and `{found.frames[0].name}` is a "
+            "frame: draw the files of its materials"
+        )
 
 
 Variant = tuple[str | None, str | None]

@@ -200,3 +200,8 @@ def name_and_value(text: str) -> tuple[str, str]:
     """The parts of a value of ``--set``: ``power=32``."""
     name, _, value = (part.strip() for part in text.partition("="))
     return name, value
+
+
+def is_range(value: str) -> bool:
+    """True if a value of ``--set`` is a part of a range: ``0.3..0.5``."""
+    return ".." in value

@@ -15,7 +15,9 @@ from .options import (
     budget_option,
     check_device,
     device_option,
+    each_once,
     hoist_option,
+    narrowed_option,
     native_stages_option,
     pass_option,
     pixel,
@@ -76,6 +78,7 @@ if TYPE_CHECKING:
 @search_option
 @hoist_option
 @native_stages_option
+@narrowed_option
 def conform(**chosen: Any) -> None:
     """Draw each FILE with every route, and compare the pictures with the reference.
 
@@ -108,16 +111,20 @@ def conform(**chosen: Any) -> None:
     With --native-stages, routes draw with the stages that their target has for primitives, and what
     the reference draws is the same: a route whose target has no such stage is not run.
 
+    With --set, as for `burnish compile`, routes draw a version that serves some values only, and it
+    is compared with the meaning of the whole material, drawn with such values.
+
     \b
     Example:
         burnish conform plastic.burnish
+        burnish conform car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5
         burnish conform materials/*.burnish --routes lavapipe,chromium --report build/conformance
         burnish conform --measure --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --golden golden/
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
-    request = ConformRequest(**chosen)
+    request = ConformRequest(**{**chosen, "values": each_once(chosen["values"])})
     _check_options(request)
     with Stopping() as stopping, errors_as_messages():
         _check_folder(request.report)
@@ -146,6 +153,10 @@ def _check_options(request: ConformRequest) -> None:
     if request.golden is not None:
         _check_golden(request)
         return
+    if request.explain is not None and request.values:
+        raise click.UsageError(
+            "--explain shows the whole material, which --set makes a version of: leave out one"
+        )
     if request.explain is None:
         if request.case is not None:
             raise click.UsageError("--case names the scene of a pixel: it goes with --explain")
@@ -166,6 +177,7 @@ def _check_golden(request: ConformRequest) -> None:
         (request.case, "--case"),
         (request.device, "--device"),
         (request.native_stages, "--native-stages"),
+        (request.values, "--set"),
     ):
         if given:
             raise click.UsageError(
@@ -185,6 +197,7 @@ def _check_measuring(request: ConformRequest) -> None:
         (request.rig, "--rig"),
         (request.pass_, "--pass"),
         (request.native_stages, "--native-stages"),
+        (request.values, "--set"),
     ):
         if given:
             raise click.UsageError(

@@ -106,8 +106,10 @@ class Run:
             rows = conform(
                 [pair for file in forms for pair in file.drawn], self._routes, runner, toolchain,
                 seed=self._request.seed, meant=dict(self.subjects), gathering=self._gathering,
+                versions={k: each for file in forms for k, each in file.versions.items()},
             )  # fmt: skip
-        if self._request.explain is None and len(rows) == self.total:
+        explains = self._request.explain is None and not self._request.values
+        if explains and len(rows) == self.total:
             self._with_reasons = _with_reasons(self.subjects, rows, self._request.seed)
 
 

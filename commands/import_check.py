@@ -37,6 +37,10 @@ def is_faithful(
             progress.tell(number / len(claims))
     counts = [f"{verdicts[verdict]} {verdict}" for verdict in COLORS if verdicts[verdict]]
     say(f"beside MaterialX's own pictures: {', '.join(counts)}")
+    displaced = [claim.material for claim in claims if claim.is_displaced]
+    if displaced:
+        names = ", ".join(displaced)
+        say(f"compared without displacement, which MaterialX's GLSL leaves out: {names}")
     return not verdicts["different"] and bool(verdicts["alike"])
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +15,7 @@ from .giving_out import give_out
 from .terminal import FAILED
 
 if TYPE_CHECKING:
+    from ..materialx.archives import Source
     from ..materialx.importing import Imported
 
 
@@ -41,7 +44,8 @@ def import_(
     checked: bool,
     force: bool,
 ) -> None:
-    """Turn the materials of FILE, a document of MaterialX, into a file of Burnish.
+    """Turn the materials of FILE, a document of MaterialX or an archive of one with its pictures
+    (`chair.mtlx.zip`), into a file of Burnish.
 
     Each material of the document becomes one of Burnish that extends the surface model it names,
     such as OpenPBR, and sets the slots that differ. What MaterialX's own library defines, models
@@ -56,43 +60,59 @@ def import_(
     \b
     Example:
         burnish import chair.mtlx -o chair/
+        burnish import chair.mtlx.zip -o chair/
         burnish import wood.mtlx --images ../Images
         burnish import scene.mtlx --partial
         burnish import chair.mtlx -o chair/ --check
     """
-    found = _imported(file, image_folders)
+    insist_on_materialx("read")
+    from ..materialx.archives import unpacked
+
+    with _messages(), unpacked(file, image_folders) as source:
+        found = _imported(source)
+        _tell(found, partial)
+        if not found.materials:
+            fail(f"`{file}` has no material, surface or output that could be drawn")
+        _write(found, out, force)
+        if checked and not _is_faithful(found, out / found.main, source):
+            click.get_current_context().exit(FAILED)
+
+
+def _tell(found: Imported, partial: bool) -> None:
+    """Say what is not converted; ends the command if anything is not, unless that is wanted."""
     for problem in found.problems:
         is_fatal = problem.is_error and not partial
         remark("error" if is_fatal else "warning" if problem.is_error else "note", str(problem))
     if any(problem.is_error for problem in found.problems) and not partial:
         remark("note", "nothing is written; --partial writes the rest")
         click.get_current_context().exit(FAILED)
-    if not found.materials:
-        fail(f"`{file}` has no material, surface or output that could be drawn")
-    _write(found, out, force)
-    if checked and not _is_faithful(found, out / found.main, file, image_folders):
-        click.get_current_context().exit(FAILED)
 
 
-def _is_faithful(
-    found: Imported, main: Path, document: Path, image_folders: tuple[Path, ...]
-) -> bool:
+def _is_faithful(found: Imported, main: Path, source: Source) -> bool:
     from .import_check import is_faithful
 
-    return is_faithful(found, main, document, image_folders)
+    return is_faithful(found, main, source.document, source.image_folders)
 
 
-def _imported(file: Path, image_folders: tuple[Path, ...]) -> Imported:
-    """Convert a document, or end the command with a message."""
-    insist_on_materialx("read")
+def _imported(source: Source) -> Imported:
     from ..materialx.importing import imported
+
+    return imported(source.document, image_folders=source.image_folders)
+
+
+@contextmanager
+def _messages() -> Iterator[None]:
+    """For a ``with``: a document that cannot be read ends the command with a message."""
     from ..materialx.outline import DocumentError
+    from ..targets.runner.files import FileError
 
     try:
-        return imported(file, image_folders=image_folders)
+        yield
     except DocumentError as error:
         place, _, text = str(error).partition(" error: ")
-        return fail(f"{place} {text}" if text else str(error))
+        fail(f"{place} {text}" if text else str(error))
+    except FileError as error:
+        fail(str(error))
 
 
 def _write(found: Imported, out: Path, force: bool) -> None:

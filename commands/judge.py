@@ -6,18 +6,20 @@ agree on subjects by the name of the file and the label, as what is compiled is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
+from .compile_options import is_range
 
 if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
     from ..targets.conformance.frames import FrameTrial
     from ..targets.conformance.golden.writing import GoldenPart
     from ..targets.conformance.rows import Row
+    from ..targets.conformance.trials import Version
     from ..targets.runner.frames.helped import Helpers
     from ..targets.runner.routes import Route
     from ..targets.runner.runner import Runner
@@ -69,6 +71,8 @@ class Forms(NamedTuple):
     said: Said
     read: str
     """The digest of what was read to compile them; empty if there are errors."""
+    versions: Mapping[str, Version]
+    """What subjects are versions of, by their labels; empty if all serve all values."""
 
 
 class Contents(NamedTuple):
@@ -112,16 +116,18 @@ class Judge:
         from ..targets.conformance.explaining import with_reasons
         from ..targets.conformance.rows import LACKS_MEMORY
 
-        drawn, meant, _said, read = self.forms(unit.file)
+        drawn, meant, _said, read, versions = self.forms(unit.file)
         if read != unit.read:
             return self.failed(unit, "its file has changed meanwhile")
         mine = [pair for pair in drawn if pair[0] == unit.label]
         seed = self._request.seed
-        trials = trials_of(mine, seed=seed, meant=dict(meant), helpers=self._helpers)
+        trials = trials_of(
+            mine, seed=seed, meant=dict(meant), versions=versions, helpers=self._helpers
+        )
         rows = rows_of(trials, self._routes, self._runner, self._toolchain, threads=1)
         if any(row.problem == LACKS_MEMORY for row in rows):
             raise MemoryError
-        return with_reasons(dict(meant)[unit.label], rows, seed)
+        return rows if versions else with_reasons(dict(meant)[unit.label], rows, seed)
 
     def part(self, about: PartOf) -> bytes | None:
         """A part of the pictures of a frame, which another judge draws; ``None`` if it fails.
@@ -147,7 +153,7 @@ class Judge:
         from ..targets.conformance.refusals import REFUSALS
 
         unit, seed = about.unit, self._request.seed
-        _drawn, meant, _said, read = self.forms(unit.file)
+        _drawn, meant, _said, read, _versions = self.forms(unit.file)
         if read != unit.read:
             return f"{unit.label}: its file has changed meanwhile"
         (subject,) = (pair for pair in meant if pair[0] == unit.label)
@@ -170,7 +176,7 @@ class Judge:
         from ..targets.conformance.frames import FrameTrial
         from ..targets.runner.frames.subjects import is_frame
 
-        drawn, _meant, _said, read = self.forms(unit.file)
+        drawn, _meant, _said, read, _versions = self.forms(unit.file)
         subject = dict(drawn).get(unit.label)
         if read != unit.read or subject is None:
             return None
@@ -187,7 +193,25 @@ class Judge:
                 file, request, profiles, native_stages=True, read=inputs.append
             )
             said = more if more.errors else said
-        return Forms(drawn, meant, said, "" if said.errors else _digest_of(inputs))
+        versions: Mapping[str, Version] = {}
+        if request.values and not said.errors:
+            sources, _said = subjects_in(
+                file, request, profiles, native_stages=False, specialise=False, read=inputs.append
+            )
+            versions = _versions(sources, request)
+        return Forms(drawn, meant, said, "" if said.errors else _digest_of(inputs), versions)
+
+
+def _versions(sources: Subjects, request: ConformRequest) -> dict[str, Version]:
+    """What the versions of a request are versions of, by their labels."""
+    from ..targets.conformance.trials import Version
+    from ..targets.runner.frames.subjects import is_shader
+
+    narrowed = frozenset(name for name, _text in request.values)
+    fixed = frozenset(name for name, text in request.values if not is_range(text))
+    return {
+        label: Version(source, narrowed, fixed) for label, source in sources if is_shader(source)
+    }
 
 
 def contents_of(file: Path, forms: Forms) -> Contents:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 from click.decorators import FC
 
-from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, Option
+from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, SET, Option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -186,9 +186,27 @@ def each_once(given: Iterable[str]) -> tuple[tuple[str, str], ...]:
     return found
 
 
+narrowed_option = option(SET)
+"""``--set`` of commands that compile: it narrows what the texts serve."""
+_RANGE = re.compile(r"[-+]?\.?\d[\w.]*?\s*\.\.\s*[-+]?\.?\d[\w.]*")
+
+
+def _single_values(
+    _context: click.Context, _option: click.Parameter, given: Sequence[str]
+) -> tuple[tuple[str, str], ...]:
+    """The callback of ``--set`` of commands that draw: a picture shows one value."""
+    found = each_once(given)
+    for name, value in found:
+        if _RANGE.fullmatch(value):
+            raise click.BadParameter(
+                f"'{name}={value}' is a range, and a picture shows one value: "
+                "compile, conform and graph take ranges"
+            )
+    return found
+
+
 values_option = click.option(
-    "--set", "values", metavar="NAME=VALUE", multiple=True,
-    callback=lambda _context, _option, given: each_once(given),
+    "--set", "values", metavar="NAME=VALUE", multiple=True, callback=_single_values,
     help="A parameter or a texture, or that of one material, as Clay.base; may be given many "
     "times.",
 )  # fmt: skip

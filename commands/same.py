@@ -14,9 +14,11 @@ from .console import Styled, remark, say, show
 from .failures import needed
 from .options import format_option, pairs, pass_option, rig_option, search_option
 from .progress import Progress
+from .same_frames import frame_row, frame_sentences
 from .terminal import print_output
 
 if TYPE_CHECKING:
+    from ..api.frame_sameness import FrameComparison
     from ..api.sameness import Comparison, Range, Value, Witness
 
 DIFFERENT, UNUSABLE, UNDECIDED = 1, 2, 3
@@ -149,9 +151,30 @@ def _compared(request: _Request) -> int:
             rows.append(_row(one, other, found))
         else:
             _tell(one, other, found)
+    for frame in _frames(request):
+        worst = _worse(worst, _CODES[frame.verdict])
+        if request.form == "json":
+            rows.append(frame_row(frame))
+        else:
+            _tell_frame(frame)
     if request.form == "json":
         print_output(json.dumps(rows, indent=2) + "\n")
     return worst
+
+
+def _frames(request: _Request) -> list[FrameComparison]:
+    """What is known of frames of one name, if whole files are compared, for all values."""
+    from ..api.frame_sameness import same_frames
+
+    narrowed = (*request.values, *request.first_values, *request.second_values, *request.ranges)
+    if request.material or request.pass_ or "#" in request.first + request.second or narrowed:
+        return []
+    with Progress("compared") as progress:
+        return same_frames(
+            Path(request.first), Path(request.second),
+            epsilon=request.epsilon, boxes=request.boxes, seed=request.seed,
+            rig=request.rig, search_path=request.search_path, tell=progress.tell,
+        )  # fmt: skip
 
 
 def _worse(one: int, other: int) -> int:
@@ -247,14 +270,15 @@ def _lanes(text: str) -> tuple[float, ...] | None:
 
 
 def _number(text: str) -> float | None:
-    from ..targets.runner.instances.literals import angle
+    from ..targets.runner.instances.literals import measured
 
     if text in ("true", "false"):
         return float(text == "true")
     try:
         found = float(text)
     except ValueError:
-        return angle(text)
+        angle = measured(text, "angle")
+        return measured(text, None) if angle is None else angle
     return found if math.isfinite(found) else None
 
 
@@ -269,6 +293,11 @@ def _tell(one: _Side, other: _Side, found: Comparison) -> None:
     say(word, f"  {label}: {_sentence(found)}")
     for line in _details(found):
         say(f"  {line}")
+
+
+def _tell_frame(found: FrameComparison) -> None:
+    word = Styled(_WORDS[found.verdict], _COLORS[found.verdict], is_bold=True)
+    say(word, f"  frame {found.name}: {'; '.join(frame_sentences(found))}")
 
 
 def _sentence(found: Comparison) -> str:

@@ -7,8 +7,7 @@ from .expressions import Call, Expression
 from .model import Port
 from .places import Texts
 from .problems import UnsupportedError
-from .units import converted
-from .values import literal
+from .units import measured
 
 LINEAR = (
     "",
@@ -16,15 +15,19 @@ LINEAR = (
     "none",
     "raw",
     "data",
+    "unknown",
     "utility - raw",
     "scene_linear",
     "lin_srgb",
+    "lin_rec709_srgb",
     "lin_rec709_scene",
+    "linear rec.709 (srgb)",
+    "utility - linear - srgb",
+    "utility - linear - rec.709",
 )
 """Names of colour spaces whose numbers stay as they are."""
 FROM = {
     "srgb_texture": "from_srgb_texture",
-    "srgb_rec709_scene": "from_srgb_texture",
     "gamma18": "from_g18_rec709",
     "g18_rec709": "from_g18_rec709",
     "gamma22": "from_g22_rec709",
@@ -39,7 +42,46 @@ FROM = {
     "lin_displayp3": "from_lin_displayp3",
     "srgb_displayp3": "from_srgb_displayp3",
 }
-"""The functions of ``std.mtlx.color`` by the colour spaces that they decode."""
+"""The functions of ``std.mtlx.color`` by the colour spaces of MaterialX that they decode."""
+OF_OTHERS = {
+    "from_srgb_texture": (
+        "srgb_rec709_scene", "srgb encoded rec.709 (srgb)", "srgb - texture",
+        "utility - srgb - texture", "srgb_tx",
+    ),
+    "from_g18_rec709": (
+        "g18_rec709_scene", "gamma 1.8 encoded rec.709", "gamma 1.8 rec.709 - texture",
+    ),
+    "from_g22_rec709": (
+        "g22_rec709_scene", "gamma 2.2 encoded rec.709", "gamma 2.2 rec.709 - texture",
+    ),
+    "from_rec709_display": (
+        "g24_rec709_scene", "gamma 2.4 encoded rec.709", "gamma 2.4 rec.709 - texture",
+    ),
+    "from_acescg": ("lin_ap1_scene", "aces - acescg"),
+    "from_g22_ap1": ("g22_ap1_scene", "gamma 2.2 encoded ap1", "gamma 2.2 ap1 - texture"),
+    "from_srgb_ap1": ("srgb_ap1", "srgb_ap1_scene", "srgb encoded ap1"),
+    "from_lin_adobergb": ("lin_adobergb_scene", "linear adobergb"),
+    "from_adobergb": ("g22_adobergb", "g22_adobergb_scene", "gamma 2.2 encoded adobergb"),
+    "from_lin_displayp3": (
+        "lin_p3d65", "lin_p3d65_scene", "linear p3-d65", "utility - linear - p3-d65",
+    ),
+    "from_srgb_displayp3": ("srgb_p3d65", "srgb_p3d65_scene", "srgb encoded p3-d65"),
+    "from_lin_rec2020": (
+        "lin_rec2020", "lin_rec2020_scene", "linear rec.2020", "utility - linear - rec.2020",
+    ),
+    "from_aces2065_1": (
+        "aces2065-1", "aces2065_1", "lin_ap0", "lin_ap0_scene", "aces - aces2065-1",
+    ),
+    "from_acescc": ("acescc", "aces - acescc", "acescc_ap1"),
+    "from_acescct": ("acescct", "aces - acescct", "acescct_ap1"),
+    "from_lin_ciexyzd65": (
+        "cie_xyz_d65", "cie-xyz-d65", "lin_ciexyzd65", "lin_ciexyzd65_scene",
+        "cie xyz-d65 - scene-referred",
+    ),
+}  # fmt: skip
+"""The names that the Color Interop Forum and configurations of OpenColorIO give to spaces, in small
+letters, by the functions that decode them. MaterialX leaves them to OpenColorIO."""
+_DECODERS = FROM | {name: function for function, names in OF_OTHERS.items() for name in names}
 
 
 def constant(texts: Texts, port: Port, kind: str) -> Expression:
@@ -47,7 +89,10 @@ def constant(texts: Texts, port: Port, kind: str) -> Expression:
     assert port.value is not None
     if port.value == "" and kind not in ("string", "filename"):
         raise UnsupportedError("the input has neither a value nor a connection")
-    value = literal(converted(port), kind)
+    try:
+        value = measured(port, kind)
+    except UnsupportedError as error:
+        raise UnsupportedError(f"the input '{port.name}': {error.text}") from None
     return decoded(texts, value, port.color_space) if kind.startswith("color") else value
 
 
@@ -55,9 +100,9 @@ def decoded(texts: Texts, value: Expression, space: str) -> Expression:
     """A colour of some colour space as linear light of Rec. 709."""
     if space.lower() in LINEAR:
         return value
-    if space.lower() not in FROM:
+    if space.lower() not in _DECODERS:
         raise UnsupportedError(f"there is no colour space '{space}'")
-    return Call(texts.library(FROM[space.lower()]), (value,))
+    return Call(texts.library(_DECODERS[space.lower()]), (value,))
 
 
 PROPERTIES = {

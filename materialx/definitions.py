@@ -21,6 +21,7 @@ from .names import Names, part_name, record_name, slot_name
 from .networks import Network
 from .places import Function, NeedsSurfaceError, NeedsTextsError, Sampling, Scope
 from .problems import UnsupportedError
+from .structures import Structures, structure_text
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import ASKED, BARE, CLOSURES, literal, zero
 
@@ -38,8 +39,15 @@ class Place(NamedTuple):
 class Functions:
     """The functions of an import, each written once, in the files that they belong to."""
 
-    def __init__(self, own: File, known: Callable[[str], Iterable[Definition]]) -> None:
+    def __init__(
+        self,
+        own: File,
+        known: Callable[[str], Iterable[Definition]],
+        structures: Structures,
+        tiles: Callable[[str], tuple[int, ...]] = lambda _file: (),
+    ) -> None:
         self.files: dict[str, File] = {}
+        self.structures, self.tiles = structures, tiles
         self._own, self._known = own, known
         self._places: dict[Definition, Place | None] = {}
         self._signatures: dict[tuple[str, str, tuple[str, ...]], tuple[str, Function]] = {}
@@ -60,7 +68,7 @@ class Functions:
     def file(self, path: str, heading: str) -> File:
         """A file of the folder, made at the first use."""
         if path not in self.files:
-            self.files[path] = File(path, heading=heading)
+            self.files[path] = File(path, heading=heading, is_whole=True)
         return self.files[path]
 
     def is_shared(self, definition: Definition, name: str) -> bool:
@@ -91,7 +99,7 @@ class Functions:
 
     def _written(self, definition: Definition) -> Place | None:
         graph = definition.graph
-        if graph is None or any(port.type not in BARE for port in definition.outputs.values()):
+        if graph is None or not all(map(self._is_value, definition.outputs.values())):
             return None
         file = self._own
         if definition.is_library:
@@ -111,6 +119,9 @@ class Functions:
                 return None
         return None
 
+    def _is_value(self, port: Port) -> bool:
+        return port.type in BARE or self.structures.has(port.type)
+
     def _declared(self, file: File, body: _Body) -> Function:
         """Write a function, unless the file has the same one already."""
         name = body.result_function.name
@@ -125,9 +136,9 @@ class Functions:
             return known[1]
         function = body.result_function._replace(name=name)
         self._signatures[key] = (text, function)
-        if body.structure and body.structure not in file.declarations:
-            file.declarations.append(body.structure)
-        file.declarations.append(text)
+        if body.structure:
+            file.helper(body.structure_name, body.structure)
+        file.helper(name, text)
         return function
 
 
@@ -153,7 +164,7 @@ class _Body:
         self._arguments = {
             name: Name(argument) for name, argument in arguments_of(definition, self._names).items()
         }
-        bound = _Read(self._arguments)
+        bound = Read(self._arguments)
         self._parts: list[Equation] = []
         network = network_of(self, Name("asked") if is_closure else None)
         scope = Scope(graph, bound=bound)
@@ -167,13 +178,15 @@ class _Body:
         if members:
             struct = file.structure(
                 record_name(definition.category),
-                tuple(BARE[port.type] for port in outputs.values()),
+                tuple(map(self._type_of, outputs.values())),
             )
-            self.structure = _structure(struct, members, outputs)
+            types = map(self._type_of, outputs.values())
+            self.structure_name = struct
+            self.structure = structure_text(struct, zip(members.values(), types, strict=True))
             self._value = Call(struct, tuple(values.values()))
             self._type = struct
         else:
-            self._type = BARE[self.result]
+            self._type = self._type_of(next(iter(outputs.values())))
             self._value = self._without_last_name(self._value)
         used = {
             name: self._arguments[name].text for name in definition.inputs if name in bound.read
@@ -182,10 +195,22 @@ class _Body:
             name
             for name in used
             if functions.is_shared(definition, name)
-            and _default(definition.inputs[name]) is not None
+            and self._default(definition.inputs[name]) is not None
         )
         name = function_name(definition.category or definition.name)
         self.result_function = Function(name, used, is_term, is_closure, defaults, members)
+
+    def _type_of(self, port: Port) -> str:
+        return self._functions.structures.type(port.type, bare=True)
+
+    def _default(self, port: Port) -> Expression | None:
+        """The constant that an input has if nothing sets it; nothing if that is a place or a
+        direction of the surface."""
+        if port.geometry or port.value is None or port.type in CLOSURES:
+            return None
+        if self.structures.has(port.type):
+            return self.structures.value(port.value, port.type)
+        return literal(port.value, port.type) if port.type in BARE else None
 
     def _without_last_name(self, value: Expression) -> Expression:
         """The result itself, where it is a part that nothing else reads."""
@@ -203,8 +228,8 @@ class _Body:
         if self.result_function.is_closure:
             yield "Asked"
         for name in self.result_function.inputs:
-            kind = self._definition.inputs[name].type
-            yield "texture2d" if kind == "filename" else BARE[kind]
+            port = self._definition.inputs[name]
+            yield "texture2d" if port.type == "filename" else self._type_of(port)
 
     def declaration(self, name: str) -> str:
         """The declaration, with its parts."""
@@ -213,16 +238,14 @@ class _Body:
         for (input_name, argument), kind in zip(
             self.result_function.inputs.items(), types, strict=True
         ):
-            default = _default(self._definition.inputs[input_name])
+            default = self._default(self._definition.inputs[input_name])
             has_default = input_name in self.result_function.defaults and default is not None
             pairs.append(
                 f"{argument}: {kind}{f' = {flat(default)}' if has_default and default else ''}"
             )
         kind = "term" if self._is_term else "fn"
         result = "" if self._is_term else f" -> {self._type}"
-        head = f"{kind} {name}({', '.join(pairs)}){result} ="
-        if len(head) > 110:
-            head = f"{kind} {name}(\n" + _filled(pairs) + f"\n){result} ="
+        head = declared(kind, name, pairs, result)
         last = head.rpartition("\n")[2]
         value = laid_out(self._value, len(last) + 1, 0)
         if "\n" in value and not isinstance(self._value, Call):
@@ -247,11 +270,23 @@ class _Body:
             raise NeedsSurfaceError
         return Name(slot)
 
+    @property
+    def structures(self) -> Structures:
+        return self._functions.structures
+
     def parameter(self, _scope: Scope, port: Port) -> Expression:
+        if self.structures.has(port.type):
+            return self.structures.value(port.value, port.type)
         return zero(port.type) if port.value is None else literal(port.value, port.type)
 
     def texture(self, _port: Port, _sampling: Sampling, _node: Node) -> Expression | None:
         raise NeedsTextsError
+
+    def tiles(self, _file: str) -> tuple[int, ...]:
+        raise NeedsTextsError
+
+    def read(self, texture: str, place: Expression) -> Expression:
+        return Call(texture, (place,))
 
     def text(self, _name: str) -> str:
         raise NeedsTextsError
@@ -277,6 +312,12 @@ class _Body:
         return Name(fresh)
 
 
+def declared(kind: str, name: str, pairs: list[str], result: str = "") -> str:
+    """The head of a function with its arguments, on one line or in several."""
+    head = f"{kind} {name}({', '.join(pairs)}){result} ="
+    return head if len(head) <= 110 else f"{kind} {name}(\n{_filled(pairs)}\n){result} ="
+
+
 def function_name(category: str) -> str:
     """The name of the functions for a category, unless there are others with the same arguments."""
     name = slot_name(category)
@@ -288,7 +329,7 @@ def arguments_of(definition: Definition, names: Names) -> dict[str, str]:
     return {name: names.fresh(slot_name(name)) for name in definition.inputs}
 
 
-class _Read(dict[str, Expression]):
+class Read(dict[str, Expression]):
     """The arguments of a function, which remember which of them are read."""
 
     def __init__(self, arguments: Mapping[str, Expression]) -> None:
@@ -298,19 +339,6 @@ class _Read(dict[str, Expression]):
     def __getitem__(self, name: str) -> Expression:
         self.read.add(name)
         return super().__getitem__(name)
-
-
-def _default(port: Port) -> Expression | None:
-    """The constant that an input has if nothing sets it; nothing if that is a place or a direction
-    of the surface."""
-    if port.geometry or port.value is None or port.type not in BARE or port.type in CLOSURES:
-        return None
-    return literal(port.value, port.type)
-
-
-def _structure(name: str, members: Mapping[str, str], outputs: Mapping[str, Port]) -> str:
-    rows = [f"    {member} : {BARE[outputs[output].type]}" for output, member in members.items()]
-    return "\n".join([f"struct {name} {{", *rows, "}"])
 
 
 def _filled(pairs: list[str]) -> str:

@@ -10,9 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import numpy as np
+
 WIDTH = 110
 """The longest line of an imported file, in characters."""
 _INDENT = "    "
+
+_LONGEST = 12
+"""The digits of numbers that people write, in characters."""
 
 # How tightly operators bind, from the table of docs/language.md.
 CHOICE, OR, AND, NOT, COMPARISON, SUM, PRODUCT, PREFIX, POSTFIX = range(9)
@@ -191,8 +196,14 @@ def decimal(number: Expression) -> str:
 
 
 def number_text(value: float) -> str:
-    """The shortest text of a finite number, without a point if it is whole."""
+    """The shortest text of a finite number, without a point if it is whole.
+
+    Documents have numbers of programs that compute with 32 bits, such as 0.20000000298023224: these
+    are as short as 32 bits need.
+    """
     text = repr(value)
+    if len(text) > _LONGEST and float(single := np.float32(value)) == value:
+        text = repr(float(str(single)))
     if "e" in text:
         mantissa, exponent = text.split("e")
         return f"{mantissa.removesuffix('.0')}e{int(exponent)}"

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from .constants import OF_OTHERS
 from .expressions import Expression
 from .model import Node, Port
 from .places import Sampling, Scope, Texts
 from .problems import UnsupportedError
 
-_SRGB = ("srgb_texture", "srgb_rec709_scene")
+_SRGB = ("srgb_texture", *OF_OTHERS["from_srgb_texture"])
 
 
 class Nodes(Protocol):
@@ -40,12 +41,19 @@ class FileInputs:
         if port.interface:
             assert place.bound is not None
             return place.bound[port.interface]
-        sampling = Sampling(*self._sampling(node, name, scope), self.is_encoded(node, name, scope))
+        is_encoded, tiles = self.is_encoded(node, name, scope), self.tiles(node, name, scope)
+        sampling = Sampling(*self._sampling(node, name, scope), is_encoded, tiles)
         return self._network.texts.texture(port, sampling, node)
 
     def is_encoded(self, node: Node, name: str, scope: Scope) -> bool:
-        """True for a file of colours in sRGB, which are decoded before filtering."""
-        return gives_color(node) and is_srgb(self.space(node, name, scope))
+        """True for a file of colours in sRGB, which are decoded before filtering: this node gives
+        colours, or one around it that is written out."""
+        if not gives_color(node):
+            port = node.inputs.get(name)
+            if port is None or not port.interface or scope.node is None or scope.outer is None:
+                return False
+            return self.is_encoded(scope.node, port.interface, scope.outer)
+        return name in node.inputs and is_srgb(self._file(node, name, scope)[0].color_space)
 
     def borders(self, node: Node, name: str, scope: Scope) -> tuple[bool, bool]:
         """The axes, u and v, at which the images that read a file end in their default colour.
@@ -57,10 +65,29 @@ class FileInputs:
         u, v, _ = self._sampling(node, name, scope)
         return u == "constant", v == "constant"
 
-    def can_be_called(self, node: Node, scope: Scope) -> bool:
-        """True if all files that a node reads are named, and none of them ends in a border."""
+    def tiles(self, node: Node, name: str, scope: Scope) -> tuple[int, ...]:
+        """The squares of a chart for which a set of files has files. Only images read sets."""
+        port, _ = self._file(node, name, scope)
+        if port.interface or not port.value or not self._is_of_images(node):
+            return ()
+        return self._network.texts.tiles(port.value)
+
+    def _is_of_images(self, node: Node) -> bool:
+        """True if all leaves of a node that read files are images."""
+        graph = node.definition.graph if node.definition is not None else None
+        if graph is None:
+            return node.category == "image"
         return all(
-            self.texture(node, name, scope) is not None and not any(self.borders(node, name, scope))
+            map(self._is_of_images, (each for each in graph.nodes.values() if files_of(each)))
+        )
+
+    def can_be_called(self, node: Node, scope: Scope) -> bool:
+        """True if all files that a node reads are named, and none of them ends in a border or is
+        one of a set."""
+        return all(
+            self.texture(node, name, scope) is not None
+            and not any(self.borders(node, name, scope))
+            and not self.tiles(node, name, scope)
             for name in files_of(node)
         )
 

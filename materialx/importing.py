@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ..support.depth import with_depth
 from ..support.garbage import seldom_collected
+from .archives import unpacked
 from .definitions import Functions
 from .known import known
 from .lights import lights_of, rig_of
@@ -15,10 +16,11 @@ from .materials import Material, Materials, Renderable
 from .model import Document
 from .models import Models
 from .names import slot_name
-from .pictures import FIRST, Pictures
+from .pictures import Picture, Pictures, is_set
 from .problems import Problem, UnsupportedError
 from .reading import read
-from .texts import File, one_line
+from .structures import Structures
+from .texts import File, one_line, wrapped
 
 
 class Imported(NamedTuple):
@@ -38,13 +40,15 @@ def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> 
 
     The main one is called ``name``, or else like the document.
 
-    Pictures are taken from the document's folder and from ``image_folders``, and from nowhere else.
-    Raises ``DocumentError``, and ``OSError`` if the document cannot be read.
+    Pictures are taken from the document's folder, from the archive that it lies in, and from
+    ``image_folders``, and from nowhere else. Raises ``DocumentError``, ``FileError`` for what is
+    neither a file nor an archive, and ``OSError`` if the document cannot be read.
     """
-    document, renderables = read(path)
-    pictures = Pictures((path.parent, *image_folders))
-    title = name or slot_name(path.stem)
-    return with_depth(lambda: converted(document, renderables, title, pictures))
+    with unpacked(path, tuple(image_folders)) as source:
+        document, renderables = read(source.document)
+        pictures = Pictures((source.document.parent, *source.image_folders))
+        title = name or slot_name(source.document.stem)
+        return with_depth(lambda: converted(document, renderables, title, pictures))
 
 
 def converted(
@@ -53,7 +57,8 @@ def converted(
     """Convert what of a document is drawn, to a file with this
     name and to those that it imports."""
     own = File(name)
-    functions = Functions(own, known)
+    structures = Structures(own, document.structures)
+    functions = Functions(own, known, structures, pictures.tiles)
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
     problems = list(_repeated(document))
@@ -69,28 +74,31 @@ def converted(
     for left_out in rig_of(lights_of(document.top), document.top, own, functions):
         place = document.place(left_out.path)
         problems.append(Problem(left_out.path, place, left_out.text, is_error=False))
-    copied = {}
+    copied: dict[str, list[Picture]] = {}
     for material in materials:
         for word in material.left_out:
             place = document.place(material.path)
             text = f"its `{word}` is left out"
             problems.append(Problem(material.path, place, text, is_error=False))
-        for title, file in material.files.items():
-            found = pictures.found(file)
-            if found is not None:
-                copied[title] = found
-            text = _about(file, is_there=found is not None)
-            if text:
-                place = document.place(material.path)
-                problems.append(Problem(material.path, place, text, is_error=False))
-    own.heading = _heading(
-        document, name, materials, {title: picture.path for title, picture in copied.items()}
-    )
+        for title, files in material.files.items():
+            found = [pictures.found(file) for file in files]
+            copied[title] = [each for each in found if each is not None]
+            for file, picture in zip(files, found, strict=True):
+                text = _about(file, picture, is_too_large=file in pictures.too_large)
+                if text:
+                    place = document.place(material.path)
+                    problems.append(Problem(material.path, place, text, is_error=False))
+    set_by = {
+        title: ",".join(picture.path for picture in layers)
+        for title, layers in copied.items()
+        if layers
+    }
+    own.heading = _heading(document, name, materials, set_by)
     texts = {
         f"{file.path}.burnish": file.text().encode() for file in (own, *functions.files.values())
     }
-    files = texts | {picture.path: picture.content for picture in copied.values()}
-    return Imported(files, f"{name}.burnish", materials, problems)
+    contents = {picture.path: picture.content for layers in copied.values() for picture in layers}
+    return Imported(texts | contents, f"{name}.burnish", materials, problems)
 
 
 def _repeated(document: Document) -> Iterator[Problem]:
@@ -99,14 +107,19 @@ def _repeated(document: Document) -> Iterator[Problem]:
         yield Problem(path, f"{file}:{line}", text)
 
 
-def _about(file: str, *, is_there: bool) -> str:
+def _about(file: str, picture: Picture | None, *, is_too_large: bool) -> str:
     """What a person should know about a picture; nothing if it is one that was found."""
-    if not is_there:
+    if is_too_large:
+        return (
+            f"the picture `{file}` is too large to be copied: "
+            "its texture is white until a host binds it"
+        )
+    if picture is None:
         return (
             f"the picture `{file}` is not in the document's folder: "
             "its texture is white until a host binds it"
         )
-    if any(token in file for token in FIRST):
+    if is_set(file):
         return (
             f"of the files `{file}` for the squares of a chart, the first is drawn on all of them"
         )
@@ -121,6 +134,8 @@ def _heading(
         f"//! Imported from `{one_line(document.name)}`, "
         f"a document of MaterialX {one_line(document.version)}."
     ]
+    if document.comment:
+        lines += ["//!", *(f"//! {line}" for line in wrapped(one_line(document.comment), 110))]
     if materials:
         first = materials[0]
         words = [f"burnish render {name}.burnish -o {name}.png"]

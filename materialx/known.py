@@ -39,4 +39,4 @@ def categories() -> dict[str, list[str]]:
 
 @cache
 def _records() -> Records:
-    return Records(library(), library())
+    return Records(library(), library(), {})

@@ -20,7 +20,7 @@ def check_type(node: Node, output: str, port: Port) -> None:
     """Tell a connection between two types."""
     if node.definition is None:
         return
-    if node.output(output) and output not in node.definition.outputs:
+    if node.output(output) not in ("", *node.definition.outputs):
         raise UnsupportedError(f"the node {node.name} has no output '{output}'")
     kind = node.output_type(output)
     if kind not in (port.type, "multioutput"):

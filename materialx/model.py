@@ -37,7 +37,8 @@ class Port:
     unit: str = ""
     unit_type: str = ""
     hints: Mapping[str, str] = field(default_factory=dict)
-    """Attributes for people: ``doc``, ``uiname``, ``uimin`` and so on, ``enum``."""
+    """Attributes for people: ``doc``, to which the comment before the element is added,
+    ``uiname``, ``uimin`` and so on, ``enum``."""
 
 
 @dataclass(frozen=True)
@@ -51,17 +52,21 @@ class Node:
     inputs: Mapping[str, Port]
     definition: Definition | None
     hints: Mapping[str, str] = field(default_factory=dict)
+    inherit: str = ""
+    """The node whose inputs this one takes over, or nothing."""
 
     def output(self, name: str) -> str:
-        """The name of an output: the only one has none in links."""
+        """The name of an output: the only one has none in links, and of several the first is meant
+        by links that name none."""
         outputs = list(self.definition.outputs) if self.definition is not None else []
-        return name if len(outputs) > 1 else ""
+        return name or outputs[0] if len(outputs) > 1 else ""
 
     def output_type(self, name: str) -> str:
         """The type of an output, which the node states itself if it has only one."""
-        if self.definition is None or not self.output(name):
+        output = self.output(name)
+        if self.definition is None or not output:
             return self.type
-        return self.definition.outputs[name].type
+        return self.definition.outputs[output].type
 
 
 @dataclass(frozen=True)
@@ -79,6 +84,14 @@ class Graph:
 
 
 @dataclass(frozen=True)
+class Structure:
+    """A type of a document that has members, with their types and defaults."""
+
+    name: str
+    members: Mapping[str, Port]
+
+
+@dataclass(frozen=True)
 class Definition:
     """What a node of some category and types is: its inputs with their defaults, and its meaning.
 
@@ -92,6 +105,8 @@ class Definition:
     is_library: bool
     body: Callable[[], Graph | None]
     hints: Mapping[str, str] = field(default_factory=dict)
+    source: str = ""
+    """The expression that a leaf of a document gives for its value, such as ``{{in}}.ss``."""
 
     @cached_property
     def graph(self) -> Graph | None:
@@ -114,8 +129,12 @@ class Document:
     top: Graph
     lines: Mapping[str, tuple[str, int]]
     """The file and the line of each named element, by its path."""
+    structures: Mapping[str, Structure] = field(default_factory=dict)
+    """The types that have members, by their names."""
     repeated: Mapping[str, tuple[str, int]] = field(default_factory=dict)
     """The same of elements whose names are taken, which MaterialX does not read."""
+    comment: str = ""
+    """The comment that stands before everything."""
 
     def place(self, path: str) -> str:
         """``FILE:LINE`` of an element, or of the nearest one around it."""

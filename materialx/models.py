@@ -11,13 +11,16 @@ from .definitions import FOLDER, Functions
 from .expressions import Expression, Name, flat
 from .leaves import network as network_of
 from .members import SURFACE, Members, surface_slots
+from .mixes import Mixes
 from .model import Definition, Port
 from .names import record_name, slot_name
 from .places import Scope
-from .surfaces import root, shown
+from .surface_terms import SurfaceTerm, SurfaceTerms
+from .surfaces import root
 from .texts import Equation, File, equations, one_line, wrapped
 from .values import CLOSURES, TYPES, zero
 
+SHADER = "surfaceshader"
 _SHADED = {"normal": "Nworld", "tangent": "Tworld"}
 """Inputs that are slots of all surfaces, if they have these geometric defaults: materials override
 them."""
@@ -41,15 +44,15 @@ class Models:
     def __init__(self, functions: Functions, own: File) -> None:
         self._functions, self._own = functions, own
         self._models: dict[Definition, Model] = {}
+        self._terms = SurfaceTerms(functions, own)
+
+    def term(self, definition: Definition) -> SurfaceTerm | None:
+        """The same as a term, for mixes; nothing for what is no model."""
+        return self._terms.term(definition) if is_model(definition) else None
 
     def model(self, definition: Definition) -> Model | None:
-        """The abstract material for a definition; nothing if it has several
-        surfaces, or takes closures or files, which are no values of slots."""
-        if definition.graph is None or len(definition.outputs) > 1:
-            return None
-        if any(port.type in CLOSURES for port in definition.inputs.values()):
-            return None
-        if any(port.type == "filename" for port in definition.inputs.values()):
+        """The abstract material for a definition; nothing for what is no model."""
+        if not is_model(definition):
             return None
         if definition not in self._models:
             self._models[definition] = self._written(definition)
@@ -78,7 +81,8 @@ class Models:
         name = file.names.fresh(model_name(definition.category))
         color: list[Equation] = []
         if found is not None:
-            look = shown(members, network, *found, slot_name(definition.category))
+            mixes = Mixes(members, network, self.term, slot_name(definition.category))
+            look = mixes.shown(*found)
             color.append(Equation("color", look.color))
             if look.alpha is not None:
                 color.append(Equation("alpha", look.alpha))
@@ -91,9 +95,22 @@ class Models:
         parts = [*equations(rows), "", *members.lines(), "", *equations(color)]
         record = [*doc, f"abstract material {name} : {SURFACE} {{", *parts, "}"]
         file.declarations.insert(0, "\n".join(record))
+        file.helpers[file.declarations[0]] = name
         taken = {*slots.values(), *(row.name for row in members.slots), *surface_slots()}
         defaults = {row.name: flat(row.value) for row in rows if row.value is not None}
         return Model(name, file, slots, defaults, frozenset(taken))
+
+
+def is_model(definition: Definition) -> bool:
+    """True for a surface whose inputs are all values of slots."""
+    if definition.graph is None or list(map(_type, definition.outputs.values())) != [SHADER]:
+        return False
+    kinds = set(map(_type, definition.inputs.values()))
+    return not kinds & {*CLOSURES, "filename"}
+
+
+def _type(port: Port) -> str:
+    return port.type
 
 
 def model_name(category: str) -> str:
@@ -127,4 +144,5 @@ def _declared(members: Members, port: Port, name: str) -> Equation:
         value = zero(port.type)
     else:
         value = constant(members, port, port.type)
-    return Equation(name, value, TYPES[port.type], doc)
+    group = one_line(port.hints.get("uifolder", ""))
+    return Equation(name, value, TYPES[port.type], doc, group=group)

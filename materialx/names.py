@@ -61,7 +61,8 @@ class Names:
         Names that differ only by case count as one, since Burnish warns of them.
         """
         if wanted.lower() in self._taken:
-            wanted = f"{wanted}_value" if wanted.lower() in self._functions else wanted
+            ending = "Material" if wanted[:1].isupper() else "_value"
+            wanted = f"{wanted}{ending}" if wanted.lower() in self._functions else wanted
         name, number = wanted, 2
         while name.lower() in self._taken:
             name, number = f"{wanted}_{number}", number + 1

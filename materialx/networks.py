@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from .constants import constant, decoded, property_named
+from .constants import LINEAR, constant, decoded, property_named
 from .expressions import Expression, Given, Member, Name, call_with, flat, is_simple
 from .file_inputs import FileInputs, files_of, gives_color, is_srgb
 from .links import check_type, output_of
@@ -20,9 +20,10 @@ from .model import Node, Port
 from .names import slot_name
 from .places import Function, Scope, Texts
 from .problems import UnsupportedError
-from .values import ASKED, CLOSURES, zero
+from .unknown_nodes import no_definition
+from .values import ASKED, CLOSURES, LANES, literal, zero
 
-LONG = 84
+LONG = 80
 """Expressions longer than this become parts, in characters."""
 
 
@@ -65,6 +66,8 @@ class Network:
     def _constant(self, port: Port, kind: str) -> Expression:
         if kind in ASKED:
             return Name(self.texts.library("clear_bsdf"))
+        if self.texts.structures.has(kind):
+            return self.texts.structures.value(port.value, kind)
         if port.value is None or (kind in CLOSURES and not port.value):
             return zero(kind)
         return constant(self.texts, port, kind)
@@ -190,7 +193,7 @@ class Network:
 
     def _computed(self, node: Node, output: str, scope: Scope) -> Expression:
         if node.definition is None:
-            raise UnsupportedError(f"MaterialX knows no {node.category} of these types", node.path)
+            raise UnsupportedError(no_definition(node), node.path)
         default = self._default_without_file(node, scope)
         if default is not None:
             return default
@@ -205,7 +208,9 @@ class Network:
         if function is None or not self.files.can_be_called(node, scope):
             inner = self.entered(node, scope)
             outputs = inner.graph.outputs
-            return self.value(outputs[output] if output else next(iter(outputs.values())), inner)
+            port = outputs[output] if output else next(iter(outputs.values()))
+            found = self.value(port, inner)
+            return found if output else self._decoded(found, node, scope)
         return self._application(function, node, output, scope)
 
     def _application(self, function: Function, node: Node, output: str, scope: Scope) -> Expression:
@@ -244,9 +249,7 @@ class Network:
         port = node.inputs.get(name, wanted)
         if port.link is not None or port.interface or wanted.geometry:
             return False
-        return port is wanted or (
-            port.value == wanted.value and not port.unit and not port.color_space
-        )
+        return port is wanted or is_same(port, wanted)
 
     def _argument(self, node: Node, name: str, scope: Scope) -> Expression:
         assert node.definition is not None
@@ -298,6 +301,16 @@ class Network:
                 return self.static(scope.node, port.interface, scope.outer)
             port = scope.graph.inputs.get(port.interface, port)
         return port.value or ""
+
+
+def is_same(port: Port, wanted: Port) -> bool:
+    """True if an input has the constant of another one, however it is written."""
+    is_encoded = port.type.startswith("color") and port.color_space.lower() not in LINEAR
+    if port.unit or is_encoded:
+        return False
+    if port.value is None or wanted.value is None or port.type not in LANES:
+        return port.value == wanted.value
+    return literal(port.value, port.type) == literal(wanted.value, port.type)
 
 
 @dataclass(frozen=True)

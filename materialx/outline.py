@@ -1,9 +1,10 @@
 """Looks through the text of a document before the package ``MaterialX`` gets it.
 
-It finds the lines of elements, which the package forgets and messages need, and the files that are
-included. A document may come from anybody: entities are refused, which could grow without end, and
-so are elements that nest deeper than the package's recursion may go. MaterialX takes a ``<`` within
-the quotes of an attribute, as in ``tiles.<UDIM>.png``, which no other reader of XML does.
+It finds the lines of elements, which the package forgets and messages need, the comments that stand
+before them, and the files that are included. A document may come from anybody: entities are
+refused, which could grow without end, and so are elements that nest deeper than the package's
+recursion may go. MaterialX takes a ``<`` within the quotes of an attribute, as in
+``tiles.<UDIM>.png``, which no other reader of XML does.
 """
 
 from __future__ import annotations
@@ -15,13 +16,19 @@ DEEPEST = 64
 """How deep elements may nest. MaterialX has four levels."""
 
 _PIECE = re.compile(
-    r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|(?P<doctype><!DOCTYPE)"
+    r"<!--(?P<comment>.*?)-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|(?P<doctype><!DOCTYPE)"
     r"|</(?P<end>[^\s>]+)\s*>"
     r"|<(?P<start>[A-Za-z_:][^\s/>]*)(?P<attributes>(?:\s+[^\s=>/]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(?P<empty>/?)>"
     r"|(?P<wrong><)",
     re.DOTALL,
 )
 _ATTRIBUTE = re.compile(r"([^\s=]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+
+
+_RULE = re.compile(r"[^\w\s]{3,}")
+"""A line that is drawn with signs, in a comment."""
+_KEPT_OUT = re.compile(r"<|\w=\"")
+"""What a comment has that keeps elements out of a document, rather than to say something."""
 
 
 class DocumentError(Exception):
@@ -39,6 +46,10 @@ class Outline:
         self.included: list[str] = []
         self.repeated: dict[str, tuple[str, int]] = {}
         """The places of elements whose names another element beside them has already."""
+        self.comments: dict[str, str] = {}
+        """The comments directly before named elements. By ``""``, those before the document and
+        before its first element: they are about the whole of it."""
+        self._comment = ""
         self._name = name
         self._tags: list[str] = []
         self._names: list[str] = []
@@ -52,7 +63,10 @@ class Outline:
                 self._fail(
                     "this is no XML: an element is not closed, or an attribute has no quotes"
                 )
+            elif found["comment"] is not None:
+                self._comment = " ".join(filter(None, [self._comment, said(found["comment"])]))
             elif found["end"]:
+                self._comment = ""
                 self._end(found["end"])
             elif found["start"]:
                 self._start(found["start"], found["attributes"], bool(found["empty"]))
@@ -75,10 +89,18 @@ class Outline:
         if path in self.places and "name" in values and not self._is_within_repeated(path):
             self.repeated[path] = place
         self.places.setdefault(path, place)
+        self._comment_on("" if len(self.places) == 2 else path)
         if tag.rpartition(":")[2] == "include" and "href" in values:
             self.included.append(values["href"])
         if is_empty:
             self._end(tag)
+
+    def _comment_on(self, path: str) -> None:
+        """Take down the comment that was read as one on this element."""
+        if self._comment and (path or len(self.places) <= 2):
+            told = (self.comments.get(path, ""), self._comment)
+            self.comments[path] = " ".join(filter(None, told))
+        self._comment = ""
 
     def _is_within_repeated(self, path: str) -> bool:
         around = path.rpartition("/")[0]
@@ -95,3 +117,8 @@ class Outline:
 
     def _fail(self, text: str) -> None:
         raise DocumentError(f"{self._name}:{self._line}: error: {text}")
+
+
+def said(comment: str) -> str:
+    """The words of a comment, in one line: nothing if it keeps elements out of a document."""
+    return "" if _KEPT_OUT.search(comment) else " ".join(_RULE.sub(" ", comment).split())

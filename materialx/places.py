@@ -30,6 +30,19 @@ class Function(NamedTuple):
     """
 
 
+class StructureTypes(Protocol):
+    """What networks ask of the types with members that a document has."""
+
+    def has(self, kind: str) -> bool:
+        """True for a type with members."""
+
+    def value(self, text: str | None, kind: str) -> Expression:
+        """The constant that a text means, or that a type has without one."""
+
+    def member(self, value: Expression, kind: str, name: str) -> tuple[Expression, str]:
+        """A member of a value, with its type."""
+
+
 class Texts(Protocol):
     """What networks ask of the place that their expressions are written to."""
 
@@ -39,8 +52,18 @@ class Texts(Protocol):
     def parameter(self, scope: Scope, port: Port) -> Expression:
         """The value of an input of a graph that a person may set."""
 
+    @property
+    def structures(self) -> StructureTypes:
+        """The types with members that the document has."""
+
     def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
         """The texture of the file that a node reads, or nothing if the input names none."""
+
+    def tiles(self, file: str) -> tuple[int, ...]:
+        """The squares of a chart for which a set of files has files; none for one file."""
+
+    def read(self, texture: str, place: Expression) -> Expression:
+        """The texel of a texture at a place."""
 
     def text(self, name: str) -> str:
         """The text that an argument of a function has. Raises ``NeedsTextsError``."""
@@ -80,6 +103,8 @@ class Sampling(NamedTuple):
     v: str
     filter: str
     is_encoded: bool
+    tiles: tuple[int, ...] = ()
+    """The numbers of the squares of a chart that have files of their own; none for one file."""
 
 
 class NeedsSurfaceError(Exception):

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import Any
 
+from ..targets.runner.files import regular
 from .library import library
 from .materials import Renderable
 from .model import Document, Graph, Link, Port
@@ -23,8 +24,8 @@ LARGEST = 32 << 20
 
 
 def read(path: Path) -> tuple[Document, list[Renderable]]:
-    """A document and what of it is drawn. Raises ``DocumentError``, and ``OSError`` if it cannot be
-    read."""
+    """A document and what of it is drawn. Raises ``DocumentError``, ``FileError`` for what is no
+    file, and ``OSError`` if it cannot be read."""
     import MaterialX
 
     texts = _Texts(path)
@@ -40,13 +41,16 @@ def read(path: Path) -> tuple[Document, list[Renderable]]:
         if part is not document:
             document.importLibrary(part)
     document.setDataLibrary(library())
-    records = Records(document, library())
+    records = Records(document, library(), texts.comments)
     try:
         top = records.top()
     except (LookupError, MaterialX.ExceptionFoundCycle) as error:
         raise DocumentError(f"{path.name}:1: error: {_sentence(str(error))}") from None
     version = document.getVersionString()
-    found = Document(path.name, version, top, texts.lines, texts.repeated)
+    found = Document(
+        path.name, version, top, texts.lines, records.structures(), texts.repeated,
+        texts.comments.get("", ""),
+    )  # fmt: skip
     return found, list(_with_looks(top, document))
 
 
@@ -57,6 +61,7 @@ class _Texts:
         self.texts: list[str] = []
         self.lines: dict[str, tuple[str, int]] = {}
         self.repeated: dict[str, tuple[str, int]] = {}
+        self.comments: dict[str, str] = {}
         self._root = path.parent.resolve()
         self._seen: set[Path] = set()
         self._left = LARGEST
@@ -66,7 +71,7 @@ class _Texts:
         if path.resolve() in self._seen:
             return
         self._seen.add(path.resolve())
-        with path.open("rb") as file:
+        with regular(path, str(path)) as file:
             text = file.read(self._left + 1)
         if len(text) > self._left:
             raise DocumentError(
@@ -76,6 +81,7 @@ class _Texts:
         outline = Outline(name, text.decode("utf-8", "replace"))
         self.lines = outline.places | self.lines
         self.repeated |= outline.repeated
+        self.comments = outline.comments | self.comments
         try:
             self.texts.append(text.decode("utf-8"))
         except UnicodeDecodeError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .model import Definition, Graph, Link, Node, Port
+from .model import Definition, Graph, Link, Node, Port, Structure
 
 TARGET = "genglsl"
 """The generator whose choice of implementations is followed: it is what most renderers execute."""
@@ -18,8 +18,9 @@ _HINTS = (
 class Records:
     """Makes records of a document, each definition once."""
 
-    def __init__(self, document: Any, library: Any) -> None:
+    def __init__(self, document: Any, library: Any, comments: Mapping[str, str]) -> None:
         self._document, self._library = document, library
+        self._comments = comments
         self._definitions: dict[str, Definition] = {}
 
     def top(self) -> Graph:
@@ -45,11 +46,11 @@ class Records:
         return Graph(
             element.getName(),
             element.getNamePath(),
-            {port.getName(): _port(port) for port in owner.getActiveInputs()},
+            {port.getName(): self._port(port) for port in owner.getActiveInputs()},
             nodes,
-            {port.getName(): _port(port) for port in element.getOutputs()},
+            {port.getName(): self._port(port) for port in element.getOutputs()},
             graphs,
-            _hints(element),
+            self._hints(element),
         )
 
     def _node(self, element: Any) -> Node:
@@ -59,9 +60,10 @@ class Records:
             element.getCategory(),
             element.getType(),
             element.getNamePath(),
-            {port.getName(): _port(port) for port in element.getActiveInputs()},
+            {port.getName(): self._port(port) for port in element.getActiveInputs()},
             None if found is None else self._defined(found),
-            _hints(element),
+            self._hints(element),
+            element.getInheritString(),
         )
 
     def _defined(self, element: Any) -> Definition:
@@ -70,11 +72,12 @@ class Records:
             self._definitions[name] = Definition(
                 name,
                 element.getNodeString(),
-                {port.getName(): _port(port) for port in element.getActiveInputs()},
-                {port.getName(): _port(port) for port in element.getActiveOutputs()},
+                {port.getName(): self._port(port) for port in element.getActiveInputs()},
+                {port.getName(): self._port(port) for port in element.getActiveOutputs()},
                 self._document.getNodeDef(name) is None or self._is_of_library(element),
                 lambda: self._body(element),
-                _hints(element),
+                self._hints(element),
+                self._source(element),
             )
         return self._definitions[name]
 
@@ -82,9 +85,60 @@ class Records:
         found = self._library.getNodeDef(element.getName())
         return found is not None and bool(found == element)
 
+    def structures(self) -> dict[str, Structure]:
+        """The types of the document that have members."""
+        return {
+            found.getName(): Structure(
+                found.getName(),
+                {member.getName(): _member(member) for member in found.getMembers()},
+            )
+            for found in self._document.getTypeDefs()
+            if found.getMembers()
+        }
+
+    def _source(self, element: Any) -> str:
+        if self._is_of_library(element):
+            return ""
+        found = element.getImplementation(TARGET)
+        return "" if found is None else str(found.getAttribute("sourcecode"))
+
     def _body(self, element: Any) -> Graph | None:
         found = element.getImplementation(TARGET)
         return self._graph(found) if found is not None and found.isA(_graph_class()) else None
+
+    def _port(self, element: Any) -> Port:
+        link = None
+        node = element.getAttribute("nodename")
+        graph = element.getAttribute("nodegraph")
+        output = element.getAttribute("output")
+        if node or graph or output:
+            link = Link(node, graph, output)
+        value = None
+        if element.hasAttribute("value"):
+            # Of files, with the prefix and the tokens of the graph.
+            is_file = element.getType() == "filename"
+            value = element.getResolvedValueString() if is_file else element.getValueString()
+        return Port(
+            element.getName(),
+            element.getType(),
+            value,
+            link,
+            element.getAttribute("interfacename"),
+            element.getAttribute("defaultgeomprop"),
+            element.getActiveColorSpace(),
+            element.getAttribute("unit"),
+            element.getAttribute("unittype"),
+            self._hints(element),
+        )
+
+    def _hints(self, element: Any) -> Mapping[str, str]:
+        found = {name: element.getAttribute(name) for name in _HINTS if element.hasAttribute(name)}
+        comment = self._comments.get(element.getNamePath()) if self._comments else None
+        if comment is None:
+            return found
+        doc = found.get("doc", "").strip()
+        stop = "" if not doc or doc.endswith((".", "!", "?")) else "."
+        return {**found, "doc": f"{doc}{stop} {comment}".strip()}
 
 
 def _graph_class() -> Any:
@@ -93,31 +147,6 @@ def _graph_class() -> Any:
     return MaterialX.NodeGraph
 
 
-def _port(element: Any) -> Port:
-    link = None
-    node = element.getAttribute("nodename")
-    graph = element.getAttribute("nodegraph")
-    output = element.getAttribute("output")
-    if node or graph or output:
-        link = Link(node, graph, output)
-    value = None
-    if element.hasAttribute("value"):
-        # Of files, with the prefix and the tokens of the graph.
-        is_file = element.getType() == "filename"
-        value = element.getResolvedValueString() if is_file else element.getValueString()
-    return Port(
-        element.getName(),
-        element.getType(),
-        value,
-        link,
-        element.getAttribute("interfacename"),
-        element.getAttribute("defaultgeomprop"),
-        element.getActiveColorSpace(),
-        element.getAttribute("unit"),
-        element.getAttribute("unittype"),
-        _hints(element),
-    )
-
-
-def _hints(element: Any) -> Mapping[str, str]:
-    return {name: element.getAttribute(name) for name in _HINTS if element.hasAttribute(name)}
+def _member(element: Any) -> Port:
+    value = element.getAttribute("value") if element.hasAttribute("value") else None
+    return Port(element.getName(), element.getType(), value)

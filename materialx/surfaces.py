@@ -13,11 +13,11 @@ from .leaves import network as network_of
 from .links import output_of
 from .members import Members
 from .model import Node, Port
-from .names import slot_name
 from .networks import Network
 from .places import Scope
 from .problems import UnsupportedError
 from .texts import Equation, equations
+from .unknown_nodes import no_definition
 
 _ASKED = Name("asked")
 
@@ -64,6 +64,9 @@ def root(
         node = scope.graph.nodes.get(link.node)
         if node is None:
             raise UnsupportedError(f"there is no node '{link.node}'")
+        if node.category == "dot" and "in" in node.inputs:
+            port = node.inputs["in"]
+            continue
         if not enter or node.definition is None or node.definition.graph is None:
             return node, scope
         scope = network.entered(node, scope)
@@ -74,6 +77,22 @@ def surface_root(
     network: Network, port: Port, scope: Scope, enter: bool = True
 ) -> tuple[Node, Scope] | None:
     """The surface that something drawn comes from: that of a material is an input of its node."""
+    found = material_root(network, port, scope, enter)
+    if found is None or found[0].category != "surfacematerial":
+        return found
+    node, place = found
+    below = node.inputs.get("surfaceshader")
+    surface = root(network, below, place, enter) if below is not None else None
+    if surface is not None and surface[0] == node:
+        raise UnsupportedError("this material depends on itself", node.path)
+    return surface
+
+
+def material_root(
+    network: Network, port: Port, scope: Scope, enter: bool = True
+) -> tuple[Node, Scope] | None:
+    """The node that a material comes from: definitions whose graphs have one are entered. Of what
+    is no material, the node itself."""
     found = root(network, port, scope, enter)
     seen: set[tuple[Scope, str]] = set()
     while found is not None and found[0].type == "material":
@@ -81,20 +100,19 @@ def surface_root(
         if (place, node.name) in seen:
             raise UnsupportedError("this material depends on itself", node.path)
         seen.add((place, node.name))
-        if node.category == "surfacematerial":
-            below = node.inputs.get("surfaceshader")
-            found = root(network, below, place, enter) if below is not None else None
-        elif node.definition is not None and node.definition.graph is not None:
-            inner = network.entered(node, place)
-            found = root(network, next(iter(inner.graph.outputs.values())), inner, enter)
-        else:
+        is_graph = node.definition is not None and node.definition.graph is not None
+        if node.category == "surfacematerial" or not is_graph:
             return found
+        inner = network.entered(node, place)
+        found = root(network, next(iter(inner.graph.outputs.values())), inner, enter)
     return found
 
 
 def shown(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
     """The colour and coverage of a surface; its closures become terms that begin with ``name``."""
-    rows = {"surface": _closures, "surface_unlit": _unlit, "mix": _mixed}
+    rows = {"surface": _closures, "surface_unlit": _unlit}
+    if node.definition is None:
+        raise UnsupportedError(no_definition(node), node.path)
     if node.category not in rows:
         raise UnsupportedError(f"{node.category} is no surface that Burnish draws", node.path)
     return rows[node.category](members, network, node, scope, name)
@@ -103,12 +121,12 @@ def shown(members: Members, network: Network, node: Node, scope: Scope, name: st
 def _closures(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
     with network.counted():
         for word in ("edf", "opacity"):
-            if _is_connected(node, word):
+            if is_connected(node, word):
                 network.input(node, word, scope)
     sums: list[Expression] = []
-    if _is_connected(node, "bsdf"):
+    if is_connected(node, "bsdf"):
         sums += _lit(members, network, node, scope, name)
-    if _is_connected(node, "edf"):
+    if is_connected(node, "edf"):
         sums.append(network.input(node, "edf", scope))
     color: Expression = sums[0] if sums else Call("vec3", (Number(0.0),))
     for other in sums[1:]:
@@ -119,7 +137,8 @@ def _closures(members: Members, network: Network, node: Node, scope: Scope, name
     return Shown(Binary("*", opacity, color), opacity)
 
 
-def _is_connected(node: Node, name: str) -> bool:
+def is_connected(node: Node, name: str) -> bool:
+    """True if an input comes from a node or from an input of the graph."""
     port = node.inputs.get(name)
     return port is not None and (port.link is not None or bool(port.interface))
 
@@ -149,11 +168,11 @@ def _lit(
     file.declarations.append("\n".join(lines))
     lit = file.names.fresh(f"{name}_lit")
     by_light = file.imported("std.mtlx.asking", "by_light")
-    file.declarations.append(
-        f"/// The light of the rig that it scatters.\n"
-        f"term {lit}() per light = "
-        f"pi * light.diffuse * {term}({by_light}(light.to_light, to_eye)).response"
-    )
+    head = f"term {lit}() per light ="
+    of_light = Call(by_light, (Name("light.to_light"), Name("to_eye")))
+    scattered = Member(Call(term, (of_light,)), "response")
+    light = laid_out(Binary("*", Name("pi * light.diffuse"), scattered), len(head) + 1, 0)
+    file.declarations.append(f"/// The light of the rig that it scatters.\n{head} {light}")
     questions = ["from_everywhere", *(["passing"] if closures.transmits else [])]
     sums: list[Expression] = [Call(lit, ())]
     for question in questions:
@@ -173,10 +192,13 @@ class _Parts:
         self.surface = members.surface
         self.parameter = members.parameter
         self.texture = members.texture
+        self.tiles = members.tiles
+        self.read = members.read
         self.text = members.text
         self.attribute = members.attribute
         self.function = members.function
         self.library = members.library
+        self.structures = members.structures
 
     def part(self, name: str, value: Expression, node: Node) -> Expression:
         found = self._members.part(name, value, node)
@@ -201,26 +223,3 @@ def _unlit(_members: Members, network: Network, node: Node, scope: Scope, _name:
         )
         alpha = binary("*", opacity, Binary("-", Number(1.0), through))
     return Shown(shown, alpha)
-
-
-def _mixed(members: Members, network: Network, node: Node, scope: Scope, name: str) -> Shown:
-    """Two surfaces side by side."""
-    amount = network.input(node, "mix", scope)
-    sides = []
-    for side in ("bg", "fg"):
-        port = node.inputs.get(side)
-        found = surface_root(network, port, scope) if port is not None else None
-        if found is None:
-            sides.append(Shown(Call("vec3", (Number(0.0),))))
-        else:
-            sides.append(shown(members, network, *found, f"{name}_{slot_name(found[0].name)}"))
-    back, front = sides
-    alpha = None
-    if back.alpha is not None or front.alpha is not None:
-        one = Number(1.0)
-        alpha = Call("mix", (_or(back.alpha, one), _or(front.alpha, one), amount))
-    return Shown(Call("mix", (back.color, front.color, amount)), alpha)
-
-
-def _or(value: Expression | None, other: Expression) -> Expression:
-    return other if value is None else value

@@ -4,7 +4,8 @@ declarations, and what expressions ask of them."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from .expressions import Expression, laid_out
@@ -13,6 +14,7 @@ from .names import Names
 
 _WIDTH = 118
 """The longest line with a comment, in characters."""
+_WORD = re.compile(r"\w+")
 _WIDE = 16
 """Names are aligned with others that are up to this longer than the shortest."""
 
@@ -26,6 +28,10 @@ class File:
     imports: dict[str, set[str]] = field(default_factory=dict)
     declarations: list[str] = field(default_factory=list)
     heading: str = ""
+    is_whole: bool = False
+    """True if declarations stay that nothing of this file reads."""
+    helpers: dict[str, str] = field(default_factory=dict)
+    """The declarations that are left out where nothing reads them, with their names."""
     _structures: dict[tuple[str, tuple[str, ...]], str] = field(default_factory=dict)
     names: Names = field(default_factory=lambda: Names((), catalogue()))
 
@@ -49,9 +55,20 @@ class File:
             self._structures[key] = self.names.fresh(wanted)
         return self._structures[key]
 
+    def helper(self, name: str, text: str) -> None:
+        """Add a declaration that is only for others; the same text is written once."""
+        if text not in self.helpers:
+            self.helpers[text] = name
+            self.declarations.append(text)
+
+    def keep(self, is_kept: Callable[[str], bool]) -> None:
+        """Remove all other declarations."""
+        self.declarations[:] = filter(is_kept, self.declarations)
+
     def text(self) -> str:
         """The whole file, with the imports that it uses."""
-        used = set(re.findall(r"\w+", "\n".join(self.declarations)))
+        declarations = self._read_declarations()
+        used = _words(declarations)
         imports = {module: names & used for module, names in self.imports.items() if names & used}
         parts = ["burnish 1"]
         if self.heading:
@@ -60,7 +77,22 @@ class File:
             parts.append(
                 "\n".join(_import(module, names) for module, names in sorted(imports.items()))
             )
-        return "\n\n".join(parts + self.declarations) + "\n"
+        return "\n\n".join(parts + declarations) + "\n"
+
+    def _read_declarations(self) -> list[str]:
+        """All declarations but for helpers that no other declaration names."""
+        kept = self.declarations
+        while not self.is_whole:
+            words = Counter(word for text in kept for word in set(_WORD.findall(text)))
+            found = [text for text in kept if words[self.helpers.get(text, "")] != 1]
+            if len(found) == len(kept):
+                return found
+            kept = found
+        return kept
+
+
+def _words(texts: Iterable[str]) -> set[str]:
+    return {word for text in texts for word in _WORD.findall(text)}
 
 
 def _import(module: str, names: Iterable[str]) -> str:
@@ -87,6 +119,8 @@ class Equation:
     prefix: str = ""
     suffix: str = ""
     """What stands between the type and the value, such as a range."""
+    group: str = ""
+    """The title above this row and those of the same group behind it."""
 
 
 def equations(rows: list[Equation], indent: int = 1) -> list[str]:
@@ -108,7 +142,18 @@ def equations(rows: list[Equation], indent: int = 1) -> list[str]:
             line += laid_out(row.value, len(line), indent)
         lines.append((line, row.doc))
     column = max((len(line) for line, doc in lines if doc and _fits(line, doc)), default=0)
-    return [_documented(line, doc, space, column) for line, doc in lines]
+    texts = [_documented(line, doc, space, column) for line, doc in lines]
+    return [part for row in zip(_titles(rows, space), texts, strict=True) for part in row if part]
+
+
+def _titles(rows: list[Equation], space: str) -> list[str]:
+    """For each row the title of the group that begins there, below an empty line."""
+    found, last = [], ""
+    for number, row in enumerate(rows):
+        title = f"{space}// {row.group}" if row.group else ""
+        found.append(("\n" if number else "") + title if row.group != last else "")
+        last = row.group
+    return found
 
 
 def _fits(line: str, doc: str) -> bool:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from .expressions import Call, Expression, Name, Number, Unary, number_text
 from .model import Port
 from .problems import UnsupportedError
-from .values import numbers_of
+from .values import LANES, literal, numbers_of
 
 _UNITS = {
     "distance": {
@@ -18,6 +19,40 @@ _UNITS = {
     },
 }  # fmt: skip
 """How many of the unit that shaders get each unit is: metres, degrees and seconds."""
+
+
+_WRITTEN = {
+    "nanometer": "nm", "micron": "um", "millimeter": "mm", "centimeter": "cm", "inch": "in",
+    "foot": "ft", "yard": "yd", "meter": "m", "kilometer": "km", "mile": "mi",
+}  # fmt: skip
+"""The units of lengths as they stand behind numbers in Burnish."""
+
+
+def written_unit(port: Port) -> str:
+    """The unit that is written behind the numbers of an input; empty if they are converted."""
+    if port.unit_type not in ("", "distance") or port.type not in LANES:
+        return ""
+    return _WRITTEN.get(port.unit, "")
+
+
+def measured(port: Port, kind: str) -> Expression:
+    """The value of an input, with the unit that the document has if there is such a one."""
+    assert port.value is not None
+    unit = written_unit(port)
+    return _with_unit(literal(port.value, kind), unit) if unit else literal(converted(port), kind)
+
+
+def _with_unit(value: Expression, unit: str) -> Expression:
+    match value:
+        case Number(0.0):
+            return value
+        case Number(number):
+            return Name(f"{number_text(number)}{unit}")
+        case Unary(operator, operand):
+            return Unary(operator, _with_unit(operand, unit))
+        case Call(name, arguments, labels):
+            return Call(name, tuple(_with_unit(each, unit) for each in arguments), labels)
+    return value
 
 
 def converted(port: Port) -> str:

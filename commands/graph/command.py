@@ -11,7 +11,15 @@ import click
 from ...compiler.diagnostics.display import harmless_lines
 from ..console import show
 from ..failures import errors_as_messages, fail
-from ..options import file_argument, pass_option, pixel, rig_option, search_option
+from ..options import (
+    each_once,
+    file_argument,
+    narrowed_option,
+    pass_option,
+    pixel,
+    rig_option,
+    search_option,
+)
 from ..single_output import STDOUT, deliver, insist_on_another_file
 from ..terminal import FAILED
 
@@ -48,6 +56,7 @@ class GraphRequest(NamedTuple):
     pass_: str | None
     search_path: tuple[Path, ...]
     hoist: bool
+    values: tuple[tuple[str, str], ...]
 
     @property
     def is_of_programs(self) -> bool:
@@ -102,6 +111,7 @@ class GraphRequest(NamedTuple):
     help="Let the host compute values that depend on parameters only, or the shader.",
     show_default=True,
 )
+@narrowed_option
 def graph(**chosen: Any) -> None:
     """Show the equations of the materials of FILE, their programs, or the steps of its frames.
 
@@ -110,7 +120,8 @@ def graph(**chosen: Any) -> None:
     browser, point at a box to see where it is written.
 
     With `--program`, boxes are values of the optimised program. The host, the stages, functions and
-    loops each have a border of their own, and a shield marks a value that keeps a guard.
+    loops each have a border of their own, and a shield marks a value that keeps a guard. With
+    `--set`, as for `burnish compile`, it is the program of a version that serves some values only.
 
     Of a frame, boxes are steps with what they leave to each other. A time line says what each
     texture holds from step to step.
@@ -120,6 +131,7 @@ def graph(**chosen: Any) -> None:
         burnish graph plastic.burnish
         burnish graph plastic.burnish -o plastic.svg
         burnish graph plastic.burnish --program
+        burnish graph plastic.burnish --program --set shininess=8
         burnish graph plastic.burnish --why
         burnish graph plastic.burnish --error 36,28 -o error.svg
         burnish graph deferred.burnish -o deferred.svg
@@ -127,13 +139,28 @@ def graph(**chosen: Any) -> None:
     """
     from ...compiler.diagnostics.diagnostic import CompileError
 
-    request = GraphRequest(**chosen)
+    request = GraphRequest(**{**chosen, "values": each_once(chosen["values"])})
+    _check_values(request)
     insist_on_another_file(request.file, request.output)
     try:
         _deliver(request, _subjects(request))
     except CompileError as error:
         show(error.diagnostics)
         click.get_current_context().exit(FAILED)
+
+
+def _check_values(request: GraphRequest) -> None:
+    """Raise ``UsageError`` where values of parameters would change nothing of what is shown."""
+    if request.values and not request.is_of_programs:
+        raise click.UsageError(
+            "--set narrows what the program serves, and equations stay as they are: add --program "
+            "or --why"
+        )
+    if request.values and request.error is not None:
+        raise click.UsageError(
+            "--error shows the error of the whole material, which --set makes a version of: leave "
+            "out one"
+        )
 
 
 def _parts(material: CompiledMaterial, request: GraphRequest) -> Mapping[Span, float] | None:
@@ -162,6 +189,7 @@ def _subjects(request: GraphRequest) -> Sequence[Subject]:
         pass_=request.pass_,
         search_path=request.search_path,
         hoist=request.hoist,
+        values=dict(request.values),
     )
     show(result.diagnostics)
     if not result.frames:

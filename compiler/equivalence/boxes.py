@@ -17,6 +17,7 @@ from ...stdlib.builtins.facts import SMALLEST_NORMAL
 from ...support.frozen import frozen
 from ..reference.bounds import Bounded, Bounds, exact, remembered
 from .numbers import Array
+from .pairs import Ends, Pairs
 from .polynomials import Algebra
 from .term import Term, below
 from .terms import Terms
@@ -106,8 +107,17 @@ def bound(region: Region, low: Array, high: Array, epsilon: float) -> Bound:
     with np.errstate(all="ignore"):
         for term in region.inside:
             known[term.id] = _evaluated(term, known, library)
+        pairs = Pairs(known, low.shape[1])
         found = [
-            _difference(known[x.id], known[y.id], known[d.id], epsilon, numbers, low.shape)
+            _difference(
+                known[x.id],
+                known[y.id],
+                known[d.id],
+                pairs.difference(x, y),
+                epsilon,
+                numbers,
+                low.shape,
+            )
             for x, y, d in zip(region.first, region.second, region.differences, strict=True)
         ]
     return Bound(
@@ -118,13 +128,20 @@ def bound(region: Region, low: Array, high: Array, epsilon: float) -> Bound:
 
 
 def _difference(
-    x: Any, y: Any, made: Any, epsilon: float, numbers: Sequence[int], shape: tuple[int, int]
+    x: Any,
+    y: Any,
+    made: Any,
+    paired: Ends,
+    epsilon: float,
+    numbers: Sequence[int],
+    shape: tuple[int, int],
 ) -> Bound:
-    """The bounds of the difference of one lane."""
+    """The bounds of the difference of one lane: the least of three, which all hold."""
     count = shape[1]
     if x.kind == "b":
         x, y = _as_number(x), _as_number(y)
     most = np.minimum(_farthest(x - y, count), _farthest(made, count))
+    most = np.fmin(most, np.maximum(np.abs(paired.low), np.abs(paired.high)))
     least = np.maximum(_nearest(x), _nearest(y))
     share = most / (epsilon * np.maximum(1.0, np.where(np.isnan(least), 0.0, least)))
     slopes = np.zeros(shape)

@@ -60,6 +60,36 @@ def open_body(
     return _transform(graph, body, leaf, lambda node, depth: node.free >> depth != 0, moved)
 
 
+def is_opened(graph: Graph, body: Node, arguments: Sequence[Node], value: Node) -> bool:
+    """True if ``value`` is what ``open_body`` makes of these, which is not made for that."""
+    pending = [(body, 0, value)]
+    seen = set(pending)
+    for place in pending:  # The list grows on the way.
+        node, depth, other = place
+        if node.free >> depth == 0:
+            if node is not other:
+                return False
+        elif node.op == "bound":
+            position = BOUND.data(node) - depth
+            if position >= len(arguments):
+                wanted = graph.node("bound", node.type, (), BOUND.data(node) - len(arguments))
+            else:
+                wanted = lifted(graph, arguments[position], depth)
+            if wanted is not other:
+                return False
+        else:
+            if node.op != other.op or node.type != other.type or node.data != other.data:
+                return False
+            if len(node.operands) != len(other.operands):
+                return False
+            for (part, deeper), operand in zip(_parts(node, depth), other.operands, strict=True):
+                found = part, deeper, operand
+                if found not in seen:
+                    seen.add(found)
+                    pending.append(found)
+    return True
+
+
 def lifted(graph: Graph, root: Node, binders_: int) -> Node:
     """A node as it is under further binders: variables of those around it are that much further."""
     if not root.free or not binders_:
@@ -85,8 +115,9 @@ def freed(graph: Graph, roots: Sequence[Node]) -> list[Node]:
             variables[key] = graph.node("formal", node.type, (), Formal(str(position)))
         return variables[key]
 
+    done: dict[tuple[Node, int], Node] = {}
     return [
-        _transform(graph, root, leaf, lambda node, depth: node.free >> depth != 0, None)
+        _transform(graph, root, leaf, lambda node, depth: node.free >> depth != 0, None, done)
         for root in roots
     ]
 
@@ -111,14 +142,16 @@ def _transform(
     leaf: Leaf,
     affected: Callable[[Node, int], bool],
     moved: Moved | None,
+    done: dict[tuple[Node, int], Node] | None = None,
 ) -> Node:
     """Rebuild ``root`` with leaves replaced, counting binders on the way; without recursion.
 
-    Operands that are not ``affected`` stay, and nothing below them is looked at.
+    Operands that are not ``affected`` stay, and nothing below them is looked at. ``done`` has what
+    was rebuilt in the same way before, for other roots.
     """
     if not affected(root, 0):
         return root
-    done: dict[tuple[Node, int], Node] = {}
+    done = {} if done is None else done
     pending: list[tuple[Node, int]] = [(root, 0)]
     while pending:
         place = node, depth = pending[-1]

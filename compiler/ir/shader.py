@@ -300,6 +300,11 @@ class Notes:
         for table in (self.functions, self.terms, self.arguments):
             table.pop(node.id, None)
 
+    def about(self, node: Node) -> tuple[tuple[int, Any], ...]:
+        """The notes about a node, each with the number of its table."""
+        tables = enumerate(self.tables)
+        return tuple((number, table[node.id]) for number, table in tables if node.id in table)
+
     def follow(self, old: Node, new: Node) -> None:
         """Hands the notes about a node on to one that replaces it, which keeps its own."""
         id_ = old.id

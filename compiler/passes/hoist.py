@@ -13,7 +13,7 @@ shader reads at the same position (``derived_tables.py``).
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from functools import lru_cache
 
 from ...stdlib.builtins import BUILTINS
@@ -22,9 +22,10 @@ from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BINDING, PARAMETER, builtin_of, joins_group
 from ..ir.ranges import Ranges
+from ..ir.refinements import OPPOSITES
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
-from ..ir.types import Array, Matrix, Scalar, Vector
+from ..ir.types import BOOL, Array, Matrix, Scalar, Vector
 from .cost import LOAD, cost_of
 from .derived_tables import Table, numbered
 from .elements import is_element
@@ -106,6 +107,18 @@ def _length(array: Node) -> int:
     return array.type.count
 
 
+def _compares_stored(node: Node, needed: Container[int]) -> bool:
+    """True for a comparison of a constant with a value that blocks have anyway.
+
+    These have no bools: a stored one is a whole number, which the shader compares with zero. So
+    nothing would be saved. ``needed`` are the values that the shader needs.
+    """
+    if builtin_of(node) not in OPPOSITES or node.type != BOOL:
+        return False
+    compared = [operand for operand in node.operands if operand.op != "constant"]
+    return len(compared) == 1 and (compared[0].id in needed or not _saves(compared[0], 1))
+
+
 def _saves(root: Node, least: int) -> bool:
     """True if a stored value saves operations that cost at least ``least``."""
     saved, pending, seen = 0, [root], {root.id}
@@ -176,7 +189,11 @@ class _Hoisting:
                 hoistable.append(node)
             else:
                 needed.update([operand.id for operand in node.operands])
-        chosen = [node for node in hoistable if node.id in needed and _saves(node, 1)]
+        chosen = [
+            node
+            for node in hoistable
+            if node.id in needed and _saves(node, 1) and not _compares_stored(node, needed)
+        ]
         if chosen:
             self._naming.learn(reversed(nodes))
         for node in chosen:

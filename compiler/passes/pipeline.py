@@ -6,10 +6,12 @@ passes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 
 from ...support.frozen import changed, frozen
 from ..ir.full_screen import full_screen, whole_texels, writes_images
+from ..ir.leaves import Number, Parameter
 from ..ir.node import Graph, Roots
 from ..ir.operations import LOOPS
 from ..ir.program import Program
@@ -119,7 +121,8 @@ def stage(shader: Shader, options: Options) -> Staged:
     ranges = Ranges(roots, options.without)
     simplifier = Simplifier(graph, ranges, notes)
     apart = InvariantResults.of(results, shader.placing)
-    roots = _simplified(graph, roots, notes, simplifier, apart)
+    defaults = {p.leaf: p.default for p in shader.parameters if isinstance(p.default, int | float)}
+    roots = _simplified(graph, roots, notes, simplifier, apart, defaults)
     roots, decisions = _guarded(graph, roots, notes, ranges, apart)
     evidence = Evidence(
         (*simplifier.remarks.values(), *decisions.remarks.values()),
@@ -173,7 +176,12 @@ def _form(shader: Shader, derived: tuple[Derived, ...], ranges: Ranges | None) -
 
 
 def _simplified(
-    graph: Graph, roots: Roots, notes: Notes, simplifier: Simplifier, apart: InvariantResults
+    graph: Graph,
+    roots: Roots,
+    notes: Notes,
+    simplifier: Simplifier,
+    apart: InvariantResults,
+    defaults: Mapping[Parameter, Number],
 ) -> Roots:
     """Simplifies, fuses sums over lights, inlines bodies, and lets weights skip loops."""
     roots = verified("simplify", "flat", simplifier.simplified(roots))
@@ -185,8 +193,10 @@ def _simplified(
         return roots
     from .skip_loops import skip_loops
 
-    skipped = apart.each(roots, lambda some, _: skip_loops(graph, some, notes, simplifier.ranges))
-    return verified("skip_loops", "flat", skipped)
+    def skipping(some: Roots, _: Roots) -> Roots:
+        return skip_loops(graph, some, notes, simplifier.ranges, defaults)
+
+    return verified("skip_loops", "flat", apart.each(roots, skipping))
 
 
 def _guarded(

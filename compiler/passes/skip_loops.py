@@ -3,18 +3,22 @@
 ``w * sum`` is zero where ``w`` is, and ``mix(a, sum, w)`` is ``a``: that is their meaning. Where
 ``w`` is the same for all pixels, ``if w != 0 then w * sum else 0`` has the same value, and
 ``schedule`` makes a branch of it, so that a draw with a weight of zero does not run the loop.
-``pipeline.py`` calls this before guards are decided. Values without loops are left as they are:
-most weights are not zero, and each choice takes some operations.
+``pipeline.py`` calls this before guards are decided. Where the loop is short, or the weight hardly
+ever zero, the choice would take more than it saves: ``loop_prices.py`` decides. Values without
+loops are left as they are.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
+from ...support.frozen import cached_property
 from ..ir import build
-from ..ir.node import Graph, Node, Roots, reachable
-from ..ir.operations import LOOPS, builtin_of
+from ..ir.leaves import Number, Parameter
+from ..ir.node import Graph, Node, Roots
+from ..ir.operations import builtin_of
 from ..ir.ranges import Ranges
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
@@ -22,11 +26,19 @@ from ..ir.types import BOOL, FLOAT, width
 from ..ir.walks import operands_of, visible
 from .draw_constants import DrawConstants
 
+if TYPE_CHECKING:
+    from .loop_prices import LoopPrices
 
-def skip_loops(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> Roots:
-    """The roots with choices in place of products and mixtures with loops."""
+
+def skip_loops(
+    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, defaults: Mapping[Parameter, Number]
+) -> Roots:
+    """The roots with choices in place of products and mixtures with loops, where these pay.
+
+    ``defaults`` are the numbers that parameters have unless a host sets others.
+    """
     bodies = dict.fromkeys(node.operands[0] for node in roots.nodes if node.op == "apply")
-    weights = _Weights(ranges)
+    weights = _Weights(ranges, defaults)
     chosen = {
         node: weight
         for body in (tuple(roots), *((body,) for body in bodies))
@@ -54,11 +66,17 @@ def skip_loops(graph: Graph, roots: Roots, notes: Notes, ranges: Ranges) -> Root
 class _Weights:
     """Finds weights that may be zero, and are the same all over a draw."""
 
-    def __init__(self, ranges: Ranges) -> None:
+    def __init__(self, ranges: Ranges, defaults: Mapping[Parameter, Number]) -> None:
         self._ranges = ranges
+        self._defaults = defaults
         self._constant = DrawConstants()
-        self._has_loop: dict[Node, bool] = {}
-        """True for bodies of functions with a loop in them."""
+
+    @cached_property
+    def _prices(self) -> LoopPrices:
+        """The prices of loops: few shaders have a weight, so that the others do not load this."""
+        from .loop_prices import LoopPrices
+
+        return LoopPrices(self._defaults)
 
     def found(self, roots: tuple[Node, ...]) -> Iterator[tuple[Node, Node]]:
         """Yields the products and mixtures of one body that skip a loop, with their weights."""
@@ -79,22 +97,22 @@ class _Weights:
                 builtin_of(user) == "mul" and user in weights for user in users.get(node, ())
             )
             skipped = node.operands[1:2] if is_mixture else node.operands
-            if not is_part and self._has_own_loop(skipped, uses):
+            if not is_part and self._prices.pays(weight, skipped, uses):
                 yield node, weight
 
     def _weight_of(self, node: Node, known: dict[Node, Node]) -> Node | None:
-        """The weight of a mixture, or a factor of a product that is one."""
+        """The weight of a mixture, or the factor of a product that is most likely to be zero."""
         name = builtin_of(node)
         if name == "mix":
             return node.operands[2] if self._is_weight(node.operands[2]) else None
         if name != "mul":
             return None
-        for operand in node.operands:
-            if self._is_weight(operand):
-                return operand
-            if builtin_of(operand) == "mul" and operand in known:
-                return known[operand]
-        return None
+        weights = [
+            operand if self._is_weight(operand) else known[operand]
+            for operand in node.operands
+            if self._is_weight(operand) or (builtin_of(operand) == "mul" and operand in known)
+        ]
+        return max(weights, key=self._prices.chance) if weights else None
 
     def _is_weight(self, node: Node) -> bool:
         """True if a float is not below zero, may be zero, and is the same all over a draw."""
@@ -102,21 +120,3 @@ class _Weights:
             return False
         fact = self._ranges.of(node)
         return fact.lo == 0 < fact.hi
-
-    def _has_own_loop(self, skipped: Iterable[Node], uses: Counter[Node]) -> bool:
-        """True if some values, and nothing else in the body, need a loop."""
-        pending, counted = list(skipped), Counter[Node]()
-        while pending:
-            node = pending.pop()
-            counted[node] += 1
-            if counted[node] < uses[node]:
-                continue
-            if node.op in LOOPS or (node.op == "apply" and self._loops_in(node.operands[0])):
-                return True
-            pending += operands_of(node)
-        return False
-
-    def _loops_in(self, body: Node) -> bool:
-        if body not in self._has_loop:
-            self._has_loop[body] = any(node.op in LOOPS for node in reachable((body,)))
-        return self._has_loop[body]

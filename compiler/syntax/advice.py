@@ -188,6 +188,11 @@ class Advice(TokenView):
         if expected <= {"=", "."} and found.kind == ":":
             said = f"a value follows `=`: `{previous.text} = …`"
             return self.replace(said, index, index, "=")
+        if found.kind == "=" and within == "enum":
+            return (
+                "members have no values: their numbers are 0, 1, 2 … in the order in which "
+                "they stand"
+            )
         if found.kind == "=" and within == "struct":
             return "members of a structure have no default values"
         if found.kind == ":" and word in MEMBERS and "per" in expected:

@@ -384,10 +384,8 @@ class Builder:
 
     def number(self, span: Span, token: Token) -> ast.Number:
         text = token.text
-        if text.endswith("deg"):
-            return ast.Number(span, text[:-3], "angle", "deg")
-        if text.endswith("rad"):
-            return ast.Number(span, text[:-3], "angle", "rad")
+        if text[-1].isalpha() and (measured := _measured(span, text)) is not None:
+            return measured
         if text.endswith("u"):
             return ast.Number(span, text[:-1], "uint")
         if text.startswith(("0x", "0X")):
@@ -430,3 +428,13 @@ def _path(source: Token | tuple[str, ...]) -> Path:
     if isinstance(source, Token):
         return (source.text[1:-1],), True
     return source, False
+
+
+def _measured(span: Span, text: str) -> ast.Number | None:
+    """A number with a unit; ``None`` if what stands behind it is none. Few texts have units."""
+    from ..units import ANGLES, parted
+
+    digits, unit = parted(text)
+    if not unit:
+        return None
+    return ast.Number(span, digits, "angle" if unit in ANGLES else "length", unit)

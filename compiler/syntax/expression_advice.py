@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from ..diagnostics.fixes import Edit, Fix, FixIt, Hint, fix_it
 from ..diagnostics.source import Span
+from ..units import ANGLES, UNITS
 from .expectations import may_begin_member
 from .foreign_choices import unfinished_if
 from .foreign_syntax import elsewhere, types
@@ -19,7 +20,7 @@ from .quoting import closed, shortened
 from .token_view import TokenView
 from .tokens import RESERVED
 
-_NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:deg|rad)?"
+_NUMBER = rf"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:{'|'.join(UNITS)})?"
 _RANGE = re.compile(rf"\s*([\[(]?)\s*({_NUMBER})\s*(?:-|–|,|:|;|to\b)\s*({_NUMBER})(?:\s*([\])]))?")
 """Two numbers with something else than ``..`` between them."""
 _FAR = 12
@@ -79,15 +80,14 @@ def called_fold(view: TokenView, index: int) -> Hint:
 
 _ITERATE = "`iterate x from start up to n while condition : next` repeats"
 _VECTOR = "a vector is written `vec3(x, y, z)`, an array `[a, b]`"
-_ANGLES = frozenset(("deg", "rad"))
-"""The units that are written directly behind a number."""
 _CONVERSIONS = frozenset(("float", "int", "uint", "bool"))
 
 _FOUND: Mapping[str, str] = MappingProxyType(
     {
         "as": "`as` stands in parentheses: `(x as type)`",
         "{": f"{_VECTOR}, a structure `Name(a, b)`",
-        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`",
+        "STRING": "quoted texts are only used in imports; a colour is written `#ff0000`, and a "
+        "member of an enumeration `Mode.mix`",
     }
 )
 """Hints by the token that stands where an expression or an operator was expected."""
@@ -198,9 +198,10 @@ class ExpressionAdvice(TokenView):
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
         if found.kind == "|" and "NUMBER" in expected:
             return self._of_bars(index)
-        if found.text in _ANGLES and previous.kind == "NUMBER":
-            angle = previous.text + found.text
-            return self.replace(f"an angle is one word: `{angle}`", index - 1, index, angle)
+        if found.kind == "NAME" and found.text in UNITS and previous.kind == "NUMBER":
+            what = "an angle" if found.text in ANGLES else "a length"
+            measure = previous.text + found.text
+            return self.replace(f"{what} is one word: `{measure}`", index - 1, index, measure)
         if found.kind == "STRING" and found.text.startswith('"#'):
             color = found.text[1:-1]
             said = f"a colour is written without quotes: `{color}`"

@@ -151,6 +151,8 @@ _BITS = r"([0-9.]+)([iuf])(?:8|16|32|64)"
 
 
 def _number(word: str, span: Span, report: Report) -> Token:
+    from ..units import listed, named
+
     if re.fullmatch(r"[0-9]+[A-Za-z_]\w*", word) and _is_defined(span):
         name = re.sub("[0-9]+", "", word, count=1)
         begun = fix_it(f"names begin with a letter: `{name}`", (span, name))
@@ -159,9 +161,10 @@ def _number(word: str, span: Span, report: Report) -> Token:
     if re.fullmatch(r"(?=.*[a-fA-F])(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})", word):
         report.add(rules.BAD_NUMBER, span, text=word, hint=write_color(span, word))
         return Token("COLOR", f"#{word}", span.start, span.end)
-    number = re.match(r"[0-9.]+(?=°|degrees?$)", word)
-    if number:
-        better = f"{number[0]}deg"
+    measured = re.fullmatch(r"([0-9.]+)(°|[A-Za-z]+)", word)
+    unit = "" if measured is None else "deg" if measured[2] == "°" else named(measured[2])
+    if measured is not None and unit:
+        better = f"{measured[1]}{unit}"
         report.add(rules.BAD_NUMBER, span, text=word, hint=write(span, better, sure=True))
         return Token("NUMBER", better, span.start, span.end)
     suffixed = re.fullmatch(_BITS, word)
@@ -171,6 +174,8 @@ def _number(word: str, span: Span, report: Report) -> Token:
     if suffixed and suffixed[2] == "u" and better.isdigit():
         better += "u"
     hint: Hint = write(span, better, sure=True) if proper else ""
+    if not proper and measured is not None:
+        hint = listed()
     report.add(rules.BAD_NUMBER, span, text=word, hint=hint)
     return Token("NUMBER", better if proper else "0", span.start, span.end)
 

@@ -4,19 +4,22 @@ which importing writes."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from ...compiler.semantics.names.modules import Symbol
 from ..definitions import FOLDER, Functions, arguments_of
 from ..known import categories, known
-from ..leaves.catalogue import OF_SURFACE, WORDS, catalogue, input_named
+from ..leaves.catalogue import OF_SURFACE, catalogue, input_named
 from ..names import Names
+from ..structures import Structures
 from ..texts import File
 from .closures import ASKED
+from .enumerations import word
 from .nodes import Input
 from .table import leaf_category
 from .unsayable import UnsayableError
-from .values import Constant, Picture, Value
+from .values import Picture, Value
 
 
 class Callee(NamedTuple):
@@ -25,6 +28,8 @@ class Callee(NamedTuple):
     category: str
     named: Mapping[str, str]
     """The inputs by the arguments; empty for what nodes read of the surface by themselves."""
+    words: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    """The words by the inputs that are words: members of enumerations, in their order."""
 
     def inputs(self, given: Mapping[str, Value], slot: Callable[[str], Value]) -> dict[str, Input]:
         """The inputs of a node for the arguments of a call. Raises ``UnsayableError``."""
@@ -39,7 +44,7 @@ class Callee(NamedTuple):
                         f"`{self.category}` reads the surface by itself, and no other `{argument}`"
                     )
                 continue
-            found[name] = _word(name, value) if name in WORDS else value
+            found[name] = word(name, value, self.words[name]) if name in self.words else value
             if isinstance(value, Picture):
                 found |= self._sampled(name, value)
         return found
@@ -85,15 +90,6 @@ def _inside(category: str, name: str) -> Mapping[str, str]:
     return {}
 
 
-def _word(name: str, value: Value) -> Input:
-    """The word that a number stands for, where an input is a text."""
-    if not isinstance(value, Constant):
-        raise UnsayableError(f"`{name}` has to be a constant")
-    if value.type == "boolean":
-        return value
-    return WORDS[name][int(value.numbers[0])]
-
-
 def leaf_of(symbol: Symbol) -> Callee | None:
     """The node for a function of ``std.mtlx``."""
     if not symbol.module.is_standard:
@@ -101,9 +97,15 @@ def leaf_of(symbol: Symbol) -> Callee | None:
     category = leaf_category(symbol.module.import_path, symbol.name)
     if not category:
         return None
-    arguments = catalogue()[symbol.name].arguments
-    inputs = {name for definition in known(category) for name in definition.inputs}
-    return Callee(category, {argument: input_named(inputs, argument) for argument in arguments})
+    leaf = catalogue()[symbol.name]
+    kinds = {port.name: port.type for each in known(category) for port in each.inputs.values()}
+    named = {argument: input_named(kinds, argument) for argument in leaf.arguments}
+    words = {
+        name: members
+        for argument, name in named.items()
+        if kinds.get(name) == "string" and (members := leaf.members(argument))
+    }
+    return Callee(category, named, words)
 
 
 def node_of(symbol: Symbol) -> Callee | None:
@@ -111,7 +113,8 @@ def node_of(symbol: Symbol) -> Callee | None:
     path = symbol.module.path
     if symbol.module.is_standard or path is None or path.parent.name != FOLDER:
         return None
-    functions = Functions(File(""), known)
+    own = File("")
+    functions = Functions(own, known, Structures(own, {}))
     for category in categories().get(path.stem, ()):
         named: dict[str, str] = {}
         for definition in known(category):

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from math import isfinite, pi, radians
+from math import isfinite, pi
 from typing import Any, Protocol
 
 from ...compiler.semantics.checking.constructors import is_constructor
 from ...compiler.semantics.equations.reads import Where
 from ...compiler.srgb import linear
 from ...compiler.syntax import ast
+from ...compiler.units import value_of
 from .lanes import built, lanes, matrix_column, picked
 from .nodes import Nodes
 from .table import ways, written_out
@@ -113,10 +114,9 @@ class Expressions:
     # ---- Constants and names
 
     def _number(self, e: ast.Number, _at: At, _wanted: str) -> Value:
-        number = float(e.text)
         if e.kind in ("int", "uint"):
-            return Constant("integer", (number,), is_whole=e.kind == "int")
-        return vector((radians(number) if e.unit == "deg" else number,), "float")
+            return Constant("integer", (float(e.text),), is_whole=e.kind == "int")
+        return vector((value_of(e.text, e.unit),), "float")
 
     def _color(self, e: ast.Color, _at: At, _wanted: str) -> Value:
         numbers = [linear(channel) for channel in e.channels[:3]]

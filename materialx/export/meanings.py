@@ -15,6 +15,7 @@ from ..constants import FROM
 from ..leaves.geometry import MOVED
 from .callees import Callee, leaf_of, node_of
 from .closures import ASKED, ASKING, closure_node
+from .enumerations import member
 from .expressions import At, Expressions
 from .geometry import attribute, property_of, seen_from
 from .images import Border, read, with_space
@@ -149,7 +150,7 @@ class Meanings:
     def named(self, e: ast.Reference | ast.Field, at: At) -> Value | None:
         if isinstance(e, ast.Field):
             found = inherited(e, at.where)
-            return None if found is None else self._read(found)
+            return member(e, at.where) if found is None else self._read(found)
         meaning = meant(e.name, at.where)
         if isinstance(meaning, MeantSlot):
             return self._read(meaning)
@@ -266,7 +267,7 @@ class Meanings:
         return Several(values)
 
     def _function(self, symbols: list[Symbol], e: ast.Call, at: At, wanted: str) -> Value:
-        symbol, given = self._chosen(symbols, e, at)
+        symbol, given = self._chosen(symbols, e, at, wanted)
         if isinstance(symbol.declaration, ast.Function) and symbol.declaration.per is not None:
             raise UnsayableError(
                 f"`{symbol.name}` is summed over lights, as only whole surfaces of MaterialX are",
@@ -326,10 +327,11 @@ class Meanings:
         return self._nodes.node(callee.category, inputs, wanted, must=is_known)
 
     def _chosen(
-        self, symbols: list[Symbol], e: ast.Call, at: At
+        self, symbols: list[Symbol], e: ast.Call, at: At, wanted: str
     ) -> tuple[Symbol, dict[str, Value]]:
         """The overload that a call means, with the values of its arguments."""
         fitting = [symbol for symbol in symbols if _takes(symbol.declaration, e)]
+        fitting.sort(key=lambda symbol: not _gives(symbol.declaration, wanted))
         values: dict[int, Value] = {}
         for symbol in fitting:
             function = symbol.declaration
@@ -361,6 +363,12 @@ def _takes(function: object, e: ast.Call) -> bool:
         argument.default is not None
         for number, argument in enumerate(function.arguments) if number not in numbers
     )  # fmt: skip
+
+
+def _gives(function: object, wanted: str) -> bool:
+    """True if the written result of a function is of a type."""
+    assert isinstance(function, ast.Function)
+    return function.result is not None and type_named(function.result) == wanted
 
 
 def _fits(function: ast.Function, given: Mapping[str, Value]) -> bool:

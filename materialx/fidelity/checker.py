@@ -133,17 +133,18 @@ class Checker(Closing):
 
     def ours(
         self, source: Path | str, material: str, setting: Setting = ONE_LIGHT,
-        values: Values | None = None, *, search_path: tuple[Path, ...] = (),
+        values: Values | None = None, *, search_path: tuple[Path, ...] = (), is_still: bool = False,
     ) -> OwnPicture:  # fmt: skip
         """The picture of a material of Burnish in the same setting, on the same driver.
 
         ``source`` is a file or a text, and ``values`` are those of its parameters and textures that
-        differ from their defaults. Raises ``FidelityError`` and ``CompileError``.
+        differ from their defaults; with ``is_still``, displacements move nothing. Raises
+        ``FidelityError`` and ``CompileError``.
         """
         self._require(self._route)
         return draw_own(
             source, material, setting, values or {}, search_path,
-            self._route, self._runner, self._toolchain,
+            self._route, self._runner, self._toolchain, is_still=is_still,
         )  # fmt: skip
 
     def _require(self, route: Route) -> None:

@@ -33,6 +33,9 @@ class Claim:
     """True if textures are decoded from sRGB by the host, before filtering, on both sides."""
     image_folders: tuple[Path, ...] = ()
     """The folders in which the document's images may lie, besides its own."""
+    is_displaced: bool = False
+    """True if the material moves its surface. MaterialX's own GLSL moves nothing, so the picture is
+    drawn without."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +62,9 @@ def check(checker: Checker, claim: Claim, setting: Setting = ONE_LIGHT) -> Check
             by_host=claim.by_host,
         )
         values = _with_defaults(claim.values, theirs)
-        ours = checker.ours(claim.source, claim.material, setting, values)
+        ours = checker.ours(
+            claim.source, claim.material, setting, values, is_still=claim.is_displaced
+        )
     except FidelityError as error:
         return Checked(claim.renderable, "not run", str(error))
     except CompileError as error:

@@ -22,8 +22,13 @@ class Written(Protocol):
         """The renderable of the document, by MaterialX's name of it."""
 
     @property
-    def files(self) -> Mapping[str, str]:
-        """The files of the textures by their names, as the document says them."""
+    def files(self) -> Mapping[str, tuple[str, ...]]:
+        """The files of the textures by their names, as the document says them: one, or one for each
+        layer."""
+
+    @property
+    def is_displaced(self) -> bool:
+        """True if points are moved."""
 
 
 def claims_of(
@@ -39,7 +44,8 @@ def claims_of(
     """
     images = Images(document, image_folders)
     for material in materials:
-        values = {name: NamedImage(images, file) for name, file in material.files.items()}
+        values = {name: NamedImage(images, files) for name, files in material.files.items()}
         yield Claim(
-            document, material.path, source, material.name, values, image_folders=image_folders
-        )
+            document, material.path, source, material.name, values,
+            image_folders=image_folders, is_displaced=material.is_displaced,
+        )  # fmt: skip

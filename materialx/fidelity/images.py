@@ -16,7 +16,7 @@ import numpy as np
 from ...compiler.ir.types import Wrap
 from ...compiler.reference.transfer import decode_srgb
 from ...targets.runner.drivers.slots import Place, TextureSlot
-from ...targets.runner.drivers.texels import Image
+from ...targets.runner.drivers.texels import Dimension, Image
 from ...targets.runner.textures.files import picture_given
 from ...targets.runner.textures.kinds import PictureError
 from ...targets.runner.textures.texture import Texture
@@ -70,23 +70,26 @@ class Images:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class NamedImage:
-    """An image of a document, as the value of a texture of Burnish."""
+    """An image of a document, or a set of them, as the value of a texture of Burnish."""
 
     images: Images
-    file: str
+    files: tuple[str, ...]
+    """One file, or one for each layer."""
     default: Color | None = None
     """The colour if the file is not there: which one is up to hosts."""
 
     def with_default(self, defaults: Mapping[str, Color]) -> NamedImage:
         """The same image with the colour that another host has in place of its file."""
-        return replace(self, default=defaults.get(self.file))
+        return replace(self, default=defaults.get(self.files[0]))
 
-    def texture(self, *, is_srgb: bool) -> Texture | None:
+    def texture(self, *, is_srgb: bool, dimension: Dimension = "2d") -> Texture | None:
         """The texture; ``None`` if the file is not there and has no default. Raises
         ``FidelityError``."""
-        picture = self.images.found(self.file)
-        if picture is not None:
-            return _texture(picture.content, picture.path, is_srgb)
+        pictures = [picture for file in self.files if (picture := self.images.found(file))]
+        if pictures and dimension == "2d":
+            return _texture(pictures[0].content, pictures[0].path, is_srgb)
+        if pictures:
+            return _layers(pictures, is_srgb)
         return None if self.default is None else _plain(self.default)
 
 
@@ -103,6 +106,18 @@ def _decoded(color: Color) -> Color:
 
 def _loaded(content: bytes, name: str, is_srgb: bool) -> Image:
     return _texture(content, name, is_srgb).image()
+
+
+def _layers(pictures: Sequence[Picture], is_srgb: bool) -> Texture:
+    try:
+        found = [picture_given(each.content, each.path, "2d", "float") for each in pictures]
+        if len({array.shape for array in found}) > 1:
+            raise FidelityError(f"the pictures beside {pictures[0].path} have other sizes")
+        array = np.stack(found)
+        is_encoded = is_srgb and array.dtype.kind != "f"
+        return Texture.of_array(array, srgb=is_encoded, dimension="2d_array")
+    except PictureError as error:
+        raise FidelityError(str(error)) from None
 
 
 @lru_cache(maxsize=8)

@@ -5,9 +5,10 @@ The lights of the setting are a rig that is added to the file's text.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -64,8 +65,11 @@ rig MaterialXLights {{{{
 }}}}
 
 material Shown : {{material}} {{{{
+{{equations}}
 }}}}
 """
+_STILL = "    displacement_vector = vec3(0)"
+"""The equation that lets ``std.mtlx.displacement`` move nothing."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -97,10 +101,12 @@ class OwnPicture:
 def draw_own(
     source: Path | str, material: str, setting: Setting, values: Values,
     search_path: Sequence[Path], route: Route, runner: Runner, toolchain: Toolchain,
+    *, is_still: bool = False,
 ) -> OwnPicture:  # fmt: skip
-    """Compile a material, and draw it in a setting on a route. Raises ``FidelityError`` and
-    ``CompileError``."""
-    compiled = _compiled(source, material, setting, search_path, route.profile)
+    """Compile a material, and draw it in a setting on a route; with ``is_still``, its displacement
+    moves nothing. Raises ``FidelityError`` and ``CompileError``."""
+    text = partial(wrapped, material=material, setting=setting, is_still=is_still)
+    compiled = _compiled(source, text, search_path, route.profile)
     instance = compiled.instance()
     try:
         _set_values(instance, values)
@@ -118,8 +124,9 @@ def draw_own(
 
 
 def _compiled(
-    source: Path | str, material: str, setting: Setting, search_path: Sequence[Path], profile: str
+    source: Path | str, text_with: Callable[[str], str], search_path: Sequence[Path], profile: str
 ) -> CompiledMaterial:
+    """The material of a text that is told the name of the file that it imports."""
     with ExitStack() as owned:
         if isinstance(source, Path):
             file = source.resolve()
@@ -127,17 +134,18 @@ def _compiled(
             folder = owned.enter_context(TemporaryDirectory(prefix="burnish-"))
             file = Path(folder) / "shown.burnish"
             file.write_text(source, "utf-8")
-        text = wrapped(file.name, material, setting)
+        text = text_with(file.name)
         folders = [file.parent, *search_path]
         (compiled,) = compile(text, (profile,), search_path=folders, keep_graphs=True).materials
     return compiled
 
 
-def wrapped(file: str, material: str, setting: Setting) -> str:
+def wrapped(file: str, material: str, setting: Setting, is_still: bool) -> str:
     """The text of a file that shows a material of another one under the lights of a setting."""
     kinds = {"directional": "Directional", "point": POINT}
     lights = "\n".join(f"    {lamp.name} : {kinds[lamp.kind]}" for lamp in setting.lamps)
-    return _WRAPPING.format(file=file, material=material, lights=lights)
+    equations = _STILL if is_still else ""
+    return _WRAPPING.format(file=file, material=material, lights=lights, equations=equations)
 
 
 def _set_values(instance: Instance, values: Values) -> None:
@@ -145,7 +153,9 @@ def _set_values(instance: Instance, values: Values) -> None:
     rows = {row.name: row for row in instance.declared.textures}
     for name, value in values.items():
         if isinstance(value, NamedImage):
-            texture = value.texture(is_srgb=name in rows and rows[name].intent == "color")
+            is_srgb = name in rows and rows[name].intent == "color"
+            dimension = rows[name].dimension if name in rows else "2d"
+            texture = value.texture(is_srgb=is_srgb, dimension=dimension)
             if texture is not None:
                 instance.set(name, texture)
         elif isinstance(value, str):

@@ -30,6 +30,8 @@ def row_of(node: Node) -> Row | None:
     if node.category in closures.CLOSURE_ROWS and closures.is_closure(node.type):
         return closures.CLOSURE_ROWS[node.category]
     assert node.definition is not None
+    if channels.gives_member(node.definition):
+        return channels.member
     if node.category in ROWS and node.definition.is_library:
         return ROWS[node.category]
     if node.definition.is_library and catalogue.leaf_named(node.category, node.type):

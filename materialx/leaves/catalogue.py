@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ...compiler.library import FOLDER
 from ...compiler.syntax import ast
-from ..expressions import Expression, Given, Name, call_with
+from ..expressions import Expression, Given, Member, Name, call_with, flat
 from ..library_files import declarations
 from ..names import slot_name
 from ..networks import Application
@@ -23,14 +23,6 @@ from .application import SUFFIXES
 PACKAGE = "mtlx"
 _SPELLED = MappingProxyType({"in": ("value", "x", "color", "height"), "mix": ("amount",)})
 """Inputs whose names are words of Burnish, and the names that arguments have in place of them."""
-WORDS = MappingProxyType({
-    "scatter_mode": ("R", "T", "RT"),
-    "mode": ("conty_kulla", "zeltner"),
-})  # fmt: skip
-"""Inputs that are words, in the order of the numbers that functions of ``std.mtlx`` take for them.
-"""
-
-
 OF_SURFACE = MappingProxyType({
     "to_eye": "to_eye",
     "position": "position_world",
@@ -46,6 +38,16 @@ class Leaf(NamedTuple):
     arguments: tuple[str, ...]
     defaults: frozenset[str] = frozenset()
     """The arguments that may be left out."""
+    types: tuple[str, ...] = ()
+    """The types of the arguments, but for what stands in brackets."""
+
+    def members(self, argument: str) -> tuple[str, ...]:
+        """The members of the enumeration that an argument is of; none if it is of another type."""
+        return enumerations().get(self.type_of(argument), ())
+
+    def type_of(self, argument: str) -> str:
+        """The type of an argument."""
+        return self.types[self.arguments.index(argument)]
 
 
 @cache
@@ -68,7 +70,20 @@ def _leaf(module: str, declaration: ast.Function) -> Leaf:
     defaults = frozenset(
         argument.name.text for argument in arguments if argument.default is not None
     )
-    return Leaf(module, tuple(argument.name.text for argument in arguments), defaults)
+    names = tuple(argument.name.text for argument in arguments)
+    return Leaf(module, names, defaults, tuple(argument.type.name.text for argument in arguments))
+
+
+@cache
+def enumerations() -> MappingProxyType[str, tuple[str, ...]]:
+    """The members of all enumerations of ``std.mtlx``, by their names."""
+    found = {
+        declaration.name.text: tuple(member.name.text for member in declaration.members)
+        for path in sorted((FOLDER / PACKAGE).glob("*.burnish"))
+        for declaration in declarations(f"{PACKAGE}/{path.name}")
+        if isinstance(declaration, ast.Enumeration)
+    }
+    return MappingProxyType(found)
 
 
 def module_of(name: str) -> str:
@@ -91,7 +106,7 @@ def application(node: Application) -> Expression:
     given = [
         Given(
             argument,
-            _argument(node, argument),
+            _argument(node, leaf, argument),
             argument in leaf.defaults and _is_default(node, argument),
         )
         for argument in leaf.arguments
@@ -107,7 +122,7 @@ def _is_default(node: Application, argument: str) -> bool:
     return bool(name) and node.network.is_default(node.node, name)
 
 
-def _argument(node: Application, argument: str) -> Expression:
+def _argument(node: Application, leaf: Leaf, argument: str) -> Expression:
     if argument == "asked":
         if node.network.asked is None:
             raise UnsupportedError("a closure can only be part of a surface")
@@ -115,8 +130,8 @@ def _argument(node: Application, argument: str) -> Expression:
     name = _input_of(node, argument)
     if not name:
         return node.texts.surface(OF_SURFACE[argument])
-    if node.input_type(name) == "string":
-        return _word(node, name)
+    if leaf.members(argument):
+        return _member(node, leaf, argument, name)
     if node.input_type(name) == "filename":
         texture = node.texture(name)
         assert texture is not None, "nodes without their files have their defaults"
@@ -146,11 +161,20 @@ def input_named(inputs: Iterable[str], argument: str) -> str:
     return ""
 
 
-def _word(node: Application, name: str) -> Expression:
-    words = WORDS[name]
-    word = node.static(name) or words[0]
-    if word not in words:
-        raise UnsupportedError(f"'{word}' is none of {', '.join(words)}")
-    if name == "scatter_mode" and word != words[0]:
+def _member(node: Application, leaf: Leaf, argument: str, name: str) -> Expression:
+    """The member of an enumeration for an input that is a word, or the number of one."""
+    of, members = leaf.type_of(argument), leaf.members(argument)
+    if not _is_default(node, name):  # Only what is written is imported.
+        node.library(of)
+    if node.input_type(name) != "string":
+        value = node.input(name)
+        text = flat(value)
+        if isinstance(value, Name) and text.isdecimal() and int(text) < len(members):
+            return Member(Name(of), members[int(text)])
+        return Name(f"({text} as {of})")
+    word = node.static(name) or members[0]
+    if word not in members:
+        raise UnsupportedError(f"'{word}' is none of {', '.join(members)}")
+    if name == "scatter_mode" and word != members[0]:
         node.network.transmits = True
-    return Name(str(words.index(word)))
+    return Member(Name(of), word)

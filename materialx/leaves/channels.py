@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from ..expressions import Call, Expression, Member, Name, Number, flat, is_literal
+from ..model import Definition
 from ..networks import Application, Row
 from ..problems import UnsupportedError
 from ..values import BARE, LANES, TYPES
@@ -140,6 +143,27 @@ def _matrix(node: Application) -> Expression:
             column = Call("vec4", (column, Number(float(place == side - 1))))
         columns.append(column)
     return Call(TYPES[node.type], tuple(columns))
+
+
+_MEMBER = re.compile(r"\{\{(\w+)\}\}((?:\.\w+)+)")
+
+
+def gives_member(definition: Definition) -> bool:
+    """True for a leaf of a document that gives a member of one of its inputs."""
+    return _MEMBER.fullmatch(definition.source) is not None
+
+
+def member(node: Application) -> Expression:
+    """A member of an input, which the definition of a node names: ``{{in}}.ss``."""
+    assert node.node.definition is not None
+    found = _MEMBER.fullmatch(node.node.definition.source)
+    assert found is not None, "only leaves with such a source are written so"
+    value, kind = node.input(found[1]), node.input_type(found[1])
+    for name in found[2].removeprefix(".").split("."):
+        value, kind = node.texts.structures.member(value, kind, name)
+    if kind != node.type:
+        raise UnsupportedError(f"'{found[0]}' is a {kind}, and no {node.type}")
+    return value
 
 
 ROWS: dict[str, Row] = {

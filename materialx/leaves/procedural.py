@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..expressions import Binary, Call, Expression, Given, Member, Number, binary, call_with
+from ..expressions import Call, Expression, Given, Member, Number, binary, call_with, called
 from ..networks import Application, Row
 from .application import SUFFIXES
 
@@ -48,39 +48,39 @@ def _minus(node: Application) -> Expression:
 
 
 def _difference(node: Application) -> Expression:
-    return Call("abs", (binary("-", *node.inputs("bg", "fg")),))
+    return called("abs", binary("-", *node.inputs("bg", "fg")))
 
 
 def _screen(node: Application) -> Expression:
     foreground, background = node.inputs("fg", "bg")
     one = Number(1.0)
-    return Binary("-", one, Binary("*", Binary("-", one, foreground), Binary("-", one, background)))
+    return binary("-", one, binary("*", binary("-", one, foreground), binary("-", one, background)))
 
 
 def _in(node: Application) -> Expression:
     foreground, background = node.inputs("fg", "bg")
-    return Binary("*", foreground, _alpha(background))
+    return binary("*", foreground, _alpha(background))
 
 
 def _mask(node: Application) -> Expression:
     foreground, background = node.inputs("fg", "bg")
-    return Binary("*", background, _alpha(foreground))
+    return binary("*", background, _alpha(foreground))
 
 
 def _out(node: Application) -> Expression:
     foreground, background = node.inputs("fg", "bg")
-    return Binary("*", foreground, Binary("-", Number(1.0), _alpha(background)))
+    return binary("*", foreground, binary("-", Number(1.0), _alpha(background)))
 
 
 def _over(node: Application) -> Expression:
     foreground, background = node.inputs("fg", "bg")
-    rest = Binary("*", background, Binary("-", Number(1.0), _alpha(foreground)))
-    return Binary("+", foreground, rest)
+    rest = binary("*", background, binary("-", Number(1.0), _alpha(foreground)))
+    return binary("+", foreground, rest)
 
 
 def _outside(node: Application) -> Expression:
     value, mask = node.inputs("in", "mask")
-    return Binary("*", value, Binary("-", Number(1.0), mask))
+    return binary("*", value, binary("-", Number(1.0), mask))
 
 
 ROWS: dict[str, Row] = {
@@ -96,6 +96,6 @@ ROWS: dict[str, Row] = {
     "mask": _blended(_mask),
     "out": _blended(_out),
     "over": _blended(_over),
-    "inside": lambda node: Binary("*", *node.inputs("in", "mask")),
+    "inside": lambda node: binary("*", *node.inputs("in", "mask")),
     "outside": _outside,
 }

@@ -11,10 +11,15 @@ from .catalogue import application
 def _image(node: Application) -> Expression:
     texture = node.texture("file")
     assert isinstance(texture, Name)
+    tiles = node.network.files.tiles(node.node, "file", node.scope)
+    if tiles:
+        numbers = Name(f"[{', '.join(map(str, tiles))}]")
+        given = (texture, node.input("texcoord"), numbers, _beyond(node))
+        return _lanes(Call(node.library("udim_set"), given), node.type)
     place = upright(node, node.input("texcoord"))
     axes = node.network.files.borders(node.node, "file", node.scope)
     if not any(axes):
-        return _lanes(Call(texture.text, (place,)), node.type)
+        return _lanes(node.texts.read(texture.text, place), node.type)
     is_filtered = node.static("filtertype") != "closest"
     function = node.library("bordered" if is_filtered else "bordered_nearest")
     sides = literal(", ".join("1" if is_bordered else "0" for is_bordered in axes), "vector2")
@@ -24,6 +29,8 @@ def _image(node: Application) -> Expression:
 def _beyond(node: Application) -> Expression:
     """The colour beyond the borders of an image, with four lanes. It is encoded as the file is."""
     color = node.input("default")
+    if color == literal("0", node.type):
+        return Call("vec4", (Number(0.0),))
     if node.network.files.is_encoded(node.node, "file", node.scope):
         color = Call(node.library("from_srgb_texture"), (color,))
     lanes = LANES[node.type]

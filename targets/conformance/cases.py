@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -92,48 +92,76 @@ def series_of(
     seed: int = 0,
     size: Size = SIZE,
     like: Reflection | None = None,
+    kept: Collection[str] = (),
 ) -> Iterator[Series]:
     """All cases of one material or kernel; ``seed`` is the seed of its random values.
 
     Pictures of a smaller ``size`` have meshes of fewer triangles: random programs are drawn so.
     The images of a kernel have sizes of their own. ``like`` is the reflection of another form of
-    the material, whose meshes these cases have: what is drawn with native stages is compared with
-    what is drawn without.
+    the material, whose meshes and textures these cases have: what is drawn with native stages is
+    compared with what is drawn without, and a version of a material with the material. The ``kept``
+    parameters have their defaults.
     """
-    form = like or reflection
+    given = _Given(reflection, like or reflection, frozenset(kept))
     if has_images(reflection):
         yield Series(exact=False, cases=tuple(
-            Case(name, full_screen_state(_kernel(reflection, seed + turn, size), UNCOVERED))
+            Case(name, full_screen_state(_kernel(given, seed + turn, size), UNCOVERED))
             for turn, name in enumerate(IMAGE_CASES)
         ))  # fmt: skip
         return
     if is_over_buffers(reflection):
         yield Series(exact=False, cases=tuple(
-            Case(name, elements_state(_sampled(reflection, seed + turn, sizes)))
+            Case(name, elements_state(given.sampled(seed + turn, sizes)))
             for turn, (name, sizes) in enumerate(ELEMENT_CASES.items())
         ))  # fmt: skip
         return
     states = (
-        _defaults(reflection, size, form),
-        _stretched(reflection, seed, UNCOVERED, size, form),
-        _behind(reflection, seed + 1, size, form),
-        _inside(reflection, seed + 2, size),
+        _defaults(given, size),
+        _stretched(given, seed, UNCOVERED, size),
+        _behind(given, seed + 1, size),
+        _inside(given, seed + 2, size),
     )
     cases = tuple(Case(name, state) for name, state in zip(DRAWN_CASES, states, strict=True))
     yield Series(exact=is_drawn(reflection), cases=cases)
     if is_drawn(reflection) and shows_less(reflection):
-        state = _stretched(reflection, seed, BACKDROP, size, form)
+        state = _stretched(given, seed, BACKDROP, size)
         state = replace(state, blend_constant=BLEND_CONSTANT)
         yield Series(exact=False, cases=(Case("declared", state),))
 
 
-def _kernel(reflection: Reflection, seed: int, size: Size) -> Instance:
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """The reflection of what is drawn, and what decides about its values."""
+
+    reflection: Reflection
+    form: Reflection
+    """That of the form whose meshes and textures the cases have."""
+    kept: frozenset[str]
+    """The parameters that have their defaults in all cases."""
+
+    def sampled(self, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> Instance:
+        """An instance with random values; storage buffers have one of some ``sizes``."""
+        return self._sampled(self.reflection, seed, sizes)
+
+    def shaped(self, seed: int) -> Instance:
+        """The same of the other form."""
+        return self._sampled(self.form, seed, BUFFER_SIZES)
+
+    def _sampled(self, reflection: Reflection, seed: int, sizes: Sequence[int]) -> Instance:
+        instance = Instance(reflection)
+        sample_values(instance, seed, kept=self.kept)
+        sample_buffers(instance, seed, sizes)
+        sample_textures(instance, seed, self.form.textures)
+        return instance
+
+
+def _kernel(given: _Given, seed: int, size: Size) -> Instance:
     """A kernel with random values, whose images are about as large as other pictures."""
-    instance = _sampled(reflection, seed)
+    reflection, instance = given.reflection, given.sampled(seed)
     counts = {row.count for row in reflection.buffers}
     read = {step.parameter for step in reflection.extent or () if isinstance(step, ParameterStep)}
     for row in reflection.parameters:
-        if row.name in read - counts and row.representation in ("int", "uint"):
+        if row.name in read - counts - given.kept and row.representation in ("int", "uint"):
             lo, hi = row.range or (1, max(size))
             number = random.Random(f"{seed} {row.name}").randint(min(size) // 2, max(size))
             instance.set(row.name, int(min(max(number, lo), hi)))
@@ -165,21 +193,15 @@ def _divided_share(form: Instance) -> float:
     return min(1.0, FINEST_USUAL / finest)
 
 
-def _defaults(reflection: Reflection, size: Size, form: Reflection) -> SceneState:
-    instance, shaped = Instance(reflection), Instance(form)
+def _defaults(given: _Given, size: Size) -> SceneState:
+    instance, shaped = Instance(given.reflection), Instance(given.form)
     for each in (instance, shaped):
         sample_values(each, 0, missing=True)
     mesh = sphere(_cells(32, shaped, size), _cells(16, shaped, size))
     return _state(instance, mesh, Scene(light_count=2), size)
 
 
-def _stretched(
-    reflection: Reflection,
-    seed: int,
-    clear: Color,
-    size: Size,
-    form: Reflection,
-) -> SceneState:
+def _stretched(given: _Given, seed: int, clear: Color, size: Size) -> SceneState:
     """A mesh that is scaled differently along each axis, with all lights, near it and inside it."""
     scene = Scene(
         looking(eye=(-0.7, 1.1, 2.6)),
@@ -187,19 +209,19 @@ def _stretched(
         light_distance=0.35,
         light_count=64,
     )
-    shaped = _sampled(form, seed)
+    shaped = given.shaped(seed)
     mesh = torus(_cells(24, shaped, size), _cells(16, shaped, size))
-    return _state(_sampled(reflection, seed), mesh, scene, size, clear)
+    return _state(given.sampled(seed), mesh, scene, size, clear)
 
 
-def _behind(reflection: Reflection, seed: int, size: Size, form: Reflection) -> SceneState:
+def _behind(given: _Given, seed: int, size: Size) -> SceneState:
     """Back faces, and as few lights as possible."""
     scene = Scene(looking(eye=(0.9, 0.5, -2.4), look_at=(0.1, 0.0, 0.0)), light_count=0)
-    cells = max(3, round(4 * min(1.0, 4 * _divided_share(_sampled(form, seed)))))
-    return _state(_sampled(reflection, seed), plane(cells), scene, size)
+    cells = max(3, round(4 * min(1.0, 4 * _divided_share(given.shaped(seed)))))
+    return _state(given.sampled(seed), plane(cells), scene, size)
 
 
-def _inside(reflection: Reflection, seed: int, size: Size) -> SceneState:
+def _inside(given: _Given, seed: int, size: Size) -> SceneState:
     """Walls around the eye, which the near and the far plane cut."""
     camera = looking(
         eye=(0.35, -0.2, 0.4),
@@ -208,15 +230,7 @@ def _inside(reflection: Reflection, seed: int, size: Size) -> SceneState:
         far=1.5,
         fov=math.radians(75),
     )
-    return _state(_sampled(reflection, seed), cube(), Scene(camera), size)
-
-
-def _sampled(reflection: Reflection, seed: int, sizes: Sequence[int] = BUFFER_SIZES) -> Instance:
-    instance = Instance(reflection)
-    sample_values(instance, seed)
-    sample_buffers(instance, seed, sizes)
-    sample_textures(instance, seed)
-    return instance
+    return _state(given.sampled(seed), cube(), Scene(camera), size)
 
 
 def _state(

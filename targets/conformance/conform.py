@@ -28,7 +28,7 @@ from .frames import FrameTrial
 from .gathering import Gathering
 from .refusals import REFUSALS
 from .rows import LACKS_MEMORY, CaseResult, Row, Status
-from .trials import ShaderTrial, Trial
+from .trials import ShaderTrial, Trial, Version
 
 Tried = Trial | tuple[str, str]
 """The trial of a subject; or its label, and the reason why nothing can draw it."""
@@ -46,12 +46,13 @@ def conform(
     keep: bool = True,
     brief: bool = False,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
+    versions: Mapping[str, Version] = EMPTY,
 ) -> list[Row]:
     """A row for each labelled material, kernel or frame and each route, in this order.
 
     Arguments are those of ``trials_of`` and of ``rows_of``.
     """
-    trials = trials_of(subjects, seed=seed, size=size, keep=keep, meant=meant)
+    trials = trials_of(subjects, seed=seed, size=size, keep=keep, meant=meant, versions=versions)
     return rows_of(trials, routes, runner, toolchain, gathering=gathering, brief=brief)
 
 
@@ -62,17 +63,19 @@ def trials_of(
     size: Size = SIZE,
     keep: bool = True,
     meant: Mapping[str, Subject | FrameSubject] = EMPTY,
+    versions: Mapping[str, Version] = EMPTY,
     helpers: Helpers | None = None,
 ) -> list[Tried]:
     """The trial of each labelled material, kernel or frame.
 
     ``meant`` has, by the label, the form of a material that the reference draws, where this is not
-    the one that routes draw. Without ``keep``, what the reference draws is not kept: random
-    programs are drawn only once. ``helpers`` may draw parts of frames.
+    the one that routes draw, and ``versions`` what it is a version of. Without ``keep``, what the
+    reference draws is not kept: random programs are drawn only once. ``helpers`` may draw parts of
+    frames.
     """
     store = Store(STORE) if keep else None
     return [
-        _trial(label, subject, seed, store, size, meant.get(label), helpers)
+        _trial(label, subject, seed, store, size, meant.get(label), versions.get(label), helpers)
         for label, subject in subjects
     ]
 
@@ -119,6 +122,7 @@ def _trial(
     store: Store | None,
     size: Size,
     meant: Subject | FrameSubject | None,
+    version: Version | None,
     helpers: Helpers | None,
 ) -> Tried:
     if is_frame(subject):
@@ -127,7 +131,7 @@ def _trial(
     assert meant is None or is_shader(meant)
     content = content_of(subject.reflection, store or Store(STORE, limit=0))
     try:
-        return ShaderTrial(label, subject, content, seed, size, meant)
+        return ShaderTrial(label, subject, content, seed, size, meant, version)
     except ValueError as error:
         return label, str(error)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import numpy as np
@@ -37,12 +37,14 @@ _USUAL = {"rgb": (0.0, 1.0), "point": (-2.0, 2.0)}
 """The range of numbers with some meanings, whatever their default."""
 
 
-def sample_values(instance: HostValues, seed: int, *, missing: bool = False) -> None:
+def sample_values(
+    instance: HostValues, seed: int, *, missing: bool = False, kept: Collection[str] = ()
+) -> None:
     """Set every parameter that a scene does not set to an allowed value, and use all lights.
 
-    With ``missing``, set only those that have no value. A parameter that the program does not read
-    needs none; but the material may read it, and parts that were removed from the program relied on
-    its range.
+    With ``missing``, set only those that have no value. Those that are ``kept`` stay as they are. A
+    parameter that the program does not read needs none; but the material may read it, and parts
+    that were removed from the program relied on its range.
     """
     lights = instance.declared.lights
     counts = {light.count for light in lights if light.count}
@@ -56,7 +58,7 @@ def sample_values(instance: HostValues, seed: int, *, missing: bool = False) -> 
         name = row.name
         unset = any(f"{each}.".startswith(f"{name}.") for each in without)
         unset |= row.block is None and row.default is None
-        if name not in placed and (unset or not missing):
+        if name not in placed and name not in kept and (unset or not missing):
             instance.set(name, _value(shape_of(row), random.Random(f"{seed} {name}")))
 
 
@@ -69,13 +71,19 @@ def sample_buffers(instance: HostValues, seed: int, sizes: Sequence[int] = BUFFE
         instance.set(row.name, [_value(element, chance) for _ in range(count)])
 
 
-def sample_textures(instance: HostValues, seed: int) -> None:
+def sample_textures(
+    instance: HostValues, seed: int, like: Sequence[TextureDeclaration] = ()
+) -> None:
     """Give every texture a picture of its own: smooth, and different in all lanes and directions.
+
+    Textures get what those of the same names get among others, which they are ``like``.
 
     Integer textures get arbitrary numbers; those with 8 bits get few different ones, as palettes
     have. Colours are encoded as sRGB, as those of pictures are, but not what stands for normals.
     """
-    for number, row in enumerate(instance.declared.textures):
+    numbers = {row.name: number for number, row in enumerate(like or instance.declared.textures)}
+    for row in instance.declared.textures:
+        number = numbers[row.name]
         chance = random.Random(f"{seed} {row.name}")
         instance.set(row.name, _sampled_texture(row, chance, number + seed))
 

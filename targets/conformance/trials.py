@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -21,10 +22,12 @@ from ..runner.drivers.device import Device
 from ..runner.exact import Exact
 from ..runner.explanation import explained
 from ..runner.frames.pixel_origins import Origin
+from ..runner.instances.values import ParameterError
 from ..runner.kernels import UndrawableError, drawable, is_drawn
 from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
+from ..runner.scene import set_by_scene
 from ..runner.scene_state import SceneState
 from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
@@ -38,6 +41,18 @@ from .rows import CaseResult
 
 LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
 """The stages whose captured vertices, or elements, the reference can compute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Version:
+    """What a version of a material, which serves some values only, is a version of."""
+
+    source: Subject
+    """The material for all values, which is drawn with some of those that the version serves."""
+    narrowed: frozenset[str]
+    """The names of parameters of which the version serves some values only."""
+    fixed: frozenset[str]
+    """Those of them that have one value: their default."""
 
 
 class Trial(ABC):
@@ -108,26 +123,34 @@ class ShaderTrial(Trial):
         seed: int,
         size: Size,
         meant: Subject | None = None,
+        version: Version | None = None,
     ) -> None:
         """``content`` is what the shader leaves, and ``size`` that of all pictures.
 
         ``meant`` is the form of the material that the reference computes, if that is another: one
-        without stages that only some profiles have. Raises ``UndrawableError`` if such a form is
+        without stages that only some profiles have. ``version`` tells what the material is a
+        version of, whose meaning the text has to have. Raises ``UndrawableError`` if such a form is
         needed and missing, and the errors of ``Instance`` and ``set_up``, although a case should
         lack no value.
         """
         super().__init__(label, [subject])
         self._content = content
         self._meant = form = _computed(subject, meant)
+        if version is not None:
+            _check_scenes(version)
+        self._source = form if version is None else version.source
+        kept = () if version is None else version.fixed
+        like = self._source.reflection
+        own, drawn, source = (
+            series_of(each.reflection, seed, size, like=like, kept=kept)
+            for each in (form, subject, self._source)
+        )
         self._work = [
-            (series, [case.state for case in run.cases])
-            for series, run in zip(
-                series_of(form.reflection, seed, size),
-                series_of(subject.reflection, seed, size, like=form.reflection),
-                strict=True,
-            )
+            (series, [case.state for case in run.cases], [case.state for case in first.cases])
+            for series, run, first in zip(own, drawn, source, strict=True)
         ]
-        """Each series as the reference computes it, with the states of its cases for drivers."""
+        """Each series as the reference computes it, with the states of its cases for drivers, and
+        for the material of which this is a version."""
         self._programs: Known[Program] = Known()
         self._known: Known[Any] = Known()
 
@@ -141,21 +164,21 @@ class ShaderTrial(Trial):
         """An answer of a route for each case; it does a series when the first one is asked for."""
         (subject,) = self.shaders
         codes = compile_one(route, subject.files, toolchain)
-        for series, states in self._work:
+        for series, states, sources in self._work:
             form = _form(subject, series)
             bound = pipeline(form.reflection, route, codes)
             made = self._content.answers(form, states, route, bound, runner)
-            for case, got in zip(series.cases, made, strict=True):
-                program, source = (self._program(series, each) for each in (route.profile, None))
+            program, source = (self._program(series, each) for each in (route.profile, None))
+            for case, first, got in zip(series.cases, sources, made, strict=True):
                 yield Answer(
                     case.name,
                     bounds_of(case.state, route, device),
-                    partial(self._compared, got, case.state, program, source),
+                    partial(self._compared, got, (program, case.state), (source, first)),
                 )
 
     def cases(self) -> Mapping[str, SceneState]:
         """The states of the cases, by name."""
-        return {case.name: case.state for series, _states in self._work for case in series.cases}
+        return {case.name: case.state for series, *_states in self._work for case in series.cases}
 
     def made(
         self, case: str, route: Route, device: Device, level: Level, pixel: tuple[int, int]
@@ -190,7 +213,7 @@ class ShaderTrial(Trial):
         """The series with a case of this name."""
         return next(
             series
-            for series, _states in self._work
+            for series, *_states in self._work
             if any(each.name == case for each in series.cases)
         )
 
@@ -201,20 +224,34 @@ class ShaderTrial(Trial):
     def _pictures(
         self, case: str, profile: str | None, rules: RasterRules, errors: Errors | None
     ) -> CasePictures:
-        state, program = self.cases()[case], self._program(self.series_with(case), profile)
+        series = self.series_with(case)
+        states = self.cases() if profile is not None else self._cases_of_source()
+        state, program = states[case], self._program(series, profile)
         found = self._found(program, state, rules, errors)
         return self._content.pictures(found, self.form(case).reflection, state.width)
 
+    def _cases_of_source(self) -> Mapping[str, SceneState]:
+        """The states of the cases for the material of which this is a version, by name."""
+        return {
+            case.name: state
+            for series, _drawn, states in self._work
+            for case, state in zip(series.cases, states, strict=True)
+        }
+
     def _compared(
-        self, got: Any, state: SceneState, program: Program, source: Program, bounds: Bounds
+        self,
+        got: Any,
+        text: tuple[Program, SceneState],
+        source: tuple[Program, SceneState],
+        bounds: Bounds,
     ) -> Compared:
         rules, errors = bounds.rules, bounds.errors
         said = Said(
-            state,
-            source,
-            partial(self._found, program, state, rules, errors),
-            partial(self._found, source, state, precise(rules), None),
-            partial(self._found, source, state, rules, errors),
+            text[1],
+            source[0],
+            partial(self._found, *text, rules, errors),
+            partial(self._found, *source, precise(rules), None),
+            partial(self._found, *source, rules, errors),
         )
         return self._content.compared(got, said)
 
@@ -236,11 +273,20 @@ class ShaderTrial(Trial):
         """The program as emitted for a profile, or that of the source."""
 
         def made() -> Program:
-            form = _form(self._meant, series)
+            form = _form(self._source if profile is None else self._meant, series)
             shader = form.shader if profile is None else form.emitted(profile)
             return Program.of(self._content.evaluated(shader))
 
         return self._programs.value((profile, series.exact), made)
+
+
+def _check_scenes(version: Version) -> None:
+    """Raise ``ParameterError`` if a version serves only some values of what scenes decide about."""
+    reflection = version.source.reflection
+    lamps = {light.count for light in reflection.lights if light.count}
+    elements = {buffer.count for buffer in reflection.buffers}
+    for name in sorted(version.narrowed & (set_by_scene(reflection) | lamps | elements)):
+        raise ParameterError(name, f"the scenes that are compared set `{name}`, to any value")
 
 
 def _form(subject: Subject, series: Series) -> Subject:

@@ -45,16 +45,25 @@ def opened(path: Path, name: str, limit: str = "file", *, links: bool = True) ->
     if "\0" in os.fspath(path):
         raise FileError(f"cannot read {name}: a name has no character NUL")
     try:
-        # Opening a device can have effects, so it is not even tried.
-        _check_regular(path.stat(follow_symlinks=links), name)
-        with open(path, "rb", opener=_without_waiting if links else _without_links) as file:
-            # Something else may have been put in its place since.
-            status = os.fstat(file.fileno())
-            _check_regular(status, name)
-            check(limit, status.st_size, f"{name} has")
+        with regular(path, name, links=links) as file:
+            check(limit, os.fstat(file.fileno()).st_size, f"{name} has")
             yield file
     except OSError as error:
         raise FileError(f"cannot read {name}: {error.strerror or error}") from None
+
+
+@contextmanager
+def regular(path: Path, name: str, *, links: bool = True) -> Iterator[BinaryIO]:
+    """A file of any size that is open for reading, for callers with limits of their own.
+
+    Raises ``FileError`` for what is no file, and ``OSError``.
+    """
+    # Opening a device can have effects, so it is not even tried.
+    _check_regular(path.stat(follow_symlinks=links), name)
+    with open(path, "rb", opener=_without_waiting if links else _without_links) as file:
+        # Something else may have been put in its place since.
+        _check_regular(os.fstat(file.fileno()), name)
+        yield file
 
 
 def _check_regular(status: os.stat_result, name: str) -> None:

@@ -6,6 +6,7 @@ import errno
 import re
 import sys
 from pathlib import Path
+from zipfile import ZipFile
 
 import click
 import pytest
@@ -241,3 +242,31 @@ def test_a_shell_imports(tmp_path: Path) -> None:
     done = shell("import", OWN, folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert tree(tmp_path) >= FILES
+
+
+def test_an_archive_is_imported(tmp_path: Path) -> None:
+    made = tmp_path / "sticker.mtlx.zip"
+    with ZipFile(made, "w") as archive:
+        for name in ("image_plain.mtlx", "images/tiles.png"):
+            archive.write(OWN.parent / name, name)
+    said = invoke("import", made, "-o", tmp_path / "out")
+    assert (said.exit_code, said.stderr) == (0, "")
+    assert tree(tmp_path / "out") >= {"image_plain.burnish", "textures/tiles.png"}
+
+
+def test_an_archive_that_is_none_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "a.mtlx.zip"
+    path.write_text("hello")
+    said = invoke("import", path, "-o", tmp_path / "out")
+    assert said.exit_code == 1
+    assert said.stderr == (
+        "error: a.mtlx.zip:1: this is no whole ZIP archive: File is not a zip file\n"
+    )
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_is_no_document(tmp_path: Path) -> None:
+    said = invoke("import", tmp_path, "-o", tmp_path / "out")
+    assert (said.exit_code, said.stderr) == (
+        1, f"error: cannot read {tmp_path}: it is not a file\n",
+    )  # fmt: skip

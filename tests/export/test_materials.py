@@ -13,6 +13,7 @@ from ..cli.kit import invoke, tree
 from ..golden import assert_golden
 from .kit import MATERIALS, exported, read_back, written
 
+DOCUMENTS = Path(__file__).parents[1] / "materialx" / "documents"
 MODELS = {
     "OpenPbr": ("open_pbr_surface", "OpenPbrSurface"),
     "GltfSurface": ("gltf_pbr", "GltfPbrSurface"),
@@ -97,6 +98,19 @@ def test_a_texture_that_is_not_there_is_told(folder: Path) -> None:
     )
     assert (result.exit_code, result.stdout) == (2, "")
     assert "no texture is called `albino`" in result.stderr
+
+
+def test_words_are_members_of_enumerations_and_words_again(tmp_path: Path) -> None:
+    found = imported(DOCUMENTS / "closure_sheen.mtlx")
+    path = written(found, tmp_path / "cloth")
+    assert "mode = SheenMode.zeltner" in path.read_text()
+    tiles = imported(MATERIALS / "tiles.mtlx")
+    text = written(tiles, tmp_path / "tiles").read_text()
+    assert "worleynoise2d(st, style = WorleyStyle.solid)" in text
+    assert "import std.mtlx.noise.{WorleyStyle, worleynoise2d}" in text
+    document = exported(tmp_path / "tiles" / tiles.main)
+    assert '<input name="style" type="integer" value="1" />' in document
+    assert "WorleyStyle.solid" in read_back(document, tmp_path / "back", "tiles").read_text()
 
 
 def _saved(path: Path, text: str) -> Path:

@@ -200,7 +200,7 @@ _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]]
         ("(phong({}, 4) with {{{{ to_eye = {} }}}})", ("rgb", "direction<world>"), _LIT),
     ),
     "angle": (
-        ("30deg", (), _N), ("0.5rad", (), _N),
+        ("30deg", (), _N), ("0.5rad", (), _N), ("0.1turn", (), _N),
         ("angle({})", ("float",), _N), ("({} + {})", ("angle", "angle"), _N),
         ("({} * {})", ("angle", "float"), _N), ("asin({})", ("float",), _N),
         ("atan2({}, {})", ("float", "float"), _N),
@@ -240,6 +240,7 @@ _MEANINGS: Mapping[str, tuple[tuple[str, tuple[str, ...], frozenset[str]], ...]]
         ("normalize(({} as normal<world>))", ("vec3",), _N),
     ),
     "float": (
+        ("250mm", (), _N),
         ("dot({}, {})", ("direction<world>", "normal<world>"), _N),
         ("distance({}, {})", ("point<world>", "point<world>"), _N),
         ("fwidth({})", ("float",), frozenset({UNIFORM, FRAGMENT})),

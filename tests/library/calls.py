@@ -15,7 +15,7 @@ from burnish.compiler.reference.evaluate import evaluate
 from ..semantics.kit import leaves, shader
 from .kit import MESH, Floats
 
-TEXTURES = ("texture2d",)
+TEXTURES = ("texture2d", "texture2d_array")
 """Types of arguments that are no numbers."""
 
 
@@ -77,7 +77,7 @@ class Quad:
 def _kind(value: Any) -> str:
     """The type of an argument in the language."""
     if hasattr(value, "read"):
-        return "texture2d"
+        return str(value.kind)
     if isinstance(value, Quad):
         return f"vec{len(value.lanes)}" if len(value.lanes) > 1 else "float"
     array = np.asarray(value)
@@ -118,12 +118,16 @@ def directions(count: int, seed: int = 7) -> Floats:
 
 
 class Picture:
-    """A texture whose reads are a function of the coordinate, and that notes derivatives."""
+    """A texture whose reads are a function of the coordinate, and of the layer if there are any. It
+    notes derivatives."""
 
     def __init__(
-        self, color: Callable[..., tuple[Any, ...]], size: tuple[int, int] = (1, 1)
-    ) -> None:
+        self, color: Callable[..., tuple[Any, ...]], size: tuple[int, int] = (1, 1), *,
+        layered: bool = False,
+    ) -> None:  # fmt: skip
         self._color = color
+        self._places = 2 if layered else 1
+        self.kind = "texture2d_array" if layered else "texture2d"
         self._size = size
         self.steps: list[Any] = []
         """Both derivatives of each read that was given some."""
@@ -132,6 +136,7 @@ class Picture:
         """The value of a read."""
         if name == "texture_size":
             return self._size
-        assert name in ("sample", "sample_grad"), name
-        self.steps += operands[1:]
-        return self._color(*operands[0])
+        assert name in ("sample", "sample_grad", "sample_level"), name
+        if name == "sample_grad":
+            self.steps += operands[self._places :]
+        return self._color(*(lane for place in operands[: self._places] for lane in place))

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from .calls import Quad, called
+from .kit import close
 from .materialx import Node, Nodes, assert_alike
 from .truth import truth
 
@@ -31,7 +32,7 @@ TO_LIGHT = f"reflect(-{TO_EYE}, normalize({NORMAL} + 0.2 * r.yzw))"
 EVEN = "q.yzw"
 KIND = "int(3.0 * fract(p.x))"
 """How a closure is asked. MaterialX has other numbers for the same kinds."""
-ASKED = f"Asked({KIND}, {TO_LIGHT}, {TO_EYE}, rgb({EVEN}))"
+ASKED = f"Asked(({KIND} as Asking), {TO_LIGHT}, {TO_EYE}, rgb({EVEN}))"
 DATA = (
     f"makeClosureData({KIND} == 0 ? 1 : 4 - {KIND}, {TO_LIGHT}, {TO_EYE}, {NORMAL}, vec3(0.0), 1.0)"
 )
@@ -49,7 +50,15 @@ MODE, BACK = "int(q.y * 2.99)", "q.z > 0.8"
 ROUGHNESS = "clamp(0.7 * r.y + 0.5, 0.0, 1.0)"
 INDEX = "1.1 + abs(r.z)"
 COLOR, SECOND, THIRD = (f"rgb(1.2 * q.{lanes} - 0.1)" for lanes in ("xyz", "zwx", "wyz"))
+SHEEN = "int(q.y * 1.99)"
+SMOOTHLY = "1 + 0"
 DISTRIBUTION = "0 + 0"
+OURS = {
+    MODE: f"({MODE} as ScatterMode)",
+    SHEEN: f"({SHEEN} as SheenMode)",
+    SMOOTHLY: "SheenMode.zeltner",
+}
+"""Arguments that are written in another way in Burnish."""
 
 
 def closure(function: str, near: float, *given: str) -> Node:
@@ -58,7 +67,7 @@ def closure(function: str, near: float, *given: str) -> Node:
     Its arguments mean the same in both languages; colours are ``rgb`` in Burnish only.
     """
     theirs = ", ".join(each.removeprefix("rgb") for each in given)
-    ours = ", ".join(each for each in given if each != DISTRIBUTION)
+    ours = ", ".join(OURS.get(each, each) for each in given if each != DISTRIBUTION)
     return Node(
         f"even_light = {EVEN}; BSDF b = BSDF(vec3(0.0), vec3(1.0)); "
         f"mx_{function}({DATA}, {theirs}, b); "
@@ -114,7 +123,7 @@ MATT: Nodes = {
 }
 CLOTH: Nodes = {
     "sheen": closure(
-        "sheen_bsdf", ROUNDED, WEIGHT, COLOR, ROUGHNESS, NORMAL, "int(q.y * 1.99)"
+        "sheen_bsdf", ROUNDED, WEIGHT, COLOR, ROUGHNESS, NORMAL, SHEEN,
     ),
     "hair": closure(
         "chiang_hair_bsdf", NARROW, COLOR, SECOND, THIRD, "1.2 + q.w",
@@ -127,7 +136,7 @@ CLOTH: Nodes = {
         "vec2(0.004 * q.y, 0.004 * q.x)", "0.5 + 0.05 * q.y", "q.xyz", NORMAL, TANGENT,
     ),
     "smooth cloth": closure(
-        "sheen_bsdf", 1e-7, "1.0", "rgb(vec3(100.0))", "0.02 * q.w", NORMAL, "1"
+        "sheen_bsdf", 1e-7, "1.0", "rgb(vec3(100.0))", "0.02 * q.w", NORMAL, SMOOTHLY
     ),
 }  # fmt: skip
 JOINED: Nodes = {
@@ -167,8 +176,8 @@ BELOW: Nodes = {
         f"makeClosureData(3 - {NOT_LIT}, {TO_LIGHT}, {TO_EYE}, {NORMAL}, vec3(0.0), 1.0), "
         f"{WEIGHT}, q.xyz, q.zxy, 0.5, {NORMAL}, b); "
         f"four = vec4(b.response, dot(b.throughput, {SHARES}))",
-        f"lanes_of(subsurface_bsdf(Asked(1 + {NOT_LIT}, {TO_LIGHT}, {TO_EYE}, rgb({EVEN})), "
-        f"{WEIGHT}, rgb(q.xyz), rgb(q.zxy), 0.5, {NORMAL}, p.xyz))",
+        f"lanes_of(subsurface_bsdf(Asked((1 + {NOT_LIT} as Asking), {TO_LIGHT}, {TO_EYE}, "
+        f"rgb({EVEN})), {WEIGHT}, rgb(q.xyz), rgb(q.zxy), 0.5, {NORMAL}, p.xyz))",
         4,
         ROUNDED,
         (*AROUND, f"{PBR}/mx_subsurface_bsdf.glsl"),
@@ -258,14 +267,14 @@ def of(module: str, names: str) -> list[str]:
     return [f"std.mtlx.{module}.{name}" for name in names.split()]
 
 
-COMMON = of("asking", "Asked Bsdf asks_reflection asks_indirect asks_transmission mtlx_least")
+COMMON = of("asking", "Asked Asking Bsdf mtlx_least")
 SIDES = of("asking", "facing_normal cosine_of")
 
 
 @truth(*of("closures", "dielectric_bsdf conductor_bsdf generalized_schlick_bsdf"), *COMMON, *SIDES)
 @truth(*of("asking", "clear_bsdf"), *of("closures", "opaque opaque_bsdf"))
 @truth(*of("facets", "Facets facets_of facets_lit facet_density even_density film_share"))
-@truth(*of("facets", "facets_answer"))
+@truth(*of("facets", "facets_answer ScatterMode"))
 @pytest.mark.parametrize("name", GLOSS)
 def test_gloss(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
@@ -301,7 +310,7 @@ def test_cosines_on_matt_surfaces(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 
-@truth(*of("closures", "sheen_bsdf chiang_hair_bsdf"))
+@truth(*of("closures", "sheen_bsdf SheenMode chiang_hair_bsdf"))
 @truth(*of("sheen", "conty_kulla_share conty_kulla_even zeltner_even zeltner_density"))
 @truth(*of("hair", "other bessel_i0 strand_cones strand_bells within_turn strand_light"))
 @pytest.mark.parametrize("name", CLOTH)
@@ -321,6 +330,16 @@ def test_bessel_by_its_series() -> None:
 @pytest.mark.parametrize("name", JOINED)
 def test_closures_that_are_put_together(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
+
+
+@truth(*of("asking", "mixed SurfaceLook"))
+def test_looks_that_are_mixed() -> None:
+    """Coverage is mixed as colours are, which are times their coverage already."""
+    looks = "SurfaceLook(rgb(0.2, 0.4, 0.8), 1), SurfaceLook(rgb(1, 0, 0.4), 0.2)"
+    found = called(IMPORTS, f"mixed({looks}, x).color", 3, x=np.array([0.0, 0.25, 1.0]))
+    assert found == close([(0.2, 0.4, 0.8), (0.4, 0.3, 0.7), (1.0, 0.0, 0.4)])
+    found = called(IMPORTS, f"mixed({looks}, x).alpha", 1, x=np.array([0.0, 0.25, 1.0]))
+    assert found == close([1.0, 0.8, 0.2])
 
 
 @truth(*of("closures", "uniform_edf generalized_schlick_edf"))
@@ -386,11 +405,11 @@ GREY = "rgb(0.3, 0.3, 0.3)"
 @pytest.mark.parametrize(
     "closure",
     [
-        f"dielectric_bsdf({ALL_LIGHT}, w, {WHITE}, 1.5, vec2(a), false, 0, 1, {UP}, {UP}, 0)",
+        f"dielectric_bsdf({ALL_LIGHT}, w, {WHITE}, 1.5, vec2(a), false, 0, 1, {UP}, {UP})",
         f"generalized_schlick_bsdf({ALL_LIGHT}, w, {GREY}, {WHITE}, {WHITE}, 5, vec2(a), false, 0, "
-        f"1, {UP}, {UP}, 0)",
-        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 0)",
-        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, 1)",
+        f"1, {UP}, {UP})",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, SheenMode.conty_kulla)",
+        f"sheen_bsdf({ALL_LIGHT}, w, {WHITE}, a, {UP}, SheenMode.zeltner)",
     ],
 )
 def test_all_light_is_sent_or_reaches_what_lies_below(closure: str) -> None:

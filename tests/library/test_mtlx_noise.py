@@ -49,8 +49,9 @@ def octaves(dimension: int, lanes: int) -> Node:
 
 def worley(dimension: int, lanes: int) -> Node:
     """In both styles."""
-    rest = ", q.x, int(q.y * 2)"
-    return called("worleynoise", dimension, lanes, f"{{place}}{rest}", rest, 1e-6)
+    style = "int(q.y * 2)"
+    theirs, ours = f"{{place}}, q.x, {style}", f", q.x, ({style} as WorleyStyle)"
+    return called("worleynoise", dimension, lanes, theirs, ours, 1e-6)
 
 
 def flake(dimension: int, glsl: str, member: str, lanes: int = 1, coverage: str = "q.z") -> Node:
@@ -132,7 +133,7 @@ def test_numbers_of_cells(name: str) -> None:
     assert_alike(NODES, name, IMPORTS)
 
 
-@truth(*of("worleynoise2d worleynoise2d_vec2 worleynoise2d_vec3"))
+@truth(*of("WorleyStyle worleynoise2d worleynoise2d_vec2 worleynoise2d_vec3"))
 @truth(*of("worleynoise3d worleynoise3d_vec2 worleynoise3d_vec3"))
 @truth(*of("to_feature square_to_feature shorter nearest_feature with_number step2 step3"))
 @truth(*of("number_of numbers_of"), *MIXING)

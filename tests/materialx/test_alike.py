@@ -18,6 +18,10 @@ DIFFERENT = {
         "A material inherits the inputs of another one by the specification; MaterialX's own "
         "generator does not look for them there, and draws black."
     ),
+    ("image_set", "Squares"): (
+        "MaterialX's own text draws the first file of a set on all squares, and goes on with its "
+        "other side at their edges."
+    ),
 }
 """The renderables whose pictures are not alike, and whose mistake that is."""
 

@@ -8,55 +8,10 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.materialx.importing import Imported, imported
+from burnish.materialx.importing import imported
 from burnish.materialx.outline import DocumentError
 
-UNLIT = (
-    '<surface_unlit name="s" type="surfaceshader">\n'
-    '<input name="emission_color" type="color3" {}/>\n'
-    "</surface_unlit>\n"
-    '<surfacematerial name="{}" type="material"{}>\n'
-    '<input name="surfaceshader" type="surfaceshader" nodename="s"/>\n'
-    "</surfacematerial>"
-)
-RED = 'value="1, 0, 0"'
-
-
-def lit(color: str = RED, name: str = "m", more: str = "") -> str:
-    """A material that shows a colour."""
-    return UNLIT.format(color, name, more)
-
-
-def document(body: str, version: str = "1.39") -> str:
-    """A document; its first element stands in line 2."""
-    return f'<materialx version="{version}">\n{body}\n</materialx>\n'
-
-
-def converted(folder: Path, text: str | bytes) -> Imported:
-    """What a document becomes; its files are written beside it."""
-    path = folder / "doc.mtlx"
-    path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    found = imported(path)
-    for name, content in found.files.items():
-        place = folder / name
-        place.parent.mkdir(exist_ok=True)
-        place.write_bytes(content)
-    return found
-
-
-def told(folder: Path, text: str | bytes) -> list[str]:
-    """What is said of a document: why it is not read, or what is not converted."""
-    try:
-        return [str(problem) for problem in converted(folder, text).problems]
-    except DocumentError as error:
-        return [str(error)]
-
-
-def node(text: str) -> str:
-    """A node called x before a material that shows it."""
-    link = 'nodegraph="g"' if 'name="g"' in text else 'nodename="x"'
-    return document(f"{text}\n{lit(link)}")
-
+from .texts import RED, converted, document, lit, node, told
 
 ADD = '<add name="{}" type="color3"><input name="in1" type="color3" {}/></add>'
 LOOP = (
@@ -71,7 +26,16 @@ IN = '<input name="value" type="color3" {}/>'
 NODES = {
     "unknown node": (
         node('<mystery name="x" type="color3"/>'),
-        "doc.mtlx:2: x: MaterialX knows no mystery of these types",
+        "doc.mtlx:2: x: MaterialX knows no 'mystery' of these types",
+    ),
+    "misspelt node": (
+        node('<constan name="x" type="color3"/>'),
+        "doc.mtlx:2: x: MaterialX knows no 'constan' of these types: did you mean 'constant'?",
+    ),
+    "a category for a type": (
+        node('<noise3d name="x" type="noise3d"/>'),
+        "doc.mtlx:2: x: noise3d is of the type float, color3, color4, vector2, vector3 or vector4, "
+        "and not 'noise3d'",
     ),
     "nodes in a circle": (
         node("\n".join((ADD.format("y", 'nodename="x"'), ADD.format("x", 'nodename="y"')))),
@@ -113,11 +77,11 @@ NODES = {
     ),
     "two numbers for three": (
         document(lit('value="1, 2"')),
-        "doc.mtlx:2: s: '1, 2' is no value of the type color3",
+        "doc.mtlx:2: s: the input 'emission_color': '1, 2' is no value of the type color3",
     ),
     "no number": (
         document(lit('value="nan, 1, 2"')),
-        "doc.mtlx:2: s: 'nan, 1, 2' is no value of the type color3",
+        "doc.mtlx:2: s: the input 'emission_color': 'nan, 1, 2' is no value of the type color3",
     ),
     "no such space of colours": (
         document(lit(f'{RED} colorspace="mine"')),

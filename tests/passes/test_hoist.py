@@ -31,6 +31,14 @@ def test_a_named_value_keeps_its_name() -> None:
     assert names == {"slope": "material"}
 
 
+def test_what_a_parameter_is_compared_with_is_no_value_of_the_host() -> None:
+    """A block has no bools: reading one would be a comparison, too."""
+    text = "param n : int = 1  param a : float = 1.0  color = vec3(if {} then uv.x else uv.y)"
+    assert derived(text.format("n == 2")) == {}
+    assert len(derived(text.format("sin(a) > 0.5"))) == 1
+    assert list(derived(text.format("n == 2 and a > 0.5")).values()) == ["material"]
+
+
 @pytest.mark.parametrize(
     ("groups", "owner"),
     [

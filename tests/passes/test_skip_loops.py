@@ -12,7 +12,8 @@ from .kit import World, shader
 MATERIAL = """
 fn waves(x: float) -> float = sum i in 0..32 : sin(x * float(i))
 material M {{
-    param k    : float in 0..1 = 0
+    param k     : float in 0..1 = 0
+    param usual : float in 0..1 = 1
     param tint : rgb
     param free : float = 1
     map dirt : texture2d
@@ -27,6 +28,8 @@ SKIPPED = {
     "derivative": "vec3(k * ddx(waves(uv.x)))",
 }
 KEPT = {
+    "short loop": "vec3((1 - usual) * (sum i in 0..5 : uv.x * float(i)))",
+    "weight that is hardly ever zero": "vec3(usual * waves(uv.x))",
     "no range": "vec3(free * waves(uv.x))",
     "no loop": "vec3(k * pow(saturate(normal.y), 40))",
     "weight of a pixel": "vec3(saturate(uv.x) * waves(uv.y))",
@@ -55,6 +58,21 @@ def test_other_values_are_computed_without_a_branch(color: str) -> None:
 def test_the_value_is_what_it_was(color: str) -> None:
     worlds = [World(seed, traps=seed == 0) for seed in range(4)]
     assert not disagreements(shader(MATERIAL.format(color=color)), worlds)
+
+
+def test_of_several_weights_the_one_decides_that_is_likely_to_be_zero() -> None:
+    text = fragment("vec3(usual * k * waves(uv.x))")
+    assert "if (color_product != 0.0)" in text
+
+
+def test_a_long_loop_is_skipped_however_unlikely_that_is() -> None:
+    assert "if (usual != 0.0)" in fragment("vec3(usual * (sum i in 0..512 : sin(uv.x * float(i))))")
+
+
+def test_the_condition_needs_no_block_of_its_own() -> None:
+    text = fragment(SKIPPED["product"])
+    assert "if (k != 0.0)" in text
+    assert "Derived" not in text
 
 
 def test_a_draw_with_weight_zero_is_what_the_loop_times_zero_is() -> None:

@@ -227,13 +227,13 @@ factor of a result stays apart from one outside of the call."""
 
 def test_a_body_is_checked_once_for_each_signature(monkeypatch: pytest.MonkeyPatch) -> None:
     checked: list[Signature] = []
-    check = signatures._check_body
+    check = signatures.check_body
 
     def noted(ctx: Context, call: SharedCall, span: Span) -> None:
         checked.append(call.signature)
         check(ctx, call, span)
 
-    monkeypatch.setattr(signatures, "_check_body", noted)
+    monkeypatch.setattr(signatures, "check_body", noted)
     calls = " + ".join(f"f(uv.x * {i}.5, 2) + f(uv.y, {i})" for i in range(4))
     told(program(f"fn f(a: float, n: int) -> float = sin(a) * float(n)\n c = {calls}"))
     assert len(set(checked)) == len(checked)

@@ -168,3 +168,114 @@ def test_a_member_without_its_enumeration_is_offered_with_it() -> None:
     (found,) = raised.value.diagnostics
     assert found.hint == "did you mean `Mode.add`?"
     assert [edit.text for edit in found.fixes[0].edits] == ["Mode.add"]
+
+
+MISTAKES = {
+    "a misspelt member": ("joined(2, 4, Mode.mixx)", "did you mean `mix`?", "mix"),
+    "no member": ("joined(2, 4, Mode.banana)", "there is `add`, `mix`, `first`", ""),
+    "a member alone, misspelt": ("joined(2, 4, frst)", "did you mean `Mode.first`?", "Mode.first"),
+    "a number": ("joined(2, 4, 1)", "did you mean `Mode.mix`?", "Mode.mix"),
+    "a number without a member": (
+        "joined(2, 4, 7)",
+        "its members are `Mode.add`, `Mode.mix`, `Mode.first`",
+        "",
+    ),
+    "a converted number": (
+        "joined(2, 4, Mode(1))",
+        "the member of a number is `(1 as Mode)`",
+        "(1 as Mode)",
+    ),
+    "another enumeration": ("joined(2, 4, Filter.mix)", "did you mean `Mode.mix`?", "Mode.mix"),
+    "compared with another one": (
+        "if mode == Filter.mix then 1 else 0",
+        "did you mean `Mode.mix`?",
+        "Mode.mix",
+    ),
+    "compared with a number": (
+        "if mode == 1 then 1 else 0",
+        "did you mean `Mode.mix`?",
+        "Mode.mix",
+    ),
+    "arithmetic": (
+        "mode + 1",
+        "`int(mode)` is the number of the member, counted from 0",
+        "int(mode)",
+    ),
+    "order": (
+        "if mode < Mode.first then 1 else 0",
+        "`int(mode)` and `int(Mode.first)` are the numbers of the members, counted from 0",
+        "int(mode) int(Mode.first)",
+    ),
+    "a choice by position": (
+        "choose(mode, 1, 2, 3)",
+        "a value has the name of its member in front: `choose(mode, add = …, mix = …, first = …)`",
+        "add =  mix =  first = ",
+    ),
+    "too few by position": (
+        "choose(mode, 1, 2)",
+        "each member has a value: `choose(of, add = …, mix = …, first = …)`",
+        "",
+    ),
+    "a member of a value": (
+        "joined(2, 4, mode.mix)",
+        "did you mean `Mode.mix`, or `mode == Mode.mix`?",
+        "Mode.mix",
+    ),
+    "no member of a value": (
+        "joined(2, 4, mode.banana)",
+        "its members are `Mode.add`, `Mode.mix`, `Mode.first`",
+        "",
+    ),
+    "a quoted member": (
+        'joined(2, 4, "mix")',
+        "quoted texts are only used in imports; a colour is written `#ff0000`, and a member of an "
+        "enumeration `Mode.mix`",
+        "",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistakes_are_told_with_the_members(name: str) -> None:
+    expression, hint, edits = MISTAKES[name]
+    with pytest.raises(CompileError) as raised:
+        kit.shader(f"enum Filter {{ mix, none }}\n{whole(expression)}")
+    (found,) = raised.value.diagnostics
+    assert found.hint == hint
+    first = found.fixes[0].edits if found.fixes else ()
+    assert " ".join(edit.text for edit in first) == edits
+
+
+DECLARATIONS = {
+    "enum Mode { add, mix, add }": "each member has a name of its own: leave one of the two out",
+    "enum Mode { add = 0, mix = 1 }": (
+        "members have no values: their numbers are 0, 1, 2 … in the order in which they stand"
+    ),
+    "enum Mode { }": "Give it the values that there are: `enum Mode { add, mix }`.",
+    "fn Mode(x: float) -> float = x\nenum Mode { add }": (
+        "a file has one declaration of a name, whatever it declares: give one of the two another "
+        "name"
+    ),
+}
+
+
+@pytest.mark.parametrize("text", DECLARATIONS)
+def test_wrong_declarations_are_told_with_the_way_out(text: str) -> None:
+    with pytest.raises(CompileError) as raised:
+        kit.shader(f"{text}\nmaterial M : Surface {{ alpha = 1 }}")
+    (found,) = raised.value.diagnostics
+    assert (found.hint or found.rule.help) == DECLARATIONS[text]
+
+
+PARAMETERS = {
+    "mode : Mode in 0..1 = Mode.add": "its members are its range: leave `in …` out",
+    "mode : Mode = 1": "did you mean `Mode.mix`?",
+    "mode : Modes = Mode.mix": "did you mean `Mode`?",
+}
+
+
+@pytest.mark.parametrize("text", PARAMETERS)
+def test_wrong_parameters_are_told_with_the_way_out(text: str) -> None:
+    with pytest.raises(CompileError) as raised:
+        kit.shader(f"{HEAD}material M : Surface {{ param {text}  alpha = float(int(mode)) }}")
+    assert raised.value.diagnostics[0].hint == PARAMETERS[text]

@@ -10,6 +10,7 @@ import pytest
 
 import burnish
 from burnish.compiler import frontend
+from burnish.compiler.diagnostics.render import render_all
 from burnish.compiler.library import FOLDER, standard_library
 
 from ..suite.processes import at_once
@@ -55,6 +56,46 @@ def test_a_mistake_in_the_library_is_reported_by_each_compile(library: Path) -> 
         with pytest.raises(burnish.CompileError) as caught:
             burnish.compile("material M {}", ["glsl"])
         assert [each.rule.code for each in caught.value.diagnostics] == ["B0006"]
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "message", "place"),
+    [
+        (
+            "closures",
+            "/// The same light",
+            "fn broken(x: float) -> = 1\n/// The",
+            "expected a name",
+            "closures",
+        ),
+        ("fresnel", "fn grey(", "fn gray(", "does not declare `grey`", "closures"),
+        ("fresnel", "import std.", "import std.nothing.{x}\nimport std.", "std.nothing", "fresnel"),
+        (
+            "fresnel",
+            "fn grey(",
+            "fn broken(x: float) -> = 1\nfn grey(",
+            "expected a name",
+            "fresnel",
+        ),
+    ],
+)
+def test_a_mistake_in_a_file_of_the_library_is_told_by_the_first_compile_that_reads_it(
+    library: Path, file: str, old: str, new: str, message: str, place: str
+) -> None:
+    """Also if it is another file of the library that imports it."""
+    changed = library / "mtlx" / f"{file}.burnish"
+    changed.write_text(changed.read_text().replace(old, new, 1))
+    source = (
+        "import std.mtlx.closures.{dielectric_bsdf}\nimport std.mtlx.asking.{passing}\n"
+        "material M { color = dielectric_bsdf(passing(to_eye, ambient_light), normal = normal, "
+        "tangent = normal).response }"
+    )
+    for _ in range(2):
+        with pytest.raises(burnish.CompileError) as caught:
+            burnish.compile(source, ["glsl"])
+        told = render_all(caught.value.diagnostics)
+        assert message in told
+        assert f"--> std/mtlx/{place}.burnish:" in told
 
 
 def test_threads_wait_until_a_module_is_linked(library: Path) -> None:

@@ -4,19 +4,12 @@ from __future__ import annotations
 
 import random
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import burnish
 from burnish.compiler import frontend
-from burnish.compiler.diagnostics.diagnostic import Report
-from burnish.compiler.diagnostics.render import render_all
-from burnish.compiler.diagnostics.source import Span
-from burnish.compiler.frontend import Frontend
-from burnish.compiler.ir.node import reachable
-from burnish.compiler.ir.shader import Shader
 from burnish.compiler.library import FOLDER
 from burnish.compiler.semantics.checking import slots
 from burnish.compiler.semantics.checking.replay import replayed
@@ -26,17 +19,10 @@ from burnish.compiler.semantics.state.context import Context
 from burnish.compiler.semantics.state.scope import Instance
 from burnish.compiler.semantics.state.transcripts import Kept, LibraryPart
 from burnish.compiler.watching import VARIABLE
+from burnish.tests.semantics.elaborations import NoBodies, checked, elaborated, keep_nothing, shown
 from burnish.tests.suite.processes import at_once
 
 EXAMPLES = sorted((Path(burnish.__file__).parent / "examples").rglob("*.burnish"))
-
-
-class Nothing(KeptTranscripts):
-    """Keeps nothing, so that everything is checked."""
-
-    def of(self, _part: LibraryPart) -> Kept:
-        """No transcripts."""
-        return {}
 
 
 @pytest.fixture(autouse=True)
@@ -45,6 +31,7 @@ def kept(monkeypatch: pytest.MonkeyPatch) -> KeptTranscripts:
     monkeypatch.delenv(VARIABLE)
     kept = KeptTranscripts()
     monkeypatch.setattr(assembly, "KEPT_TRANSCRIPTS", kept)
+    monkeypatch.setattr(assembly, "KEPT_BODIES", NoBodies())
     return kept
 
 
@@ -60,48 +47,6 @@ def replays(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     monkeypatch.setattr(slots, "replayed", noted)
     return found
-
-
-def elaborated(source: str | Path) -> list[str]:
-    """All that semantics says of a program: messages, nodes, and notes about them."""
-    report = Report()
-    opened = Frontend(report)
-    if isinstance(source, str):
-        module = opened.open_text(source, "<text>")
-    else:
-        module = opened.open_file(source)
-    assert module is not None
-    if opened.has_frames(module, None):
-        frames = opened.frames(module, None, None)
-        shaders = [each.shader for frame in frames for each in frame.shaders]
-    else:
-        shaders = opened.shaders(module, None, None, None)
-    return [render_all(report.diagnostics), *(line for s in shaders for line in _described(s))]
-
-
-def _described(shader: Shader) -> Iterator[str]:
-    nodes = reachable([result.value for result in shader.results])
-    yield from map(repr, nodes)
-    for result in shader.results:
-        yield f"{result.kind} {result.name} %{result.value.id}"
-    for node in nodes:
-        yield f"%{node.id}: {[_shown(table.get(node.id)) for table in shader.notes.tables]}"
-    infos = (*shader.parameters, *shader.textures, *shader.attributes, *shader.buffers)
-    for info in infos:
-        yield f"{info.leaf} {info.doc} {_shown(info.span)}"
-
-
-def _shown(noted: object) -> str:
-    if isinstance(noted, Span):
-        return f"{noted.source.name} {noted.start}..{noted.end}"
-    return repr(noted)
-
-
-def checked(source: str | Path) -> list[str]:
-    """The same where nothing is kept."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(assembly, "KEPT_TRANSCRIPTS", Nothing())
-        return elaborated(source)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -200,14 +145,14 @@ def test_results_are_the_same_with_transcripts() -> None:
     """Texts, reflections, the places behind each line, and what a decision rests on."""
     text = EXAMPLES[0].parent.joinpath("plastic.burnish").read_text()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(assembly, "KEPT_TRANSCRIPTS", Nothing())
+        keep_nothing(patch)
         fresh = _results(text)
     assert [_results(f"{text}\n") for _ in range(2)] == [fresh] * 2
 
 
 def _results(text: str) -> list[object]:
     (material,) = burnish.compile(text).materials
-    files = [(f.name, f.text, [*map(_shown, f.spans)]) for f in material.files]
+    files = [(f.name, f.text, [*map(shown, f.spans)]) for f in material.files]
     return [files, repr(material.reflection), material.guards]
 
 

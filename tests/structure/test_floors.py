@@ -34,9 +34,10 @@ FLOORS: dict[str, str] = {
     "compiler.precomputed": "cache",
     "compiler.inputs": "",
     "compiler.srgb": "",
+    "compiler.units": "",
     "compiler.watching": "",
     "compiler.diagnostics": "frozen",
-    "compiler.syntax": "frozen locks late stdlib precomputed diagnostics",
+    "compiler.syntax": "frozen locks late stdlib precomputed diagnostics units",
     "compiler.constraints": "frozen",
     "compiler.ir": "frozen stdlib diagnostics constraints",
     "compiler.layout": "ir",
@@ -60,8 +61,8 @@ FLOORS: dict[str, str] = {
         "frozen stdlib diagnostics syntax ir layout types names inheritance state hints"
     ),
     "compiler.semantics.checking": (
-        "frozen stdlib diagnostics syntax srgb ir library types names inheritance state hints "
-        "declarations"
+        "frozen stdlib diagnostics syntax srgb units ir library types names inheritance state "
+        "hints declarations"
     ),
     "compiler.semantics.lowering": "frozen syntax ir types state checking",
     "compiler.semantics.shading": (
@@ -105,8 +106,8 @@ FLOORS: dict[str, str] = {
     "targets.selection": "diagnostics description registry availability",
     "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
     "targets.runner": (
-        "frozen garbage stdlib arguments cache diagnostics srgb ir documents promises reference "
-        "installing reflection budget closing toolchain serving"
+        "frozen garbage stdlib arguments cache diagnostics srgb units ir documents promises "
+        "reference installing reflection budget closing toolchain serving"
     ),
     "targets.web_host": "frozen ir documents budget runner toolchain serving",
     "targets.conformance": (
@@ -132,11 +133,12 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
         "selection runner compiled remembered compiling sameness"
     ),
+    "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
-    "materialx": "depth garbage stdlib diagnostics syntax library_trees library",
+    "materialx": "depth garbage stdlib diagnostics syntax library_trees library runner",
     "materialx.export": (
-        "diagnostics syntax srgb ir names inheritance state checking shading equations frontend "
-        "compiling materialx"
+        "diagnostics syntax srgb units ir names inheritance state checking shading equations "
+        "frontend compiling materialx"
     ),
     "materialx.fidelity": (
         "installing diagnostics ir documents reference reflection closing runner conformance "
@@ -146,7 +148,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points materialx"
+        "entry_points frame_sameness materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

@@ -24,7 +24,8 @@ FOREIGN_OPERATOR = error(
 BAD_NUMBER = error(
     "B0104",
     "`{text}` is not a number",
-    "Numbers are written `2`, `7u`, `0xFF`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`. A float "
+    "Numbers are written `2`, `7u`, `0xFF`, `0.5`, `1e-3`, angles `30deg` or `0.5rad`, "
+    "lengths `5mm` or `2m`. A float "
     "needs no suffix, and there are digits after its point.",
 )
 BAD_COLOR = error(

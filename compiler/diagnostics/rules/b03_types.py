@@ -188,6 +188,13 @@ MEMBER_AND_NUMBER = error(
     "A member of an enumeration is no number, and a number is no member. `int(x)` is the number "
     "of a member, from 0, and `(n as Mode)` the member of a number.",
 )
+UNDECIDED_CALL = error(
+    "B0343",
+    "`{name}` with ({arguments}) gives {results}",
+    "Functions that have the same arguments differ in their results. The type that is wanted "
+    "decides: that of a slot, a parameter, an argument, a result or the other side of a choice, or "
+    "one behind `as`. Operators and builtins want no type.",
+)
 TEXTURE_LACKS_READ = error(
     "B0350",
     "`{type}` has no {read}",

@@ -45,7 +45,13 @@ def apply_best(
     """The value of a call of whichever of these functions takes the arguments best."""
     found = overloaded if len(overloaded) == 1 else best(ctx, overloaded, arguments, e.names)
     if len(found) == 1:
-        return _apply(ctx, found[0], arguments, e, scope)
+        return apply(ctx, found[0], arguments, e, scope)
+    if len(found) > 1:
+        from .wanted import by_result
+
+        undecided = by_result(ctx, found, arguments, e, scope, apply)
+        if undecided is not None:
+            return undecided
     labels = [Label(s.declaration.name.span, "a candidate") for s in found or overloaded]
     if not found and (name := _unknown_to_all(overloaded, e)) is not None:
         from .arguments import unknown_argument
@@ -71,9 +77,10 @@ def _unknown_to_all(overloaded: Sequence[Symbol], e: ast.Call) -> ast.Name | Non
     return None
 
 
-def _apply(
+def apply(
     ctx: Context, symbol: Symbol, arguments: tuple[Node, ...], e: ast.Call, scope: Scope
 ) -> Value:
+    """The value of a call of this function."""
     function = symbol.declaration
     assert isinstance(function, ast.Function)
     fitted = _fit_arguments(ctx, symbol, arguments, e, scope)

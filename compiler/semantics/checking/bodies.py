@@ -41,7 +41,10 @@ def settle_body(
         if not symbol.module.is_standard:
             for part in function.parts:
                 part_value(ctx, parts, part.name.text, part.name.span)
-        result = plain(ctx, value, function.body)
+        wanted = None
+        if function.result is not None:
+            wanted = declared_type(ctx, function.result, symbol.module, scope.variables)
+        result = plain(ctx, value, function.body, wanted)
         if isinstance(result, Node):
             values = [part for part in parts.values.values() if isinstance(part, Node)]
             ctx.deferred.unread(result, values, first)
@@ -65,9 +68,11 @@ def part_value(ctx: Context, parts: FunctionParts, name: str, span: Span) -> Nod
 def _finish_part(ctx: Context, parts: FunctionParts, name: str, value: Value) -> None:
     written, scope = parts.declared[name], parts.scope
     assert written.value is not None
-    result = plain(ctx, value, written.value)
+    wanted = None
     if written.type is not None:
         wanted = declared_type(ctx, written.type, scope.module, scope.variables)
+    result = plain(ctx, value, written.value, wanted)
+    if written.type is not None:
         result = (
             FAILURE if wanted is None else as_declared(ctx, result, wanted, written.value, scope)
         )

@@ -19,13 +19,13 @@ from ...ir.types import TEXTURES, TextureType
 from ...syntax import ast
 from ...syntax.quoting import shortened
 from ...syntax.rewriting import called_here
-from ..declarations import assignments
+from ..declarations import assignments, enumerations
 from ..hints import advice
 from ..inheritance.records import Definition
 from ..names.duplicates import check_once
 from ..state.context import Context
 from ..state.evaluation import plain
-from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Members, Scope, Value
+from ..state.scope import FAILURE, OUTERMOST, Failure, Instance, Members, Scope, Undecided, Value
 from . import lookup, textures
 from .aggregates import structure
 from .applications import apply_best
@@ -97,6 +97,10 @@ def _arguments(
 ) -> tuple[tuple[Node, ...], bool]:
     """The values of a call's arguments as plain ones, and whether one of them failed."""
     written: Sequence[ast.Expression] = e.arguments
+    if any(isinstance(value, Undecided) for value in values):
+        from .wanted import decided_arguments
+
+        values = decided_arguments(ctx, e, values, scope)
     if len(values) < len(written):
         written = [a for a in written if not _has_no_value(e, a, scope)]
     nodes = [plain(ctx, value, a) for value, a in zip(values, written, strict=True)]
@@ -244,7 +248,7 @@ def _not_callable(ctx: Context, name: str, e: ast.Call, scope: Scope) -> None:
         is_slot = scope.instance is not None and scope.instance.has(name)
         hint: Hint = "" if is_slot or not symbols else advice.unshaded(symbols[0])
         if symbols and isinstance(symbols[0].declaration, ast.Enumeration):
-            hint = Members(symbols[0]).example
+            hint = enumerations.converted(symbols[0].name, e) or Members(symbols[0]).example
         if not hint:
             place = Span(span.source, span.end, span.end)
             said = f"it is a value: `{name}`, or a product, `{name} * (…)`"
@@ -379,7 +383,8 @@ def replaced(ctx: Context, e: ast.With, operands: Sequence[Value], scope: Scope)
     known = _known_replacements(e, surface)
     given: dict[str, Node | Failure] = {}
     for (name, expression), value in zip(known, operands, strict=False):
-        node = plain(ctx, value, expression)
+        wanted = assignments.type_of(ctx, surface.record, name.text)
+        node = plain(ctx, value, expression, wanted)
         base, _ = slots_given(ctx, surface)
         node = like_overridden(ctx, base, name.text, OUTERMOST, node)
         given[name.text] = assignments.assigned(

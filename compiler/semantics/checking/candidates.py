@@ -99,7 +99,7 @@ def _overloads(ctx: Context, overloaded: Sequence[Symbol]) -> Overloads:
                 known.of_count.setdefault(count, []).append(symbol)
             kinds = None if function.type_parameters else _declared(ctx, symbol)
             if kinds is not None:
-                known.exact.setdefault(kinds, symbol)
+                known.exact[kinds] = None if kinds in known.exact else symbol
     return known
 
 

@@ -7,6 +7,7 @@ side can be taken: a closure whose weight is a constant 0 is left out before any
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from ...diagnostics import rules
 from ...ir.node import Node
@@ -14,7 +15,8 @@ from ...ir.types import BOOL, Opaque, Struct, TextureType, scalar_kind
 from ...syntax import ast
 from ..declarations.fitting import fit
 from ..state.context import Context
-from ..state.scope import FAILURE, Continuation, Failure, Scope, Value
+from ..state.evaluation import plain
+from ..state.scope import FAILURE, Continuation, Failure, Scope, Undecided, Value
 from ..types.coercion import coerce, is_constant
 from .combinations import checked
 
@@ -27,16 +29,37 @@ def operands_of_choice(e: ast.Conditional, scope: Scope) -> tuple[ast.Expression
 
 
 def choice(
-    ctx: Context, e: ast.Conditional, operands: Sequence[Node], scope: Scope
+    ctx: Context, e: ast.Conditional, operands: Sequence[Value], scope: Scope
 ) -> Value | Continuation:
     """The value of a choice, or the sides that are still to be evaluated."""
-    condition = fit(ctx, operands[0], BOOL, "bool", e.condition.span)
+    if any(isinstance(side, Undecided) for side in operands[1:]):
+        from .wanted import of_choice
+
+        _, then, otherwise = operands
+        return of_choice(then, otherwise, partial(_between, ctx, e, operands[0], scope))
+    written = operands_of_choice(e, scope)
+    found = [plain(ctx, each, part) for each, part in zip(operands, written, strict=True)]
+    nodes = [node for node in found if isinstance(node, Node)]
+    if len(nodes) < len(found):
+        return FAILURE
+    condition = fit(ctx, nodes[0], BOOL, "bool", e.condition.span)
     if isinstance(condition, Failure):
         return FAILURE
     if len(operands) == 1:
         return _of_library(ctx, e, condition, scope)
-    _, then, otherwise = operands
+    _, then, otherwise = nodes
     return _chosen(ctx, e, condition, then, otherwise, scope)
+
+
+def _between(
+    ctx: Context, e: ast.Conditional, condition: Value, scope: Scope, then: Value, otherwise: Value
+) -> Value:
+    """A choice between sides of which both are decided, or none can be."""
+    one, other = plain(ctx, then, e.then), plain(ctx, otherwise, e.otherwise)
+    test = fit(ctx, plain(ctx, condition, e.condition), BOOL, "bool", e.condition.span)
+    if isinstance(test, Failure) or isinstance(one, Failure) or isinstance(other, Failure):
+        return FAILURE
+    return _chosen(ctx, e, test, one, other, scope)
 
 
 def _of_library(ctx: Context, e: ast.Conditional, condition: Node, scope: Scope) -> Continuation:

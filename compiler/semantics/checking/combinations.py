@@ -16,7 +16,7 @@ from ...syntax.rewriting import rewritten
 from ..declarations import enumerations, transform_paths
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
-from ..types.meaning_rules import Clash, chosen, gathered, of_members, side
+from ..types.meaning_rules import Clash, chosen, gathered, is_enum, of_members, side
 from ..types.meanings import combined
 
 Written = tuple[ast.Expression, ...]
@@ -75,7 +75,7 @@ def complain(
     ctx.report.add(
         clash.rule, span, operator=shown, left=left, right=right,
         labels=[Label(written[i].span, f"this is `{meanings[i]}`") for i in places if written],
-        hint=clash.hint or _hint(ctx, clash, left, right, written, scope),
+        hint=clash.hint or _hint(ctx, clash, meanings, shown, written, scope),
     )  # fmt: skip
     return FAILURE
 
@@ -83,16 +83,20 @@ def complain(
 def _hint(
     ctx: Context,
     clash: Clash,
-    left: Meaning,
-    right: Meaning,
+    meanings: Sequence[Meaning | None],
+    shown: str,
     written: Written,
     scope: Scope | None,
 ) -> Hint:
+    left, right = meanings[clash.left], meanings[clash.right]
+    assert left is not None and right is not None
     if clash.rule is rules.MEMBER_AND_NUMBER:
         other = next((e for i, e in enumerate(written) if i != clash.left), None)
         return enumerations.way_out(None, left, other)
+    if clash.rule is rules.MIXED_ENUMS:
+        return enumerations.same_named(left, written[clash.right] if written else None)
     if clash.rule is rules.NO_NUMBER:
-        return enumerations.number_of(written[clash.left].span if written else None)
+        return _of_members(meanings, shown, written)
     if clash.rule is rules.NOT_OF_A_POINT:
         return "subtract the point that it is seen from; `vec3(p)` is its bare coordinates"
     if left.kind in MAPS and right.kind == "normal" and left.spaces[0] == right.spaces[0]:
@@ -107,6 +111,15 @@ def _hint(
     ]
     known = " or ".join(offer.text for offer in offers)
     return FixIt(f"write {known}", tuple(fix for o in offers for fix in o.fixes)) if known else ""
+
+
+def _of_members(meanings: Sequence[Meaning | None], shown: str, written: Written) -> Hint:
+    """About members of enumerations where numbers are wanted."""
+    first = meanings[0]
+    if shown == "choose" and first is not None and first.enumeration is not None and written:
+        return enumerations.values_for(first.enumeration, written)
+    members = [e.span for e, meaning in zip(written, meanings, strict=False) if is_enum(meaning)]
+    return enumerations.number_of(*members) if members else enumerations.number_of(None)
 
 
 def _of_normal(space: str, written: Written) -> Hint:

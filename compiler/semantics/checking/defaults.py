@@ -93,10 +93,10 @@ def _finish(
     """Keep a default as a value of the declared type."""
     formal, *_ = key
     assert formal.default is not None
-    result = plain(ctx, value, formal.default)
+    wanted = declared_type(ctx, formal.type, symbol.module, scope.variables)
+    result = plain(ctx, value, formal.default, wanted)
     if isinstance(result, Failure) and ctx.report.count == before:
         _report_later(ctx, formal, scope)
-    wanted = declared_type(ctx, formal.type, symbol.module, scope.variables)
     if wanted is None or isinstance(result, Failure):
         ctx.defaults[key] = FAILURE
         return

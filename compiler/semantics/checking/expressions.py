@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import radians
 
 from ....stdlib.builtins.facts import LARGEST_FLOAT
 from ...diagnostics import rules
@@ -26,6 +25,7 @@ from ...ir.types import (
 from ...srgb import linear
 from ...syntax import ast
 from ...syntax.quoting import shortened, spanned
+from ...units import value_of
 from ..declarations import contracts
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
@@ -72,13 +72,13 @@ def _number(ctx: Context, e: ast.Number, _operands: Sequence[Node], _scope: Scop
             ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=text, type=type_, hint=hint)
             return FAILURE
         return build.constant(ctx.tree, type_, whole)
-    value = float(e.text)
+    value = value_of(e.text, e.unit)
     if value >= _TOO_LARGE:
         ctx.report.add(rules.NUMBER_TOO_LARGE, e.span, text=shortened(e.text), type=FLOAT)
         return FAILURE
     value = min(value, LARGEST_FLOAT)
-    number = build.floating(ctx.tree, radians(value) if e.unit == "deg" else value)
-    return ctx.meanings.ascribed(number, ANGLE) if e.unit else number
+    number = build.floating(ctx.tree, value)
+    return ctx.meanings.ascribed(number, ANGLE) if e.kind == "angle" else number
 
 
 def _color(ctx: Context, e: ast.Color, _operands: Sequence[Node], _scope: Scope) -> Value:
@@ -223,10 +223,10 @@ def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Node], _scope: Scop
     return ctx.crossings.interpolated(operand, e.span)
 
 
-def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Node], scope: Scope) -> Value:
-    (operand,) = operands
+def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Value], scope: Scope) -> Value:
     declared = declared_type(ctx, e.type, scope.module, scope.variables)
-    if declared is None:
+    operand = plain(ctx, operands[0], e.operand, declared)
+    if declared is None or isinstance(operand, Failure):
         return FAILURE
     fitted = fit(ctx, operand, declared.type, declared.text, e.operand.span)
     if isinstance(fitted, Failure):
@@ -274,10 +274,10 @@ RULES: Rules = {
     ast.Index: OpenRule(_place, _index),
     ast.Unary: Rule(_signed, _unary),
     ast.Binary: Rule(_sides, _binary),
-    ast.Conditional: Rule(choices.operands_of_choice, choices.choice),
+    ast.Conditional: OpenRule(choices.operands_of_choice, choices.choice),
     ast.AtRate: Rule(_operand, _at_rate),
     ast.Conversion: Rule(_operand, conversions.convert),
-    ast.Ascription: Rule(_operand, _ascription),
+    ast.Ascription: OpenRule(_operand, _ascription),
     ast.Array: Rule(_elements, aggregates.array),
     ast.Fold: Rule(loops.bounds_of_fold, loops.fold),
     ast.FoldOver: Rule(loops.no_operands, loops.fold_over),

@@ -121,11 +121,12 @@ def _finish_constant(
     ctx: Context, key: Application, declaration: ast.Constant, value: Value
 ) -> None:
     symbol, *_ = key
-    result = plain(ctx, value, declaration.value)
+    wanted = None
     if declaration.type is not None:
         wanted = declared_type(ctx, declaration.type, symbol.module)
-        if wanted is not None:
-            result = as_declared(ctx, result, wanted, declaration.value)
+    result = plain(ctx, value, declaration.value, wanted)
+    if wanted is not None:
+        result = as_declared(ctx, result, wanted, declaration.value)
     ctx.applied[key] = result
     if isinstance(result, Node) and isinstance(result.type, Array):
         # Anything else is written where it is used.

@@ -22,6 +22,7 @@ from ..state.scope import (
     Instance,
     LightVariable,
     Members,
+    Undecided,
     Value,
 )
 from . import buffers, slots
@@ -51,6 +52,9 @@ def member_of(ctx: Context, value: Value, e: ast.Field) -> Value:
             return FAILURE
         case Inherited(instance, level):
             return slots.inherited(ctx, instance, level, name)
+        case Undecided():
+            value.report()
+            return FAILURE
         case Instance():
             return slots.slot_or_report(ctx, value, name.text, name.span)
 
@@ -73,6 +77,11 @@ def _component(ctx: Context, node: Node, e: ast.Field) -> Node | Failure:
             whole = build.swizzle(ctx.tree, node, lanes)
             is_color = ctx.meanings.of(node) == RGB and name.text == "rgb"
             return whole if is_color or whole is not node else ctx.meanings.ascribed(node, None)
+    meaning = ctx.meanings.of(node)
+    if meaning is not None and meaning.enumeration is not None:
+        hint = enumerations.compared(meaning.enumeration, e)
+        ctx.report.add(rules.NO_MEMBER, name.span, name=name.text, type=meaning, hint=hint)
+        return FAILURE
     ctx.report.add(
         rules.NO_MEMBER, name.span, name=name.text, type=node.type,
         hint=advice.missing_member(node.type, name.text, e.span),

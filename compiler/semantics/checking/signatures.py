@@ -28,7 +28,6 @@ from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.binding import close
 from ...ir.node import Formal, Node, bare, reachable
-from ...ir.operations import ASCRIBE, CONSTANT
 from ...ir.types import (
     Matrix,
     Scalar,
@@ -39,14 +38,16 @@ from ...ir.types import (
 )
 from ...syntax import ast
 from ..names.modules import Symbol
-from ..state.context import Context, Given, Shape, SharedBody, Signature, Unfixed
+from ..state.context import Context, Given, KeptBody, Shape, SharedBody, Signature, Unfixed
 from ..state.scope import FAILURE, Failure, Instance
-from ..types.coercion import is_constant, is_negated_literal
+from ..types.coercion import is_constant
 from .bodies import settle_body
 from .call_marks import kinds_of
 from .call_sizes import bodies_of
 from .functions import fit_result, scope_of_body, used
+from .kept_bodies import of_operands, repeated_kept, taken
 from .loop_contents import changing, needs_others
+from .shapes import computed_shape, is_fixed, is_unit, literal_shape, shape_of, varying_part
 from .surfaces import shaded, slots_given
 
 MOST_BODIES = 96
@@ -79,28 +80,36 @@ def shared_call(
     if kinds is None or len(values) < len(slots):
         return None
     given, parts = kinds
-    shapes = tuple(_shape(ctx, part) if repeated else _literal(part) for part in parts)
+    shapes = tuple(shape_of(ctx, part) if repeated else literal_shape(part) for part in parts)
+    # A signature with the value of a large constant is for bodies that are kept, and no others:
+    # what is found here about such a constant is told of its own expression.
+    is_for_kept = Unfixed.ADAPTS in shapes
+    if is_for_kept:
+        shapes = tuple(map(partial(computed_shape, ctx), parts, shapes))
     if Unfixed.ADAPTS in shapes:
         return None
-    units = () if repeated else tuple(_is_unit(ctx, part) for part in parts)
+    units = () if repeated else tuple(is_unit(ctx, part) for part in parts)
     signature = Signature(symbol, given, shapes, units, base, tuple(slots), repeated)
-    return SharedCall(signature, tuple(map(_varying, parts, shapes)))
+    call = SharedCall(signature, tuple(map(varying_part, parts, shapes)))
+    return None if is_for_kept and not _is_known(ctx, call) else call
 
 
 def applied(ctx: Context, call: SharedCall, span: Span) -> Node | Failure | None:
     """The result of the body for a signature; ``None`` if no body serves all arguments."""
     signature = call.signature
-    if signature not in ctx.bodies.known:
-        _check_body(ctx, call, span)
+    if not _is_known(ctx, call):
+        check_body(ctx, call, span)
     body = ctx.bodies.known[signature]
     if body is None or isinstance(body, Failure):
         return body
+    if isinstance(body, KeptBody):
+        return repeated_kept(ctx, body, call.parts)
     if signature.repeated:
         return _repeated(ctx, body, call.parts)
     if not body.formals:
         return body.value
     pairs = zip(call.parts, signature.shapes, strict=True)
-    arguments = tuple(part for part, shape in pairs if not _is_fixed(shape))
+    arguments = tuple(part for part, shape in pairs if not is_fixed(shape))
     return _parted(ctx, body.value, build.apply(ctx.tree, body.value, arguments))
 
 
@@ -114,73 +123,29 @@ def failed(ctx: Context, signature: Signature, before: int) -> None:
     ctx.bodies.known[signature] = FAILURE
 
 
-# --- arguments in a signature --------------------------------------------------------------------
-
-
-LARGEST_CONSTANT = 8
-"""The largest number of operations of a constant expression that is part of a signature."""
-
-
-def _shape(ctx: Context, part: Node) -> Shape:
-    """What checks of a repeated body may see in a value, besides its type and meaning.
-
-    Constant expressions are computed, choices between literals adapt where they are used, and all
-    lanes of a splat are equal.
-    """
-    node = bare(part)
-    if ctx.constants.is_known(node):
-        return _written(node)
-    if is_constant(node):
-        return Unfixed.ADAPTS
-    return Unfixed.SPLAT if node.op == "splat" else None
-
-
-def _literal(part: Node) -> Shape:
-    """A literal as it is written; ``None`` for any other value."""
-    node = bare(part)
-    return _written(node) if node.op == "constant" or is_negated_literal(node) else None
-
-
-def _written(root: Node) -> Shape:
-    """A constant expression as a text: literals that compare equal, as ``1`` and ``true``, differ.
-
-    That of a large one would be as large, so it is said to adapt.
-    """
-    written: list[str] = []
-    pending = [root]
-    while pending:
-        node = bare(pending.pop())
-        if len(written) == LARGEST_CONSTANT:
-            return Unfixed.ADAPTS
-        written.append(f"{node.op} {node.type} {node.data!r}")
-        pending += node.operands
-    return "; ".join(written)
-
-
-def _is_fixed(shape: Shape) -> bool:
-    """True if a body is checked with the very value of an argument of this shape."""
-    return isinstance(shape, str)
-
-
-def _varying(part: Node, shape: Shape) -> Node:
-    """The part of a value for which bodies have a variable, or the value if it is constant."""
-    return bare(part).operands[0] if shape is Unfixed.SPLAT else part
-
-
-def _is_unit(ctx: Context, part: Node) -> bool:
-    return isinstance(part.type, Vector) and ctx.ranges.of(part).unit
+def _is_known(ctx: Context, call: SharedCall) -> bool:
+    """True if the body for a call has been checked, here or in another elaboration."""
+    signature, known = call.signature, ctx.bodies.known
+    if signature not in known:
+        pairs = zip(call.parts, signature.shapes, strict=True)
+        fixed = [part for part, shape in pairs if is_fixed(shape)]
+        body = None if any(map(ctx.deferred.concerns, fixed)) else taken(ctx, signature, call.parts)
+        if body is None:
+            return False
+        known[signature] = body
+    return True
 
 
 # --- checking a body -----------------------------------------------------------------------------
 
 
-def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
+def check_body(ctx: Context, call: SharedCall, span: Span) -> None:
     """Check a function's body with variables where calls differ."""
     signature = call.signature
     function = signature.symbol.declaration
     assert isinstance(function, ast.Function)
     pairs = zip(call.parts, signature.shapes, strict=True)
-    fixed = [part if _is_fixed(shape) else shape for part, shape in pairs]
+    fixed = [part if is_fixed(shape) else shape for part, shape in pairs]
     first = len(ctx.tree)
     names = (*(a.name.text for a in function.arguments), *signature.slots)
     stand_in = stand_ins(ctx, names, signature.given, fixed, signature.units)
@@ -193,7 +158,7 @@ def _check_body(ctx: Context, call: SharedCall, span: Span) -> None:
     around = ctx.report.count, len(ctx.deferred), ctx.progress.unproven
     ctx.progress.unproven = 0
     in_use = None
-    if any(map(_is_fixed, signature.shapes)):
+    if any(map(is_fixed, signature.shapes)):
         in_use = used(signature.symbol, scope, span)
     finish = partial(_finish, ctx, signature, stand_in, arguments, first, around, in_use)
     settle_body(ctx, signature.symbol, span, scope, finish)
@@ -328,20 +293,9 @@ def _repeated(ctx: Context, body: SharedBody, parts: tuple[Node, ...]) -> Node:
         if node in made:
             continue
         operands = tuple([made.get(operand, operand) for operand in node.operands])
-        new = made[node] = _of_operands(ctx, node, operands)
+        new = made[node] = of_operands(ctx, node, operands)
         ctx.follow(node, new)
     return made.get(body.value, body.value)
-
-
-def _of_operands(ctx: Context, node: Node, operands: tuple[Node, ...]) -> Node:
-    """A node with other operands, as checking it with them would have made it."""
-    if node.op == "as":
-        return ctx.meanings.ascribed(operands[0], ASCRIBE.data(node))
-    if node.op == "index" and operands[0].op == "matrix" and operands[1].op == "constant":
-        position = CONSTANT.data(operands[1])
-        assert isinstance(position, int)
-        return build.part(ctx.tree, operands[0], position)
-    return ctx.tree.node(node.op, node.type, operands, node.data)
 
 
 # --- a body to apply -----------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from ...ir.stages import GROUP
 from ...ir.types import BOOL, INT, Opaque, TextureType
 from ...syntax import ast
 from ..declarations import contracts
-from ..declarations.assignments import assigned
+from ..declarations.assignments import assigned, type_of
 from ..declarations.fitting import fit
 from ..declarations.written_types import declared_type
 from ..hints import advice
@@ -164,9 +164,9 @@ def _finish_made(
     """Keeps a group's equation for a slot, as a value of the slot's type."""
     written, name, scope = equation.value, equation.name.text, slots.groups[number].scope
     assert written is not None
-    node = plain(ctx, value, written)
     base = slots.base_of(instance)
     record = _typing(base, name)
+    node = plain(ctx, value, written, type_of(ctx, record, name))
     if record.typing(name) is not None:
         node = assigned(ctx, record, name, node, written, scope, OUTERMOST)
     elif isinstance(like := slot(ctx, base, name, equation.name.span), Node):
@@ -256,7 +256,8 @@ def _finish_equation(
     record = _typing(instance, name)
     assert scope.instance is not None
     own = scope.level if record is scope.instance.record else OUTERMOST
-    node = like_overridden(ctx, instance, name, own, plain(ctx, value, written))
+    node = plain(ctx, value, written, type_of(ctx, record, name))
+    node = like_overridden(ctx, instance, name, own, node)
     _keep(ctx, instance, name, level, assigned(ctx, record, name, node, written, scope, own))
 
 

@@ -161,5 +161,7 @@ def unknown_here(
                 return  # The file that could not be imported may declare it.
         kinds = ("fn", "term") if kind == "function" else ()
         hint = module.hint(ast.Name(name, span), known, kinds)
+        if kind == "name":
+            hint = hint or enumerations.nearly_qualified(module, name, span)
         hint = hint or advice.undeclared(kind, name, span)
         ctx.report.add(rules.UNKNOWN_NAME, span, kind=kind, name=name, hint=hint)

@@ -10,6 +10,7 @@ from ..inheritance.records import Record
 from ..state.context import Context
 from ..state.scope import FAILURE, Failure, Scope
 from ..types.coercion import settled
+from ..types.typenames import Declared
 from .contracts import as_declared
 from .parameters import is_within, limits_of, range_text
 from .written_types import declared_type
@@ -31,7 +32,7 @@ def assigned(
     typing = record.typing(name)
     if typing is None or typing.member.type is None:
         return value
-    wanted = declared_type(ctx, typing.member.type, typing.owner.module)
+    wanted = type_of(ctx, record, name)
     if wanted is None:
         return FAILURE
     value = as_declared(ctx, value, wanted, written, scope)
@@ -40,6 +41,14 @@ def assigned(
         if wanted.meaning is None:
             value = settled(ctx.tree, value)
     return value
+
+
+def type_of(ctx: Context, record: Record, name: str) -> Declared | None:
+    """The type that is written for a slot; ``None`` if there is none, or none that is known."""
+    typing = record.typing(name)
+    if typing is None or typing.member.type is None:
+        return None
+    return declared_type(ctx, typing.member.type, typing.owner.module)
 
 
 def _check_range(

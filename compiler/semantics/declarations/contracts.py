@@ -149,11 +149,11 @@ def _choices(root: Node) -> Iterator[Node]:
 
 
 def _bare_number(written: ast.Expression | None) -> str:
-    """A number without a unit, in decimal; empty for anything else, and for zero."""
+    """A number that is no angle, in decimal; empty for anything else, and for zero."""
     sign = ""
     while isinstance(written, ast.Unary) and written.operator == "-":
         written, sign = written.operand, "" if sign else "-"
-    if not isinstance(written, ast.Number) or written.unit or written.kind == "uint":
+    if not isinstance(written, ast.Number) or written.kind in ("angle", "uint"):
         return ""
     text = written.text
     if text[:2] in ("0x", "0X"):

@@ -6,15 +6,19 @@ enumeration. ``meaning_rules`` keeps numbers and members apart. After that they 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ....stdlib.builtins.facts import Fact
 from ...diagnostics import rules
 from ...diagnostics.fixes import Hint, either, fix_it
+from ...diagnostics.nearest import nearest_in
 from ...diagnostics.source import Span
 from ...ir import build
 from ...ir.meaning import Choice, Enumeration, Meaning
 from ...ir.node import Node
 from ...ir.types import INT
 from ...syntax import ast
+from ...syntax.quoting import shortened
 from ..hints import advice
 from ..names.modules import Module, Symbol
 from ..state.context import Context
@@ -72,13 +76,17 @@ def member(ctx: Context, symbol: Symbol, name: ast.Name) -> Node | Failure:
 
 def with_member(module: Module, name: str) -> list[str]:
     """The members of this name in all enumerations that a file sees, as they are written there."""
-    return [
-        f"{symbol.name}.{name}"
+    return [f"{of}.{name}" for of, members in _seen(module).items() if name in members]
+
+
+def _seen(module: Module) -> dict[str, list[str]]:
+    """The members of all enumerations that a file sees, by the names of these."""
+    return {
+        symbol.name: [member.name.text for member in symbol.declaration.members]
         for visible in dict.fromkeys(module.visible())
         for symbol in module.known(visible)
         if isinstance(symbol.declaration, ast.Enumeration)
-        and any(each.name.text == name for each in symbol.declaration.members)
-    ]
+    }
 
 
 def shown_type(ctx: Context, node: Node) -> str:
@@ -93,26 +101,68 @@ def way_out(found: Meaning | None, wanted: Meaning | None, written: ast.Expressi
     if wanted is None or wanted.enumeration is None:
         return number_of(span)
     of = wanted.enumeration
-    if found is not None and isinstance(written, ast.Field) and written.name.text in of.names:
-        return _instead([f"{of.name}.{written.name.text}"], span)
+    if found is not None and (same := same_named(wanted, written)):
+        return same
     if isinstance(written, ast.Number) and written.text.isdecimal():
-        places = [int(written.text)] if len(written.text) < 10 else []
-        return _instead([f"{of.name}.{of.names[i]}" for i in places if i < len(of.names)], span)
+        number = int(written.text) if len(written.text) < 10 else len(of.names)
+        meant = [f"{of.name}.{name}" for name in of.names[number : number + 1]]
+        return _instead(meant, span) or members_of(of)
     return members_of(of)
 
 
-def number_of(span: Span | None) -> Hint:
-    """The hint how to take a member as the number that it is."""
-    if span is None or "\n" in span.text:
+def same_named(wanted: Meaning, written: ast.Expression | None) -> Hint:
+    """The hint to write the member of the wanted enumeration that has the same name, if any."""
+    of = wanted.enumeration
+    if of is None or not isinstance(written, ast.Field) or written.name.text not in of.names:
+        return ""
+    return _instead([f"{of.name}.{written.name.text}"], written.span)
+
+
+def number_of(*spans: Span | None) -> Hint:
+    """The hint how to take members, which stand at these places, as the numbers that they are."""
+    places = [span for span in spans if span is not None and "\n" not in span.text]
+    if len(places) < len(spans):
         return "`int(…)` is the number of a member, from 0"
-    exact = f"int({span.text})"
-    return fix_it(f"`{exact}` is the number of the member, counted from 0", (span, exact))
+    exact = [f"int({span.text})" for span in places]
+    said = " and ".join(f"`{each}`" for each in exact)
+    are = "is the number of the member" if len(exact) == 1 else "are the numbers of the members"
+    return fix_it(f"{said} {are}, counted from 0", *zip(places, exact, strict=True))
+
+
+def values_for(of: Enumeration, written: Sequence[ast.Expression]) -> Hint:
+    """The hint for a choice between members whose values have no names."""
+    form = ", ".join(f"{name} = …" for name in of.names)
+    if len(written) != len(of.names) + 1:
+        return f"each member has a value: `choose(of, {form})`"
+    places = [Span(each.span.source, each.span.start, each.span.start) for each in written[1:]]
+    names = [f"{name} = " for name in of.names]
+    return fix_it(
+        f"a value has the name of its member in front: `choose({written[0].span.text}, {form})`",
+        *zip(places, names, strict=True),
+    )
 
 
 def members_of(of: Enumeration) -> str:
     """The hint for a value that is no member of an enumeration: the members, if they are few."""
     shown = ", ".join(f"`{of.name}.{name}`" for name in of.names[:_FEW])
     return f"its members are {shown}{', …' if len(of.names) > _FEW else ''}"
+
+
+def converted(enumeration: str, e: ast.Call) -> Hint:
+    """The hint for a number that is given to an enumeration, as other languages convert it."""
+    if len(e.arguments) != 1 or e.names:
+        return ""
+    written = f"({e.arguments[0].span.text} as {enumeration})"
+    return fix_it(f"the member of a number is `{shortened(written)}`", (e.span, written))
+
+
+def compared(of: Enumeration, e: ast.Field) -> Hint:
+    """The hint for a member behind a value of an enumeration, and not behind its name."""
+    if e.name.text not in of.names:
+        return members_of(of)
+    member = f"{of.name}.{e.name.text}"
+    equal = f"{e.operand.span.text} == {member}"
+    return either(f"did you mean `{member}`, or `{equal}`?", e.span, member, f"({equal})")
 
 
 def _instead(meant: list[str], span: Span | None) -> Hint:
@@ -126,3 +176,10 @@ def _instead(meant: list[str], span: Span | None) -> Hint:
 def qualified(module: Module, name: str, span: Span) -> Hint:
     """The hint for a member that is written without its enumeration; empty for other names."""
     return _instead(with_member(module, name), span)
+
+
+def nearly_qualified(module: Module, name: str, span: Span) -> Hint:
+    """The hint for a misspelt member without its enumeration; empty if none is nearly so called."""
+    known = [member for declared in _seen(module).values() for member in declared]
+    near = nearest_in(span.source, name, known)
+    return "" if near is None else _instead(with_member(module, near), span)

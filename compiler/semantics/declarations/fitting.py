@@ -14,6 +14,7 @@ from ..state.context import Context
 from ..state.evaluation import node_of
 from ..state.scope import FAILURE, Failure, Scope
 from ..types.coercion import coerce
+from ..types.typenames import Declared
 from .enumerations import shown_type
 
 
@@ -21,7 +22,8 @@ def typed(
     ctx: Context, expression: ast.Expression, scope: Scope, wanted: Type, declared: str
 ) -> Node | Failure:
     """The value of ``expression`` as a ``wanted``; ``declared`` is how messages call that."""
-    return fit(ctx, node_of(ctx, expression, scope), wanted, declared, expression.span)
+    node = node_of(ctx, expression, scope, Declared(wanted, declared))
+    return fit(ctx, node, wanted, declared, expression.span)
 
 
 def fit(

@@ -260,7 +260,8 @@ def _range(
         or scalar_kind(type_) in (None, "bool")
         or not isinstance(type_, Scalar | Vector)
     ):
-        ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text)
+        hint = "its members are its range: leave `in …` out" if is_enum(declared.meaning) else ""
+        ctx.report.add(rules.NO_RANGE, member.range[0].span, type=declared.text, hint=hint)
         return None
     limits = []
     for expression in member.range:
@@ -295,7 +296,7 @@ def _default(
     if member.default is None:
         return None
     scope = Scope(definition.owner.module)
-    node = node_of(ctx, member.default, scope)
+    node = node_of(ctx, member.default, scope, declared)
     # A direction is brought to length one below.
     node = as_declared(ctx, node, changed(declared, fact=UNKNOWN), member.default)
     if isinstance(node, Failure):

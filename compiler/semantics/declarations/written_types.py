@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from functools import cache, partial
 from itertools import chain
 
@@ -81,14 +81,26 @@ def _resolved(
         if (found := module.find(argument.text)) and isinstance(found[0].declaration, ast.Space)
     )
     is_known = written.name.text in NAMED or written.name.text in variables or structs
-    other = "" if is_known else not_a_type(symbols) or _read_there(ctx, written, module)
-    declared = ctx.types.resolver.resolve(written, structs, spaces, variables, other)
+    other: Hint = ""
+    if not is_known:
+        other = not_a_type(symbols) or _read_there(ctx, written, module)
+    declared = ctx.types.resolver.resolve(
+        written, structs, spaces, variables, other, _types_of(module)
+    )
     if declared is not None and written.unsized:
         return _unsized(ctx, written, declared)
     if declared is None or written.count is None:
         return declared
     count = count_of(ctx, written.count, module, variables)
     return None if count is None else _fitting(ctx, array_of(declared, count), written.span)
+
+
+def _types_of(module: Module) -> Iterator[str]:
+    """The names of structures and enumerations that a file sees, as far as somebody asks."""
+    for visible in dict.fromkeys(module.visible()):
+        for symbol in module.known(visible):
+            if isinstance(symbol.declaration, ast.StructDeclaration | ast.Enumeration):
+                yield symbol.name
 
 
 def _read_there(ctx: Context, written: ast.TypeName, module: Module) -> Hint:

@@ -16,7 +16,7 @@ from typing import TypeAlias
 
 from ....support.frozen import record
 from ...ir import build
-from ...ir.binding import close, freed, open_body
+from ...ir.binding import close, freed, is_opened, open_body
 from ...ir.leaves import Buffer, Texture
 from ...ir.node import Formals, Graph, Node, Roots, reachable
 from ...ir.operations import MEMBER
@@ -176,7 +176,8 @@ class _Sharing:
             value, *arguments = islice(plain, len(mark.operands))
             values.append(value)
             varying = group.varying(tuple(arguments))
-            opened.append(open_body(self._graph, bodies[group], varying))
+            is_it = is_opened(self._graph, bodies[group], varying, value)
+            opened.append(value if is_it else open_body(self._graph, bodies[group], varying))
         # Equal expressions are one node (hash-consing): where the body with these arguments is the
         # node of the call's value, the body serves the call.
         for (mark, group), value, body in zip(called, values, self._plain(opened), strict=True):

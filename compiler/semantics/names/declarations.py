@@ -21,7 +21,7 @@ from .modules import Module, Named, Symbol
 
 _PROGRAMS = ("material", "kernel", "frame")
 """The kinds of records whose names are those of files that the command line writes."""
-_Heads = dict[tuple[str, ...], ast.Name]
+_Heads = dict[tuple[str, ...], dict[str, ast.Name]]
 """The functions declared so far, by name and types of arguments, each with where it stands."""
 
 
@@ -102,9 +102,15 @@ def _check_function(function: ast.Function, report: Report) -> None:
 
 
 def _check_overload(function: ast.Function, heads: _Heads, report: Report) -> None:
-    """Functions may share a name if no two have the same arguments."""
+    """Functions may share a name if no two have the same arguments and the same result.
+
+    Those of the same arguments are told apart by the types that are written behind ``->``.
+    """
     types = (described(argument.type) for argument in function.arguments)
-    first = heads.setdefault((function.name.text, *types), function.name)
+    result = "" if function.result is None else described(function.result)
+    known = heads.setdefault((function.name.text, *types), {})
+    first = next((name for other, name in known.items() if not (result and other)), None)
+    first = first or known.setdefault(result, function.name)
     if first is not function.name:
         report.add(
             rules.DUPLICATE_NAME, function.name.span, name=function.name.text,
@@ -150,8 +156,13 @@ def _may_contain_unreadable(record: ast.Record | ast.Mixin) -> bool:
 def _check_inside(report: Report, declaration: Named) -> None:
     """Names that a declaration gives to its parts, each once."""
     match declaration:
-        case ast.StructDeclaration(members=members) | ast.Enumeration(members=members):
+        case ast.StructDeclaration(members=members):
             check_once(report, (member.name for member in members))
+        case ast.Enumeration(members=members):
+            check_once(
+                report, (member.name for member in members),
+                "each member has a name of its own: leave one of the two out",
+            )  # fmt: skip
         case ast.Function():
             check_once(report, (variable.name for variable in declaration.type_parameters))
             arguments = [argument.name for argument in declaration.arguments]

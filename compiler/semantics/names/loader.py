@@ -252,9 +252,15 @@ class Loader:
 
     def _from_library(self, wanted: ast.Import) -> Module | None:
         inside = in_library(wanted.path)
-        found = self._library.module(inside)
+        found = self._of_library(inside)
         if found is None:
             self._report_missing(wanted, f"std/{inside}")
+        return found
+
+    def _of_library(self, inside: str) -> Module | None:
+        """A file of the library; mistakes in it are told, and in those that it imports."""
+        found = self._library.module(inside)
+        self._report.extend(self._library.report.diagnostics)
         return found
 
     def _report_missing(
@@ -285,7 +291,7 @@ class Loader:
             return None
         library = self._resolved(self._library.folder)
         if path.is_relative_to(library):
-            return self._library.module(path.relative_to(library).as_posix())
+            return self._of_library(path.relative_to(library).as_posix())
         source = self._read(found, self._report, str(found), wanted.span)
         if source is None:
             return None

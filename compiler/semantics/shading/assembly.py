@@ -21,6 +21,7 @@ from ..state.context import Context, Twin
 from ..state.scope import Instance, Replacement
 from .host_names import Entry, names_taken
 from .instances import instance_of
+from .kept_bodies import KEPT_BODIES
 from .kept_transcripts import KEPT_TRANSCRIPTS
 from .placeholders import stand_in
 from .rigs import entries_of
@@ -63,6 +64,7 @@ def set_up(parts: Parts, report: Report, records: Records) -> Setting:
     """The parts put together; slots that they lack because they are abstract get placeholders."""
     ctx = Context(report, records, RULES)
     ctx.transcripts.kept = KEPT_TRANSCRIPTS.of
+    ctx.bodies.kept = KEPT_BODIES.of
     leaves = _leaves(ctx, parts)
     entries = entries_of(ctx, parts.rig, names_taken(leaves, parts.module))
     ctx.rig = tuple(entry for entry, _ in entries)

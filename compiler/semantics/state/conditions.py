@@ -10,7 +10,7 @@ from ...ir.node import Node, bare
 from ...ir.operations import CALL
 from ...ir.ranges import Ranges
 from ...ir.refinements import OPPOSITES
-from ...ir.types import BOOL, Scalar
+from ...ir.types import BOOL, Scalar, Vector
 from .constants import ConstantValues
 
 _ABSORBING = {"and": False, "or": True}
@@ -27,7 +27,8 @@ class Conditions:
         """The common value of all conditions that a node is a copy of, as far as it is known."""
 
     def value(self, condition: Node) -> bool | None:
-        """True if a scalar condition always holds, false if it never does; ``None`` if unknown."""
+        """True if a condition always holds, in all of its lanes; false if in none of them; ``None``
+        otherwise, or if it is unknown."""
         known, pending = self._known, [condition]
         while pending:
             node = pending[-1]
@@ -71,13 +72,19 @@ class Conditions:
         if plain is not node:
             return self._known[plain]
         if node.type != BOOL:
-            return None
+            return self._of_lanes(node)
         if self._constants.is_known(node):
             return bool(self._constants.known(node))
         known = [self._known[part] for part in _parts(node)]
         if node.op == "select":
             return None if known[0] is None else known[1 if known[0] else 2]
         return self._called(node, known) if node.op == "call" else None
+
+    def _of_lanes(self, node: Node) -> bool | None:
+        """What all lanes of a constant vector say, as `choose` asks for them."""
+        known = self._constants.known(node) if isinstance(node.type, Vector) else None
+        lanes = set(known) if isinstance(known, tuple) else set()
+        return bool(lanes.pop()) if len(lanes) == 1 else None
 
     def _called(self, node: Node, known: list[bool | None]) -> bool | None:
         name = CALL.data(node)

@@ -125,10 +125,10 @@ Kinds: TypeAlias = "tuple[tuple[Type, Meaning | None], ...]"
 class Overloads:
     """The functions that a file has under one name."""
 
-    exact: dict[Kinds, Symbol]
+    exact: dict[Kinds, Symbol | None]
     """The functions without type parameters, by their declared arguments.
 
-    Of equal ones, this is the first; that there are others has been reported.
+    There is none of several that differ in their results alone.
     """
     of_count: dict[int, list[Symbol]]
     """All of them, by how many arguments they take by position."""
@@ -262,11 +262,52 @@ class SharedBody:
     """The nodes of a body that is repeated, operands before users."""
 
 
+@frozen(eq=False)
+class NotedNode:
+    """A node of a body that is kept."""
+
+    node: Node
+    noted: tuple[tuple[int, Any], ...]
+    """What is noted about it, each with the number of its table."""
+
+
+@frozen(eq=False)
+class KeptBody:
+    """The body of a library function, as it was checked in an elaboration of its own."""
+
+    value: Node
+    formals: tuple[Formal, ...]
+    """The variables of the body."""
+    parts: tuple[NotedNode, ...]
+    """The placeholders for the parts of the arguments, with the names and docs that they got.
+
+    There are none if the body is applied.
+    """
+    constants: tuple[NotedNode, ...]
+    """The nodes that are the same for all arguments, operands before users."""
+    own: tuple[NotedNode, ...]
+    """The nodes that each call repeats, operands before users; none if the body is applied."""
+    applicable: frozenset[Node]
+    """The bodies among the constants that may be applied."""
+    structures: tuple[tuple[Symbol, Declared | None], ...]
+    """The structures that values in it may be of, each with its type."""
+    made: int
+    """The number of nodes that checking it makes."""
+
+
+def _none_kept(_signature: Signature, _parts: tuple[Node, ...]) -> KeptBody | None:
+    return None
+
+
 @record
 class SharedBodies:
     """The bodies of functions, as far as they have been checked."""
 
-    known: dict[Signature, SharedBody | Failure | None] = fresh(factory=dict)
+    kept: Callable[[Signature, tuple[Node, ...]], KeptBody | None] = _none_kept
+    """Gives the body of a library function for a signature and the parts of a call's arguments."""
+    copies: dict[Node, Node] = fresh(factory=dict)
+    """The constants of kept bodies, as they were made here."""
+    known: dict[Signature, SharedBody | KeptBody | Failure | None] = fresh(factory=dict)
     """Checked bodies; ``None`` where they depend on the arguments' values."""
     applicable: set[Node] = fresh(factory=set)
     """Bodies among these that do not depend on the caller, with their variables bound."""
@@ -300,7 +341,7 @@ class OpenRule:
     """A rule whose operands may be more than values: have members, or be called."""
 
     operands: Callable[[Any, Scope], Sequence[ast.Expression]]
-    value: Callable[[Context, Any, Sequence[Value], Scope], Value]
+    value: Callable[[Context, Any, Sequence[Value], Scope], Value | Continuation]
     """Gives the expression's value; it sees wrong operands, too."""
 
 

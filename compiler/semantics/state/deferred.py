@@ -128,6 +128,10 @@ class Deferred:
             outermost = list(self._outermost(nodes))
             self._tell(self._errors(outermost, self._reached, leading))
 
+    def concerns(self, node: Node) -> bool:
+        """True if something was found about what a value needs, on whatever side."""
+        return self._weight(node) > 0
+
     def is_wrong(self, node: Node) -> bool:
         """True if a value that is needed now has errors, which are reported."""
         if not self._weight(node):
@@ -187,7 +191,7 @@ class Deferred:
         """Yields the nodes that a node needs, without sides that are never taken."""
         yield from self._also.get(node, ())
         match node.op, node.data:
-            case "select", _:
+            case ("select", _) | ("call", "choose"):
                 condition, then, otherwise = node.operands
                 holds = self._conditions.value(condition)
                 yield condition

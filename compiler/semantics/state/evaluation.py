@@ -19,8 +19,9 @@ from ...diagnostics import rules
 from ...diagnostics.source import Span
 from ...ir.node import Node
 from ...syntax import ast
+from ..types.typenames import Declared
 from .context import Context, OpenRule, Rule
-from .scope import FAILURE, Continuation, Failure, Members, Scope, Value
+from .scope import FAILURE, Continuation, Failure, Members, Scope, Undecided, Value
 
 DEEPEST = 16
 """The number of demands that may wait for each other on Python's stack.
@@ -94,15 +95,27 @@ def evaluate(ctx: Context, expression: ast.Expression, scope: Scope) -> Value:
     return _run(ctx, [(expression, scope, _NEW)])
 
 
-def node_of(ctx: Context, expression: ast.Expression, scope: Scope) -> Node | Failure:
+def node_of(
+    ctx: Context, expression: ast.Expression, scope: Scope, wanted: Declared | None = None
+) -> Node | Failure:
     """The value of an expression where only a plain value will do."""
-    return plain(ctx, evaluate(ctx, expression, scope), expression)
+    return plain(ctx, evaluate(ctx, expression, scope), expression, wanted)
 
 
-def plain(ctx: Context, value: Value, expression: ast.Expression) -> Node | Failure:
-    """An expression's value if it is a plain one; a record or ``light`` is reported."""
+def plain(
+    ctx: Context, value: Value, expression: ast.Expression, wanted: Declared | None = None
+) -> Node | Failure:
+    """An expression's value if it is a plain one; a record or ``light`` is reported.
+
+    ``wanted`` is the type that is written where the value is for, if one is.
+    """
+    if isinstance(value, Undecided) and wanted is not None:
+        value = value.decided(wanted)
     if isinstance(value, Node | Failure):
         return value
+    if isinstance(value, Undecided):
+        value.report()
+        return FAILURE
     hint = value.example if isinstance(value, Members) else ""
     ctx.report.add(rules.NOT_A_VALUE, expression.span, hint=hint)
     return FAILURE

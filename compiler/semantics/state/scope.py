@@ -18,7 +18,7 @@ from ...ir.types import Opaque
 from ...syntax import ast
 from ..inheritance.records import Definition, Record
 from ..names.modules import Module, Symbol
-from ..types.typenames import Variable, Variables
+from ..types.typenames import Declared, Variable, Variables
 from .origins import Origin
 
 
@@ -237,6 +237,30 @@ class Members:
 
 
 @frozen
+class Undecided:
+    """A call, or a choice, whose type is that which is wanted of it: one of several.
+
+    Functions with the same arguments differ in their results, so the place of a call decides.
+    """
+
+    results: tuple[Declared, ...]
+    """The types that there are."""
+    value: Callable[[int], Value]
+    """Gives the value of one of these types, by its number."""
+    report: Callable[[], None]
+    """Reports that no place has decided."""
+
+    def decided(self, *wanted: Declared) -> Value:
+        """The value of the one type that is wanted; the same again if none is, or several are."""
+        types = {each.type for each in wanted}
+        found = [i for i, result in enumerate(self.results) if result.type in types]
+        meanings = {each.meaning for each in wanted}
+        meant = [i for i in found if self.results[i].meaning in meanings]
+        found = meant or found
+        return self.value(found[0]) if len(found) == 1 else self
+
+
+@frozen
 class Way:
     """A transform in scope, and the way in which it is taken."""
 
@@ -251,7 +275,9 @@ class Way:
         return self.meaning.spaces[::-1] if self.back else self.meaning.spaces
 
 
-Value = Node | Failure | Instance | LightVariable | Inherited | Corners | Corner | Members
+Value = (
+    Node | Failure | Instance | LightVariable | Inherited | Corners | Corner | Members | Undecided
+)
 
 Application = tuple[Symbol, tuple[int, ...], Instance | None]
 """A function, the ids of its arguments, and the surface that it shades."""

@@ -139,10 +139,12 @@ class TypeResolver:
         spaces: frozenset[str],
         variables: Variables,
         other: Hint = "",
+        declared: Iterable[str] = (),
     ) -> Declared | None:
         """The written type without its array count, or ``None`` after reporting.
 
-        ``other`` is the hint for a name that is declared, but as something else than a type.
+        ``other`` is the hint for a name that is declared, but as something else than a type, and
+        ``declared`` are the names of types of which a misspelt name may be one.
         """
         text = name.name.text
         known = variables.get(text)
@@ -154,7 +156,7 @@ class TypeResolver:
             return structs[text]
         named = NAMED.get(text)
         if named is None:
-            visible = [*NAMED, *structs, *variables]
+            visible = [*NAMED, *declared, *variables]
             self._unknown("type", name.name, visible, other or _elsewhere(name.name))
             return None
         if not name.arguments:

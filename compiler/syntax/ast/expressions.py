@@ -21,13 +21,14 @@ class Name:
 
 @frozen(eq=False)
 class Number:
-    """``2``, ``0.5``, ``1e-3``, ``7u``; ``unit`` is ``deg`` or ``rad`` for an angle."""
+    """``2``, ``0.5``, ``1e-3``, ``7u``; ``unit`` is ``deg`` for an angle, ``mm`` for a length."""
 
     span: Span
     text: str
     """Digits as written, without suffix or unit."""
-    kind: Literal["int", "uint", "float", "angle"]
-    unit: Literal["", "deg", "rad"] = ""
+    kind: Literal["int", "uint", "float", "angle", "length"]
+    unit: str = ""
+    """One of ``compiler.units``, or none."""
 
 
 @frozen(eq=False)

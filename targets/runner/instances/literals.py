@@ -1,16 +1,13 @@
-"""Reads the language's literals: colours such as ``#b5651d``, and angles such as ``30deg``."""
+"""Reads the language's literals: colours such as ``#b5651d``, and numbers such as ``30deg``."""
 
 from __future__ import annotations
 
-import math
 import re
 
 from ....compiler.srgb import linear
+from ....compiler.units import ANGLES, LENGTHS, parted, value_of
 
 _LITERAL = re.compile(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
-
-
-_ANGLE_UNITS = {"deg": math.pi / 180.0, "rad": 1.0}
 
 
 def color_channels(text: str) -> tuple[int, ...] | None:
@@ -32,10 +29,14 @@ def color_lanes(text: str) -> tuple[float, ...] | None:
     return (*map(linear, channels[:3]), *(channel / 255 for channel in channels[3:]))
 
 
-def angle(text: str) -> float | None:
-    """An angle in radians; ``None`` if the text is not a number with a unit."""
-    unit = _ANGLE_UNITS.get(text[-3:])
+def measured(text: str, meaning: str | None) -> float | None:
+    """An angle in radians, or else a length in metres.
+
+    ``None`` if the text is not a number with such a unit.
+    """
+    digits, unit = parted(text)
+    wanted = ANGLES if meaning == "angle" else LENGTHS
     try:
-        return None if unit is None else float(text[:-3]) * unit
+        return value_of(digits, unit) if unit in wanted else None
     except ValueError:
         return None

@@ -14,7 +14,7 @@ from typing import Any
 
 from ....compiler.diagnostics.nearest import suggestion
 from ....stdlib.builtins.facts import ULP
-from .literals import angle, color_lanes
+from .literals import color_lanes, measured
 from .shapes import WHOLE, Elements, Members, Numbers, Shape, part
 
 _WORD = re.compile(r"[A-Za-z]{3,}")
@@ -275,16 +275,16 @@ def single(value: float) -> float:
 
 
 def _literal(shape: Numbers, text: str, name: str) -> object:
-    """The value of a literal text: a colour or an angle."""
+    """The value of a literal text: a colour, an angle or a length."""
     if shape.is_color and text.startswith("#"):
         lanes = color_lanes(text)
         if lanes is None:
             raise ParameterError(name, f"`{name}`: {text} is no colour, which would be #b5651d")
         return lanes if len(lanes) >= shape.lanes else (*lanes, 1.0)
-    radians = angle(text) if shape.meaning == "angle" else None
-    if radians is None:
+    number = measured(text, shape.meaning)
+    if number is None:
         raise _wrong_kind(text, shape, name)
-    return radians
+    return number
 
 
 # --- messages ------------------------------------------------------------------------------------

@@ -15,19 +15,15 @@ layout(std140, set = 3, binding = 0) uniform Draw {
     int before_count;  /// The number of elements of `before`
 };
 
-layout(std140, set = 3, binding = 1) uniform DrawDerived {
-    uint speed_differs;
-};
-
-layout(std430, set = 3, binding = 2) readonly buffer BeforeBuffer {
+layout(std430, set = 3, binding = 1) readonly buffer BeforeBuffer {
     Particle before[];
 };
 
-layout(std430, set = 3, binding = 3) writeonly buffer AfterBuffer {
+layout(std430, set = 3, binding = 2) writeonly buffer AfterBuffer {
     Particle after[];
 };
 
-layout(std430, set = 3, binding = 4) writeonly buffer SpeedsBuffer {
+layout(std430, set = 3, binding = 3) writeonly buffer SpeedsBuffer {
     float speeds[];
 };
 
@@ -36,17 +32,13 @@ layout(local_size_x = 64) in;
 void main() {
     int index = int(gl_GlobalInvocationID.x);
     if (index >= before_count) { return; }
-    vec3 speed_chosen = vec3(0.0);
-    if (speed_differs != 0u) {
-        vec3 others = vec3(0.0);
-        for (int i = 0; i < min(before_count, 64); i++) {
-            vec3 others_difference = before[index].place - before[i].place;
-            others += others_difference / max(dot(others_difference, others_difference), 0.0001)
-                * clamp(1.0 - length(others_difference) / reach, 0.0, 1.0);
-        }
-        speed_chosen = dt * (others - pull * before[index].place);
+    vec3 others = vec3(0.0);
+    for (int i = 0; i < min(before_count, 64); i++) {
+        vec3 others_difference = before[index].place - before[i].place;
+        others += others_difference / max(dot(others_difference, others_difference), 0.0001)
+            * clamp(1.0 - length(others_difference) / reach, 0.0, 1.0);
     }
-    vec3 speed = 0.99 * before[index].speed + speed_chosen;
+    vec3 speed = 0.99 * before[index].speed + dt * (others - pull * before[index].place);
     after[index].place = before[index].place + dt * speed;
     after[index].speed = speed;
     after[index].age = before[index].age + dt;

@@ -14,13 +14,9 @@ cbuffer Draw : register(b0, space3) {
     int before_count;  /// The number of elements of `before`
 };
 
-cbuffer DrawDerived : register(b1, space3) {
-    uint speed_differs;
-};
-
-StructuredBuffer<Particle> before : register(t2, space3);
-RWStructuredBuffer<Particle> after : register(u3, space3);
-RWStructuredBuffer<float> speeds : register(u4, space3);
+StructuredBuffer<Particle> before : register(t1, space3);
+RWStructuredBuffer<Particle> after : register(u2, space3);
+RWStructuredBuffer<float> speeds : register(u3, space3);
 
 struct ComputeInput {
     uint index : SV_DispatchThreadID;
@@ -30,17 +26,13 @@ struct ComputeInput {
 void main(ComputeInput input) {
     int index = int(input.index);
     if (index >= before_count) { return; }
-    float3 speed_chosen = float3(0.0, 0.0, 0.0);
-    if (speed_differs != 0u) {
-        float3 others = float3(0.0, 0.0, 0.0);
-        for (int i = 0; i < min(before_count, 64); i++) {
-            float3 others_difference = before[index].place - before[i].place;
-            others += others_difference / max(dot(others_difference, others_difference), 0.0001)
-                * saturate(1.0 - length(others_difference) / reach);
-        }
-        speed_chosen = dt * (others - pull * before[index].place);
+    float3 others = float3(0.0, 0.0, 0.0);
+    for (int i = 0; i < min(before_count, 64); i++) {
+        float3 others_difference = before[index].place - before[i].place;
+        others += others_difference / max(dot(others_difference, others_difference), 0.0001)
+            * saturate(1.0 - length(others_difference) / reach);
     }
-    float3 speed = 0.99 * before[index].speed + speed_chosen;
+    float3 speed = 0.99 * before[index].speed + dt * (others - pull * before[index].place);
     after[index].place = before[index].place + dt * speed;
     after[index].speed = speed;
     after[index].age = before[index].age + dt;

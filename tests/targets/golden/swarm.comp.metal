@@ -18,28 +18,21 @@ struct Draw {
     int before_count;  /// The number of elements of `before`
 };
 
-struct DrawDerived {
-    uint speed_differs;
-};
-
 kernel void cs_main(
     uint index [[thread_position_in_grid]], constant Draw& draw [[buffer(0)]],
-    constant DrawDerived& draw_derived [[buffer(1)]], device const Particle* before [[buffer(2)]],
-    device Particle* after [[buffer(3)]], device float* speeds [[buffer(4)]]
+    device const Particle* before [[buffer(1)]], device Particle* after [[buffer(2)]],
+    device float* speeds [[buffer(3)]]
 ) {
     const int index_2 = int(index);
     if (index_2 >= draw.before_count) { return; }
-    float3 speed_chosen = float3(0.0f);
-    if (draw_derived.speed_differs != 0u) {
-        float3 others = float3(0.0f);
-        for (int i = 0; i < min(draw.before_count, 64); i++) {
-            const float3 others_difference = float3(before[index_2].place) - float3(before[i].place);
-            others += others_difference / max(dot(others_difference, others_difference), 0.0001f)
-                * saturate(1.0f - length(others_difference) / draw.reach);
-        }
-        speed_chosen = draw.dt * (others - draw.pull * float3(before[index_2].place));
+    float3 others = float3(0.0f);
+    for (int i = 0; i < min(draw.before_count, 64); i++) {
+        const float3 others_difference = float3(before[index_2].place) - float3(before[i].place);
+        others += others_difference / max(dot(others_difference, others_difference), 0.0001f)
+            * saturate(1.0f - length(others_difference) / draw.reach);
     }
-    const float3 speed = 0.99f * float3(before[index_2].speed) + speed_chosen;
+    const float3 speed = 0.99f * float3(before[index_2].speed)
+        + draw.dt * (others - draw.pull * float3(before[index_2].place));
     after[index_2].place = float3(before[index_2].place) + draw.dt * speed;
     after[index_2].speed = speed;
     after[index_2].age = before[index_2].age + draw.dt;

@@ -14,15 +14,10 @@ struct Draw {
     before_count: i32,  /// The number of elements of `before`
 }
 
-struct DrawDerived {
-    speed_differs: u32,
-}
-
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
-@group(3) @binding(2) var<storage, read> before: array<Particle>;
-@group(3) @binding(3) var<storage, read_write> after: array<Particle>;
-@group(3) @binding(4) var<storage, read_write> speeds: array<f32>;
+@group(3) @binding(1) var<storage, read> before: array<Particle>;
+@group(3) @binding(2) var<storage, read_write> after: array<Particle>;
+@group(3) @binding(3) var<storage, read_write> speeds: array<f32>;
 
 struct ComputeInput {
     @builtin(global_invocation_id) index: vec3u,
@@ -32,17 +27,13 @@ struct ComputeInput {
 fn main(input: ComputeInput) {
     let index = i32(input.index.x);
     if (index >= draw.before_count) { return; }
-    var speed_chosen: vec3f = vec3f(0.0);
-    if (draw_derived.speed_differs != 0u) {
-        var others: vec3f = vec3f(0.0);
-        for (var i: i32 = 0; i < min(draw.before_count, 64); i++) {
-            let others_difference = before[index].place - before[i].place;
-            others += others_difference / max(dot(others_difference, others_difference), 0.0001)
-                * saturate(1.0 - length(others_difference) / draw.reach);
-        }
-        speed_chosen = draw.dt * (others - draw.pull * before[index].place);
+    var others: vec3f = vec3f(0.0);
+    for (var i: i32 = 0; i < min(draw.before_count, 64); i++) {
+        let others_difference = before[index].place - before[i].place;
+        others += others_difference / max(dot(others_difference, others_difference), 0.0001)
+            * saturate(1.0 - length(others_difference) / draw.reach);
     }
-    let speed = 0.99 * before[index].speed + speed_chosen;
+    let speed = 0.99 * before[index].speed + draw.dt * (others - draw.pull * before[index].place);
     after[index].place = before[index].place + draw.dt * speed;
     after[index].speed = speed;
     after[index].age = before[index].age + draw.dt;

@@ -258,7 +258,9 @@ def _result(ctx: Context, member: ast.Result, scope: Scope, group: WorkGroup) ->
     if isinstance(element.type, Opaque) or not is_writable(element.type):
         ctx.report.add(rules.NOT_WRITABLE, member.type.span, type=element.text)
         return None
-    value = as_declared(ctx, node_of(ctx, member.value, scope), element, member.value, scope)
+    value = as_declared(
+        ctx, node_of(ctx, member.value, scope, element), element, member.value, scope
+    )
     if isinstance(value, Failure) or not exists_in_kernels(ctx, value, member.value.span):
         return None
     info = written_buffer(member.name, member.doc, element)

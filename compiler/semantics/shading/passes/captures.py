@@ -87,7 +87,8 @@ def _value(
         ctx.report.add(rules.CANNOT_CAPTURE, member.type.span, type=declared.text)
         return None
     scope = pass_scope(owner, passing, level)
-    found = as_declared(ctx, node_of(ctx, member.value, scope), declared, member.value, scope)
+    node = node_of(ctx, member.value, scope, declared)
+    found = as_declared(ctx, node, declared, member.value, scope)
     if isinstance(found, Failure):
         return None
     placed = ctx.crossings.checked_at_vertex(found, member.value.span)
