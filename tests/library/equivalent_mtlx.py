@@ -170,12 +170,12 @@ BY_REASON: Mapping[str, Sequence[str]] = {
             "n))] < 1e-16 then vec3(0,"
         ),
         (
-            "std.mtlx.textures.bordered: 0.5 * log2(max(max( [dot(dx, dx) -> abs(dot(dx, dx))] , "
-            "dot(dy, dy)), 1))"
+            "std.mtlx.textures.bordered: (0.5 * log2(max(max( [dot(dx, dx) -> abs(dot(dx, dx))] , "
+            "dot(dy, dy)), 1)),"
         ),
         (
             "std.mtlx.textures.bordered: max(max(dot(dx, dx), [dot(dy, dy) -> abs(dot(dy, dy))] "
-            "), 1)) dx = ddx(at)"
+            "), 1)), 0) // Logari"
         ),
     ),
     "The cosine between two directions is the same from both.": (
@@ -229,13 +229,12 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         ),
     ),
     "Nothing passes through a metal, so what it takes and how it scatters does not count.": (
-        "std.mtlx.closures.conductor_bsdf: , factor, even, rgb( [1 -> 0] , 1, 1), 0).response",
-        "std.mtlx.closures.conductor_bsdf: , factor, even, rgb( [1 -> 2] , 1, 1), 0).response",
-        "std.mtlx.closures.conductor_bsdf: factor, even, rgb(1, [1 -> 0] , 1), 0).response) w",
-        "std.mtlx.closures.conductor_bsdf: factor, even, rgb(1, [1 -> 2] , 1), 0).response) w",
-        "std.mtlx.closures.conductor_bsdf: tor, even, rgb(1, 1, [1 -> 0] ), 0).response) wher",
-        "std.mtlx.closures.conductor_bsdf: tor, even, rgb(1, 1, [1 -> 2] ), 0).response) wher",
-        "std.mtlx.closures.conductor_bsdf: even, rgb(1, 1, 1), [0 -> 1] ).response) where {",
+        "std.mtlx.closures.conductor_bsdf: , factor, even, rgb( [1 -> 0] , 1, 1), ScatterMode",
+        "std.mtlx.closures.conductor_bsdf: , factor, even, rgb( [1 -> 2] , 1, 1), ScatterMode",
+        "std.mtlx.closures.conductor_bsdf: factor, even, rgb(1, [1 -> 0] , 1), ScatterMode.R)",
+        "std.mtlx.closures.conductor_bsdf: factor, even, rgb(1, [1 -> 2] , 1), ScatterMode.R)",
+        "std.mtlx.closures.conductor_bsdf: tor, even, rgb(1, 1, [1 -> 0] ), ScatterMode.R).re",
+        "std.mtlx.closures.conductor_bsdf: tor, even, rgb(1, 1, [1 -> 2] ), ScatterMode.R).re",
     ),
     "A weight that is exactly the least one gives what rounds to nothing.": (
         ("std.mtlx.closures.dielectric_bsdf: -> Bsdf = if weight [< -> <=] mtlx_least or scatte"),

@@ -80,13 +80,13 @@ def test_borders_without_a_filter(name: str) -> None:
 @pytest.mark.parametrize("axes", AXES)
 @pytest.mark.parametrize("step", [(0.2, 0.1), (1.6, 0.4), (0.3, 4.0), (2.5, 40.0)], ids=str)
 def test_edges_of_two_levels_are_mixed(step: tuple[float, float], axes: str) -> None:
-    """The levels are those of a device, by the longest way of a pixel. A side that is no power of
-    two is rounded down at each of them, and the last ones are one texel wide."""
-    size = np.array([64.0, 27.0])
+    """The levels are those of a device, by the longest way of a pixel. The last ones are one texel
+    wide."""
+    size = np.array([64.0, 32.0])
     first = COORDINATES[:64, None, None, :]
     row, column = np.mgrid[:2, :2][..., None]
     at = first + (column * step[0] * np.array([0.8, 0.6]) + row * step[1] * [0.0, 1.0]) / size
-    white = Picture(lambda u, _: (0 * u + 1,) * 4, (64, 27))
+    white = Picture(lambda u, _: (0 * u + 1,) * 4, (64, 32))
     expression = f"bordered(t, p, vec2({AXES[axes][0]}, {AXES[axes][1]}), vec4(0)).x"
     found = called(ALL, expression, t=white, p=Quad(at))
     level = max(0, np.log2(max(step)))

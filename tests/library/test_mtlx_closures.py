@@ -51,8 +51,13 @@ ROUGHNESS = "clamp(0.7 * r.y + 0.5, 0.0, 1.0)"
 INDEX = "1.1 + abs(r.z)"
 COLOR, SECOND, THIRD = (f"rgb(1.2 * q.{lanes} - 0.1)" for lanes in ("xyz", "zwx", "wyz"))
 SHEEN = "int(q.y * 1.99)"
+SMOOTHLY = "1 + 0"
 DISTRIBUTION = "0 + 0"
-OURS = {MODE: f"({MODE} as ScatterMode)", SHEEN: f"({SHEEN} as SheenMode)"}
+OURS = {
+    MODE: f"({MODE} as ScatterMode)",
+    SHEEN: f"({SHEEN} as SheenMode)",
+    SMOOTHLY: "SheenMode.zeltner",
+}
 """Arguments that are written in another way in Burnish."""
 
 
@@ -131,7 +136,7 @@ CLOTH: Nodes = {
         "vec2(0.004 * q.y, 0.004 * q.x)", "0.5 + 0.05 * q.y", "q.xyz", NORMAL, TANGENT,
     ),
     "smooth cloth": closure(
-        "sheen_bsdf", 1e-7, "1.0", "rgb(vec3(100.0))", "0.02 * q.w", NORMAL, "1"
+        "sheen_bsdf", 1e-7, "1.0", "rgb(vec3(100.0))", "0.02 * q.w", NORMAL, SMOOTHLY
     ),
 }  # fmt: skip
 JOINED: Nodes = {
