@@ -14,14 +14,15 @@ from .kit import MATERIALS, declarations, exported, read_back, written
 
 SAME_TEXT = (
     "bumps", "closure_emission", "closure_sheen", "closure_transmission", "conditions",
-    "graph_interface", "image_alpha", "image_spaces", "image_wraps", "math_arithmetic",
-    "noise_solid", "own_definition", "spaces", "units",
+    "image_alpha", "image_spaces", "image_wraps", "math_arithmetic",
+    "noise_solid", "own_definition", "spaces",
 )  # fmt: skip
 SAME_MEANING = (
-    "channels", "closure_film", "compositing", "image_hexagons", "math_matrices",
-    "own_multioutput", "several_outputs", "surface_mix", "upgraded_1_36",
+    "channels", "closure_film", "compositing", "graph_interface", "image_hexagons", "math_matrices",
+    "own_multioutput", "several_outputs", "surface_mix", "units", "upgraded_1_36",
 )  # fmt: skip
-"""Documents whose text changes, such as ``.w`` in place of ``.a``."""
+"""Documents whose text changes, such as ``.w`` in place of ``.a``: units are computed, and titles
+of folders are comments, which are not exported."""
 
 
 def there_and_back(name: str, folder: Path) -> tuple[Path, Path, Imported]:
