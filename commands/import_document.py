@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -122,7 +123,5 @@ def _write(found: Imported, out: Path, force: bool) -> None:
     )  # fmt: skip
     names = ", ".join(material.name for material in found.materials[:6])
     more = f" and {len(found.materials) - 6} more" if len(found.materials) > 6 else ""
-    say(
-        f"{names}{more}. To see it: burnish render {out / found.main}, "
-        f"or burnish view {out / found.main}"
-    )
+    main = shlex.quote(str(out / found.main))
+    say(f"{names}{more}. To see it: burnish render {main}, or burnish view {main}")

@@ -21,6 +21,7 @@ from .problems import Problem, UnsupportedError
 from .reading import read
 from .structures import Structures
 from .texts import File, one_line, wrapped
+from .unread_inputs import unread_inputs
 
 
 class Imported(NamedTuple):
@@ -61,7 +62,7 @@ def converted(
     functions = Functions(own, known, structures, pictures.tiles)
     writer = Materials(own, functions, Models(functions, own))
     materials: list[Material] = []
-    problems = list(_repeated(document))
+    problems = [*_repeated(document), *unread_inputs(document)]
     for renderable in renderables:
         try:
             materials.append(writer.written(renderable))

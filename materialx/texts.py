@@ -143,15 +143,18 @@ def equations(rows: list[Equation], indent: int = 1) -> list[str]:
         lines.append((line, row.doc))
     column = max((len(line) for line, doc in lines if doc and _fits(line, doc)), default=0)
     texts = [_documented(line, doc, space, column) for line, doc in lines]
-    return [part for row in zip(_titles(rows, space), texts, strict=True) for part in row if part]
+    above = _above(rows, space)
+    return [line for lines, text in zip(above, texts, strict=True) for line in (*lines, text)]
 
 
-def _titles(rows: list[Equation], space: str) -> list[str]:
-    """For each row the title of the group that begins there, below an empty line."""
+def _above(rows: list[Equation], space: str) -> list[list[str]]:
+    """The lines above each row: where a group begins, an empty one and the title, if it has one."""
     found, last = [], ""
     for number, row in enumerate(rows):
-        title = f"{space}// {row.group}" if row.group else ""
-        found.append(("\n" if number else "") + title if row.group != last else "")
+        lines = [""] if number and row.group != last else []
+        if row.group and row.group != last:
+            lines.append(f"{space}// {row.group}")
+        found.append(lines)
         last = row.group
     return found
 

@@ -237,6 +237,26 @@ def test_two_elements_with_one_name(tmp_path: Path) -> None:
     ]  # fmt: skip
 
 
+UNREAD = """<surface_unlit name="s" type="surfaceshader" inherit="base">
+<input name="emision" type="float" value="2"/>
+<input name="qqqqq" type="float" value="2"/>
+<input name="opacity" type="color3" value="1, 1, 1"/>
+</surface_unlit>"""
+
+
+def test_what_a_definition_does_not_read_is_told_and_the_rest_converted(tmp_path: Path) -> None:
+    found = converted(tmp_path, document(UNREAD))
+    assert [material.name for material in found.materials] == ["S"]
+    assert not any(problem.is_error for problem in found.problems)
+    assert [str(problem) for problem in found.problems] == [
+        "doc.mtlx:2: s: there is no node 'base' to inherit from",
+        "doc.mtlx:3: s/emision: surface_unlit has no such input, and it is left out: "
+        "did you mean 'emission'?",
+        "doc.mtlx:4: s/qqqqq: surface_unlit has no such input, and it is left out",
+        "doc.mtlx:5: s/opacity: this input of surface_unlit is of the type float, and not color3",
+    ]
+
+
 HOSTILE = "a&#10;} material Evil {} &#13; */ } &#x2028;/// &#x85; material Evil {}"
 NAMES = (
     "Ünï cödé", "a b", "../x", "material", "for", "float4", "main", "gl_Position", "π", "1a",
