@@ -50,8 +50,8 @@ def test_files_are_written_and_told(tmp_path: Path) -> None:
     assert said.exit_code == 0
     *files, last = said.stdout.splitlines()
     assert set(files) == {str(out / name) for name in FILES}
-    main = f"'{out / 'own_definition.burnish'}'"
-    assert last == f"Woven. To see it: burnish render {main}, or burnish view {main}"
+    main = out / "own_definition.burnish"
+    assert last == f"Woven. To see it: burnish render '{main}', or burnish view '{main}'"
     assert set(contents(out)) == FILES
     assert not package.check(main)
 
