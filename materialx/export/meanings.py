@@ -136,8 +136,11 @@ class Meanings:
     def _constant(self, e: ast.Expression | None, kind: str) -> Constant:
         if e is None:
             return vector((0,) * max(lanes_of(kind), 1), kind)
-        where = Where(self._surface.record.symbol.module, self._surface.instance, None)
-        return self._nodes_constant(self.expressions.value(e, At(where, {}), kind), kind)
+        at = At(Where(self._surface.record.symbol.module, self._surface.instance, None), {})
+        if isinstance(e, ast.Call) and self._calls(e, at, _COLORS, *_SPACES):
+            assert isinstance(e.callee, ast.Reference)
+            return replace(self._constant(e.arguments[0], kind), space=_SPACES[e.callee.name])
+        return self._nodes_constant(self.expressions.value(e, at, kind), kind)
 
     def _nodes_constant(self, value: Value, kind: str) -> Constant:
         found = self._nodes.converted(value, kind) if isinstance(value, Constant) else None

@@ -38,6 +38,8 @@ class Nodes:
         # People look for inputs in front of the nodes.
         self.element.setChildIndex(found.getName(), len(self.element.getInputs()) - 1)
         found.setValueString(value.text)
+        if value.space:
+            found.setColorSpace(value.space)
         for attribute, text in about.items():
             found.setAttribute(attribute, text)
         return Linked(value.type, interface=found.getName())

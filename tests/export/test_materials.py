@@ -63,6 +63,25 @@ def test_a_model_of_the_library_is_the_imported_one(
     assert all('type="float" value=' in line for line in lines)
 
 
+ENCODED = """burnish 1
+import std.models.{OpenPbr}
+import std.mtlx.color.{from_acescg}
+
+material Encoded : OpenPbr {
+    param tint : rgb = from_acescg(rgb(0.8, 0.6, 0.4))
+
+    base_color = tint * 0.5
+}
+"""
+
+
+def test_a_parameter_keeps_the_colour_space_of_its_default(tmp_path: Path) -> None:
+    document = exported(_saved(tmp_path / "encoded.burnish", ENCODED))
+    assert 'value="0.8, 0.6, 0.4" colorspace="acescg"' in document
+    found = read_back(document, tmp_path / "back", "encoded").read_text()
+    assert "tint : rgb = from_acescg(rgb(0.8, 0.6, 0.4))" in found
+
+
 def test_what_cannot_be_said_is_told_and_nothing_is_written(tmp_path: Path) -> None:
     shutil.copy(MATERIALS / "unsayable.burnish", tmp_path)
     before = tree(tmp_path)
