@@ -23,6 +23,7 @@ from .places import Function, NeedsSurfaceError, NeedsTextsError, Sampling, Scop
 from .problems import UnsupportedError
 from .structures import Structures, structure_text
 from .texts import Equation, File, equations, one_line, wrapped
+from .units import measured
 from .values import ASKED, BARE, CLOSURES, literal, zero
 
 FOLDER = "materialx"
@@ -210,7 +211,7 @@ class _Body:
             return None
         if self.structures.has(port.type):
             return self.structures.value(port.value, port.type)
-        return literal(port.value, port.type) if port.type in BARE else None
+        return measured(port, port.type) if port.type in BARE else None
 
     def _without_last_name(self, value: Expression) -> Expression:
         """The result itself, where it is a part that nothing else reads."""

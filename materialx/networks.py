@@ -306,7 +306,7 @@ class Network:
 def is_same(port: Port, wanted: Port) -> bool:
     """True if an input has the constant of another one, however it is written."""
     is_encoded = port.type.startswith("color") and port.color_space.lower() not in LINEAR
-    if port.unit or is_encoded:
+    if port.unit or wanted.unit or is_encoded:
         return False
     if port.value is None or wanted.value is None or port.type not in LANES:
         return port.value == wanted.value

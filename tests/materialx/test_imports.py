@@ -13,6 +13,7 @@ from burnish.materialx.importing import Imported, imported
 
 from ..golden import assert_golden
 from .kit import documents
+from .texts import converted, document
 
 HERE = Path(__file__).parent
 READ = (
@@ -98,6 +99,27 @@ BUMPY = """<materialx version="1.39">
 </surfacematerial>
 </materialx>
 """
+
+
+MEASURED = """<nodedef name="ND_wide" node="wide">
+<input name="width" type="float" value="5" unittype="distance" unit="millimeter"/>
+<output name="out" type="float"/></nodedef>
+<nodegraph name="NG_wide" nodedef="ND_wide">
+<multiply name="m" type="float"><input name="in1" type="float" interfacename="width"/>
+<input name="in2" type="float" value="3"/></multiply>
+<output name="out" type="float" nodename="m"/></nodegraph>
+<wide name="a" type="float"/>
+<wide name="b" type="float"><input name="width" type="float" value="5"/></wide>
+<output name="one" type="float" nodename="a"/>
+<output name="other" type="float" nodename="b"/>"""
+
+
+def test_the_default_of_a_definition_has_its_unit(tmp_path: Path) -> None:
+    text = converted(tmp_path, document(MEASURED)).files["doc.burnish"].decode()
+    assert "fn wide(width: float = 5mm)" in text
+    # A number without a unit is in metres.
+    assert "wide(5mm)" in text
+    assert "wide(5)" in text
 
 
 def test_a_material_with_the_name_of_a_function_has_an_ending(tmp_path: Path) -> None:
