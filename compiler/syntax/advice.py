@@ -75,6 +75,8 @@ class Advice(TokenView):
         ways: tuple[Callable[[], Hint], ...] = (
             lambda: self._of_body(index, begin),
             lambda: self._expressions.of_decimals(index),
+            # A unit apart from its number was read as the name of the next equation.
+            lambda: self._expressions.of_measure(index - 1) if "=" in expected else "",
             lambda: self._expressions.of_array(index),
             lambda: self._of_marks(index, expected),
             lambda: self._of_header(index, expected),

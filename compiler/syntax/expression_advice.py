@@ -111,6 +111,16 @@ class ExpressionAdvice(TokenView):
             f"the decimal separator is a point: `{number}`", index - 2, index, number
         )
 
+    def of_measure(self, index: int) -> Hint:
+        """About a unit that stands at ``index``, apart from its number."""
+        found, previous = self.token(index), self.token(index - 1)
+        is_unit = found.kind == "NAME" and found.text in UNITS and previous.kind == "NUMBER"
+        if not is_unit or self.outline.begins_line(index):
+            return ""
+        what = "an angle" if found.text in ANGLES else "a length"
+        measure = previous.text + found.text
+        return self.replace(f"{what} is one word: `{measure}`", index - 1, index, measure)
+
     def of_array(self, index: int) -> Hint:
         """About ``array<float, 3>(…)``, of which ``index`` is the length."""
         elements = array_elements(self, index - 4)
@@ -198,10 +208,8 @@ class ExpressionAdvice(TokenView):
         found, previous, following = (self.token(index + step) for step in (0, -1, 1))
         if found.kind == "|" and "NUMBER" in expected:
             return self._of_bars(index)
-        if found.kind == "NAME" and found.text in UNITS and previous.kind == "NUMBER":
-            what = "an angle" if found.text in ANGLES else "a length"
-            measure = previous.text + found.text
-            return self.replace(f"{what} is one word: `{measure}`", index - 1, index, measure)
+        if hint := self.of_measure(index):
+            return hint
         if found.kind == "STRING" and found.text.startswith('"#'):
             color = found.text[1:-1]
             said = f"a colour is written without quotes: `{color}`"
