@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ..compiler.opening import MOST_PROGRAMS
 from ..support.depth import with_depth
 from ..support.garbage import seldom_collected
 from .archives import unpacked
@@ -16,6 +17,7 @@ from .materials import Material, Materials, Renderable
 from .model import Document
 from .models import Models
 from .names import slot_name
+from .outline import DocumentError
 from .pictures import Picture, Pictures, is_set
 from .problems import Problem, UnsupportedError
 from .reading import read
@@ -52,10 +54,15 @@ def imported(path: Path, name: str = "", image_folders: Sequence[Path] = ()) -> 
 
 
 def converted(
-    document: Document, renderables: Iterable[Renderable], name: str, pictures: Pictures
+    document: Document, renderables: Sequence[Renderable], name: str, pictures: Pictures
 ) -> Imported:
-    """Convert what of a document is drawn, to a file with this
-    name and to those that it imports."""
+    """Convert what of a document is drawn, to a file with this name and to those that it imports.
+    Raises ``DocumentError`` for more materials than a file may have."""
+    if len(renderables) > MOST_PROGRAMS:
+        raise DocumentError(
+            f"{document.name}:1: error: {len(renderables)} materials or outputs are drawn, and a "
+            f"file of Burnish has at most {MOST_PROGRAMS}: divide the document"
+        )
     own = File(name)
     structures = Structures(own, document.structures)
     functions = Functions(own, known, structures, pictures.tiles)
@@ -76,18 +83,7 @@ def converted(
         problems.append(Problem(left_out.path, place, left_out.text, is_error=False))
     copied: dict[str, list[Picture]] = {}
     for material in materials:
-        for word in material.left_out:
-            place = document.place(material.path)
-            text = f"its `{word}` is left out"
-            problems.append(Problem(material.path, place, text, is_error=False))
-        for title, files in material.files.items():
-            found = [pictures.found(file) for file in files]
-            copied[title] = [each for each in found if each is not None]
-            for file, picture in zip(files, found, strict=True):
-                text = _about(file, picture, is_too_large=file in pictures.too_large)
-                if text:
-                    place = document.place(material.path)
-                    problems.append(Problem(material.path, place, text, is_error=False))
+        problems += _notes(document, material, pictures, copied)
     set_by = {
         title: ",".join(picture.path for picture in layers)
         for title, layers in copied.items()
@@ -99,6 +95,22 @@ def converted(
     }
     contents = {picture.path: picture.content for layers in copied.values() for picture in layers}
     return Imported(texts | contents, f"{name}.burnish", materials, problems)
+
+
+def _notes(
+    document: Document, material: Material, pictures: Pictures, copied: dict[str, list[Picture]]
+) -> Iterator[Problem]:
+    """What a person should know about a material and its pictures, which are added to ``copied`` by
+    their maps."""
+    texts = [f"its `{word}` is left out" for word in material.left_out]
+    for title, files in material.files.items():
+        found = [pictures.found(file) for file in files]
+        copied[title] = [each for each in found if each is not None]
+        for file, picture in zip(files, found, strict=True):
+            texts.append(_about(file, picture, is_too_large=file in pictures.too_large))
+    place = document.place(material.path)
+    for text in filter(None, texts):
+        yield Problem(material.path, place, text, is_error=False)
 
 
 def _repeated(document: Document) -> Iterator[Problem]:

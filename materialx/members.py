@@ -156,9 +156,7 @@ class Members:
         path = port.value
         key = (path, sampling)
         if key not in self._maps:
-            file = without_tokens(path).replace("\\", "/").rpartition("/")[2]
-            stem = slot_name(file.rpartition(".")[0])
-            name = self._names.fresh(stem if stem != "unnamed" else slot_name(node.name))
+            name = self._map_name(path, node)
             self.files[name] = files_of_set(path, sampling.tiles) or (path,)
             kind = "texture2d_array" if sampling.tiles else "texture2d"
             kind += " of rgb" if sampling.is_encoded else ""
@@ -166,6 +164,17 @@ class Members:
                 name, None, kind, f"`{one_line(path)}`", "map ", _settings(sampling)
             )
         return Name(self._maps[key].name)
+
+    def _map_name(self, path: str, node: Node) -> str:
+        """A name for the map of a file, which no material of the document has for another file."""
+        stem = slot_name(
+            without_tokens(path).replace("\\", "/").rpartition("/")[2].rpartition(".")[0]
+        )
+        wanted = stem if stem != "unnamed" else slot_name(node.name)
+        name = self._names.fresh(wanted)
+        while self.file.maps.setdefault(name, path) != path:
+            name = self._names.fresh(wanted)
+        return name
 
     def tiles(self, file: str) -> tuple[int, ...]:
         return self._functions.tiles(file)

@@ -33,6 +33,8 @@ class File:
     helpers: dict[str, str] = field(default_factory=dict)
     """The declarations that are left out where nothing reads them, with their names."""
     _structures: dict[tuple[str, tuple[str, ...]], str] = field(default_factory=dict)
+    maps: dict[str, str] = field(default_factory=dict)
+    """The files of textures by the names of their maps: one name is one file, in all materials."""
     names: Names = field(default_factory=lambda: Names((), catalogue()))
 
     def imported(self, module: str, name: str) -> str:

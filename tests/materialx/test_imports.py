@@ -10,6 +10,7 @@ import pytest
 from burnish.materialx.constants import OF_OTHERS
 from burnish.materialx.expressions import number_text
 from burnish.materialx.importing import Imported, imported
+from burnish.materialx.outline import DocumentError
 
 from ..golden import assert_golden
 from .kit import documents
@@ -308,3 +309,41 @@ def test_a_back_is_left_out_and_told(tmp_path: Path) -> None:
     (problem,) = imported(path).problems
     assert (problem.path, problem.text) == ("Chalk", "its `backsurfaceshader` is left out")
     assert not problem.is_error
+
+
+def test_pictures_of_one_name_in_two_folders_are_two_maps(tmp_path: Path) -> None:
+    """Also in two materials, since the file's command sets a map by its name."""
+    nodes = ""
+    for folder, original in (("a", "few.png"), ("b", "mask.png")):
+        (tmp_path / folder).mkdir()
+        content = (HERE / "documents" / "images" / original).read_bytes()
+        (tmp_path / folder / "wood.png").write_bytes(content)
+        nodes += (
+            f'<image name="{folder}" type="color3"><input name="file" type="filename" '
+            f'value="{folder}/wood.png"/></image>'
+            f'<output name="{folder}_shown" type="color3" nodename="{folder}"/>'
+        )
+    path = tmp_path / "two.mtlx"
+    path.write_text(f'<materialx version="1.39">{nodes}</materialx>')
+    found = imported(path)
+    assert [set(material.files) for material in found.materials] == [{"wood"}, {"wood_2"}]
+    pictures = [content for name, content in found.files.items() if name.endswith("png")]
+    assert sorted(map(len, pictures)) == sorted(
+        (tmp_path / folder / "wood.png").stat().st_size for folder in "ab"
+    )
+
+
+def test_more_materials_than_a_file_may_have_are_told(tmp_path: Path) -> None:
+    rows = "".join(
+        f'<constant name="c{number}" type="color3"/>'
+        f'<output name="o{number}" type="color3" nodename="c{number}"/>'
+        for number in range(257)
+    )
+    path = tmp_path / "many.mtlx"
+    path.write_text(f'<materialx version="1.39">{rows}</materialx>')
+    with pytest.raises(DocumentError) as raised:
+        imported(path)
+    assert str(raised.value) == (
+        "many.mtlx:1: error: 257 materials or outputs are drawn, and a file of Burnish has at most "
+        "256: divide the document"
+    )

@@ -135,7 +135,7 @@ FLOORS: dict[str, str] = {
     ),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
-    "materialx": "depth garbage stdlib diagnostics syntax library_trees library runner",
+    "materialx": "opening depth garbage stdlib diagnostics syntax library_trees library runner",
     "materialx.export": (
         "diagnostics syntax srgb units ir names inheritance state checking shading equations "
         "frontend compiling materialx"
