@@ -165,7 +165,7 @@ def _compared(request: _Request) -> int:
 
 
 def _frames(request: _Request) -> list[FrameComparison]:
-    """What is known of frames of one name, if whole files are compared, for all values."""
+    """Compares frames of one name, if whole files are compared, for all values."""
     from ..api.frame_sameness import same_frames
 
     narrowed = (*request.values, *request.first_values, *request.second_values, *request.ranges)

@@ -44,8 +44,8 @@ class Mixes:
         return Shown(Member(look, "color"), Member(look, "alpha"))
 
     def _sides(self, node: Node, scope: Scope) -> list[Place | None]:
-        """What is behind and what is in front in a mix; nothing of other nodes. Models are not
-        entered, all other graphs are."""
+        """The back and the front of a mix; nothing for other nodes. Models are not entered, all
+        other graphs are."""
         sides: list[Place | None] = []
         if node.category != "mix":
             return sides

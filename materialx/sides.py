@@ -1,7 +1,7 @@
 """Surfaces and displacements that are mixed: what they are made of, however often each is a side.
 
-A document may use one node as a side of many mixes, and these in turn. Where each of them was
-looked at wherever it is used, 40 nodes could take for ever; so ``mixes`` and ``displacements`` ask
+A document may use one node as a side of many mixes, and these in turn. If each of them were written
+wherever it is used, the text could double with each mix. So ``mixes`` and ``displacements`` ask
 here first, write each node once, and give those that are used again a name.
 """
 
@@ -39,7 +39,7 @@ class Sides(NamedTuple):
 
 
 def sides_of(start: Place, sides: Callable[[Node, Scope], Iterable[Place | None]]) -> Sides:
-    """What a node is made of; ``sides`` gives the sides of one node, and ``None`` for empty ones.
+    """Finds what a node is made of; ``sides`` gives the sides of a node, ``None`` for empty ones.
 
     Raises ``UnsupportedError`` if a node is a side of itself.
     """
