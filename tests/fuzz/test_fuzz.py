@@ -85,8 +85,8 @@ def _find_nothing(case: Case, *oracles: str) -> None:
 
 @pytest.mark.parametrize("name", [*REWRITINGS])
 def test_every_rewriting_finds_a_place(name: str) -> None:
-    places = [found for n in range(90) for found in rewritten(program(f"place:{n}"), "", name)]
-    assert places
+    places = (found for n in range(500) for found in rewritten(program(f"place:{n}"), "", name))
+    assert next(places, None) is not None
 
 
 def test_a_program_that_means_something_else_is_seen(
