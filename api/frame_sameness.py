@@ -30,16 +30,17 @@ _SAID_ELSEWHERE = frozenset({
 
 
 class FrameComparison(NamedTuple):
-    """What is known of two frames of one name."""
+    """The result of a comparison of two frames of one name."""
 
     name: str
     verdict: Verdict
     steps: int
     """The number of steps of the first one."""
     place: str
-    """Where the plans differ first, such as ``steps.lit.targets.0.load``; empty if they do not."""
+    """The place where the plans differ first, such as ``steps.lit.targets.0.load``; empty if they
+    are alike."""
     shaders: Mapping[str, Comparison | None]
-    """What is known of each two shaders of one name; nothing of those that cannot be compared."""
+    """The result for each two shaders of one name; ``None`` if they cannot be compared."""
 
 
 def same_frames(
@@ -56,9 +57,9 @@ def same_frames(
     """Compares the frames that two files declare by the same names.
 
     They are proven to be the same if their plans are, with all steps, states and values that the
-    host computes, and each two shaders are. Shaders that differ at some point may draw the same
-    all the same, as a frame may never bring them there; so the verdict of such frames is theirs.
-    Frames whose plans differ are undecided. ``epsilon``, ``boxes`` and ``seed`` are those of
+    host computes, and each two shaders are. A frame with a shader that differs at some point is
+    different, although it may never bring the shader to this point. Frames whose plans differ are
+    undecided. ``epsilon``, ``boxes`` and ``seed`` are those of
     ``same``. ``tell`` is called with the share that is done.
 
     Raises ``CompileError``.

@@ -72,7 +72,7 @@ class Forms(NamedTuple):
     read: str
     """The digest of what was read to compile them; empty if there are errors."""
     versions: Mapping[str, Version]
-    """What subjects are versions of, by their labels; empty if all serve all values."""
+    """The materials of which subjects are versions, by labels; empty if all serve all values."""
 
 
 class Contents(NamedTuple):
@@ -203,7 +203,7 @@ class Judge:
 
 
 def _versions(sources: Subjects, request: ConformRequest) -> dict[str, Version]:
-    """What the versions of a request are versions of, by their labels."""
+    """The materials of which a request draws versions, by their labels."""
     from ..targets.conformance.trials import Version
     from ..targets.runner.frames.subjects import is_shader
 

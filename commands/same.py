@@ -4,22 +4,24 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from .compile_options import is_range
 from .console import Styled, remark, say, show
 from .failures import needed
 from .options import format_option, pairs, pass_option, rig_option, search_option
 from .progress import Progress
 from .same_frames import frame_row, frame_sentences
+from .same_values import ranges_of, values_of
 from .terminal import print_output
 
 if TYPE_CHECKING:
     from ..api.frame_sameness import FrameComparison
-    from ..api.sameness import Comparison, Range, Value, Witness
+    from ..api.sameness import Comparison, Witness
 
 DIFFERENT, UNUSABLE, UNDECIDED = 1, 2, 3
 """Exit codes: they differ; there is nothing to compare; neither was shown."""
@@ -163,7 +165,7 @@ def _compared(request: _Request) -> int:
 
 
 def _frames(request: _Request) -> list[FrameComparison]:
-    """What is known of frames of one name, if whole files are compared, for all values."""
+    """Compares frames of one name, if whole files are compared, for all values."""
     from ..api.frame_sameness import same_frames
 
     narrowed = (*request.values, *request.first_values, *request.second_values, *request.ranges)
@@ -185,14 +187,15 @@ def _worse(one: int, other: int) -> int:
 def _comparison(request: _Request, one: _Side, other: _Side, progress: Progress) -> Comparison:
     from ..api.sameness import same as compared
 
-    spread = [pair for pair in request.values if ".." in pair[1]]
-    set_ = [pair for pair in request.values if ".." not in pair[1]]
+    spread = [pair for pair in request.values if is_range(pair[1])]
+    set_ = [pair for pair in request.values if not is_range(pair[1])]
     return compared(
         one.path, other.path, material=one.material, second_material=other.material,
         rig=request.rig, pass_=request.pass_, search_path=request.search_path,
-        epsilon=request.epsilon, boxes=request.boxes, values=_values(set_),
-        first_values=_values(request.first_values), second_values=_values(request.second_values),
-        ranges=_ranges((*spread, *request.ranges)), seed=request.seed, tell=progress.tell,
+        epsilon=request.epsilon, boxes=request.boxes, values=values_of(set_),
+        first_values=values_of(request.first_values),
+        second_values=values_of(request.second_values),
+        ranges=ranges_of((*spread, *request.ranges)), seed=request.seed, tell=progress.tell,
     )  # fmt: skip
 
 
@@ -231,55 +234,6 @@ def _found(text: str, request: _Request) -> list[_Side]:
     if not names:
         raise SameError(f"{path} has no material or kernel that could be compared")
     return [_Side(path, each) for each in names if wanted in (None, each)]
-
-
-# --- values --------------------------------------------------------------------------------------
-
-
-def _values(given: Sequence[tuple[str, str]]) -> dict[str, Value]:
-    """Values by name. Ends the command for a text that is none."""
-    found: dict[str, Value] = {}
-    for name, text in given:
-        lanes = _lanes(text)
-        if lanes is None:
-            raise click.UsageError(
-                f"'{name}={text}' is no value, which would be like 0.5, 1,0,0, #b5651d or true"
-            )
-        found[name] = lanes
-    return found
-
-
-def _ranges(given: Sequence[tuple[str, str]]) -> dict[str, Range]:
-    """Ranges by name. Ends the command for a text that is none."""
-    found = {}
-    for name, text in given:
-        ends = [_number(part.strip()) for part in text.split("..")]
-        if len(ends) != 2 or ends[0] is None or ends[1] is None:
-            raise click.UsageError(f"'{name}={text}' is no range, which would be like 0..1")
-        found[name] = ends[0], ends[1]
-    return found
-
-
-def _lanes(text: str) -> tuple[float, ...] | None:
-    from ..targets.runner.instances.literals import color_lanes
-
-    if text.startswith("#"):
-        return color_lanes(text)
-    parts = [_number(part.strip()) for part in text.strip("()").split(",")]
-    return None if None in parts else tuple(part for part in parts if part is not None)
-
-
-def _number(text: str) -> float | None:
-    from ..targets.runner.instances.literals import measured
-
-    if text in ("true", "false"):
-        return float(text == "true")
-    try:
-        found = float(text)
-    except ValueError:
-        angle = measured(text, "angle")
-        return measured(text, None) if angle is None else angle
-    return found if math.isfinite(found) else None
 
 
 # --- what is told --------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""What ``burnish same`` tells of frames."""
+"""Words and rows about frames, which ``burnish same`` prints."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def frame_sentences(found: FrameComparison) -> Iterator[str]:
-    """What was compared, and where it is not the same."""
+    """Sentences about what was compared, and where it is not the same."""
     if found.place:
         yield f"the plans differ at {found.place}"
     else:
@@ -33,7 +33,7 @@ def frame_sentences(found: FrameComparison) -> Iterator[str]:
 
 
 def frame_row(found: FrameComparison) -> dict[str, Any]:
-    """The same for programs."""
+    """The comparison of two frames as a row of JSON."""
     return {
         "frame": found.name,
         "verdict": found.verdict,

@@ -21,8 +21,8 @@ from ..targets.runner.files import regular
 from .outline import DocumentError
 
 ENDING = ".zip"
-MOST_FILES = 10_000
-"""The most files and folders of an archive."""
+MOST_PLACES = 50_000
+"""The most files of an archive, with the folders around each of them."""
 LARGEST_LIST = 4 << 20
 """The most bytes that the list of an archive's files may take, which is read at once."""
 LARGEST_UNPACKED = 4 << 30
@@ -85,8 +85,12 @@ class _Archive:
 
     def _look_through(self, files: list[ZipInfo]) -> None:
         """Refuse what is unsafe by the list of files, before any is unpacked."""
-        if len(files) > MOST_FILES:
-            raise self._error(f"archives of more than {MOST_FILES} files are not read")
+        # Each folder around a file takes place on the disk, too.
+        if len(files) + sum(info.filename.count("/") for info in files) > MOST_PLACES:
+            raise self._error(
+                f"archives of more than {MOST_PLACES} files, with the folders around them, are not "
+                "read"
+            )
         names = set()
         for info in files:
             name = info.filename

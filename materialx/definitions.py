@@ -149,12 +149,8 @@ class _Body:
     def __init__(
         self, functions: Functions, file: File, definition: Definition, graph: Graph, is_term: bool
     ) -> None:
-        self._functions, self._file, self._definition, self._is_term = (
-            functions,
-            file,
-            definition,
-            is_term,
-        )
+        self._functions, self._file = functions, file
+        self._definition, self._is_term = definition, is_term
         outputs = definition.outputs
         self.result = next(iter(outputs.values())).type
         is_closure = any(
@@ -174,21 +170,13 @@ class _Body:
                 pass
         values = dict(self._results(network, scope))
         members = {name: slot_name(name) for name in outputs} if len(outputs) > 1 else {}
-        self._value = next(iter(values.values()))
-        self.structure = ""
+        self.structure = self.structure_name = ""
         if members:
-            struct = file.structure(
-                record_name(definition.category),
-                tuple(map(self._type_of, outputs.values())),
-            )
-            types = map(self._type_of, outputs.values())
-            self.structure_name = struct
-            self.structure = structure_text(struct, zip(members.values(), types, strict=True))
-            self._value = Call(struct, tuple(values.values()))
-            self._type = struct
+            self._value = self._with_members(members, values)
+            self._type = self.structure_name
         else:
             self._type = self._type_of(next(iter(outputs.values())))
-            self._value = self._without_last_name(self._value)
+            self._value = self._without_last_name(next(iter(values.values())))
         used = {
             name: self._arguments[name].text for name in definition.inputs if name in bound.read
         }
@@ -200,6 +188,16 @@ class _Body:
         )
         name = function_name(definition.category or definition.name)
         self.result_function = Function(name, used, is_term, is_closure, defaults, members)
+
+    def _with_members(
+        self, members: Mapping[str, str], values: Mapping[str, Expression]
+    ) -> Expression:
+        """All results as one structure, whose declaration is made, too."""
+        types = tuple(map(self._type_of, self._definition.outputs.values()))
+        self.structure_name = self._file.structure(record_name(self._definition.category), types)
+        rows = zip(members.values(), types, strict=True)
+        self.structure = structure_text(self.structure_name, rows)
+        return Call(self.structure_name, tuple(values.values()))
 
     def _type_of(self, port: Port) -> str:
         return self._functions.structures.type(port.type, bare=True)

@@ -6,7 +6,6 @@ the mesh as it was before, textures at their largest level, and nothing that onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 from types import MappingProxyType
 
@@ -16,9 +15,11 @@ from .leaves import network as network_of
 from .library_files import declarations
 from .members import Members
 from .model import Definition, Node, Port
+from .names import slot_name
 from .networks import Network
 from .places import Function, Scope
 from .problems import UnsupportedError
+from .sides import Key, Place, key, sides_of
 from .surfaces import material_root, root
 from .texts import Equation
 
@@ -59,48 +60,78 @@ def displacement(network: Network, port: Port, scope: Scope) -> tuple[Node, Scop
     return root(network, moving, found[1]) if found is not None and moving is not None else None
 
 
-def displaced(members: Members, found: tuple[Node, Scope]) -> Equation:
+def displaced(members: Members, found: Place) -> Equation:
     """The equation of a node that moves a surface."""
-    network = network_of(_OfMesh(members))
-    with network.counted():
-        _moved(network, *found, members)
-    is_vector, value = _moved(network, *found, members)
+    is_vector, value = _Movement(members, found).written()
     return Equation(_ANYWHERE if is_vector else _ALONG_NORMAL, value)
 
 
-def _moved(network: Network, node: Node, scope: Scope, members: Members) -> tuple[bool, Expression]:
-    """True if a node moves a surface by a vector, and how far. What the surface is made of, too, is
-    written once."""
-    if node.category == "displacement":
-        is_vector = node.inputs.get("displacement") is not None and (
-            node.inputs["displacement"].type == "vector3"
+Moved = tuple[bool, Expression]
+"""True if a node moves a surface by a vector, and how far."""
+
+
+class _Movement:
+    """Writes what moves a surface. What the surface is made of, too, is written once."""
+
+    def __init__(self, members: Members, start: Place) -> None:
+        self._members, self._start = members, start
+        self._network = network_of(_OfMesh(members))
+        self._sides = sides_of(start, self._below)
+        self._known: dict[Key, Moved] = {}
+
+    def written(self) -> Moved:
+        """The value of the node that moves all."""
+        with self._network.counted():
+            for place in self._sides.places:
+                self._count(*place)
+        return self._moved(self._start)
+
+    def _below(self, node: Node, scope: Scope) -> list[Place | None]:
+        """The nodes that a mix or a dot is made of."""
+        names = {"dot": ("in",), "mix": ("bg", "fg")}.get(node.category, ())
+        ports = [node.inputs.get(name) for name in names]
+        return [None if port is None else root(self._network, port, scope) for port in ports]
+
+    def _count(self, node: Node, scope: Scope) -> None:
+        """Ask for all values that a node reads, so that those of two are slots."""
+        names = {"displacement": ("displacement", "scale"), "mix": ("mix",)}.get(node.category, ())
+        for name in names:
+            self._network.input(node, name, scope)
+
+    def _moved(self, place: Place | None) -> Moved:
+        if place is None:
+            return False, Number(0.0)
+        if key(place) not in self._known:
+            is_vector, value = self._of(*place)
+            if self._sides.is_shared(place):
+                node, _ = place
+                value = self._members.part(slot_name(node.name), value, node)
+            self._known[key(place)] = is_vector, value
+        return self._known[key(place)]
+
+    def _of(self, node: Node, scope: Scope) -> Moved:
+        if node.category == "displacement":
+            port = node.inputs.get("displacement")
+            value, scale = (
+                self._network.input(node, name, scope) for name in ("displacement", "scale")
+            )
+            value = self._members.shared(value)
+            is_vector = port is not None and port.type == "vector3"
+            return is_vector, value if scale == Number(1.0) else binary("*", value, scale)
+        if node.category == "dot":
+            return self._moved(self._below(node, scope)[0])
+        if node.category == "mix":
+            return self._mixed(node, scope)
+        raise UnsupportedError(f"{node.category} is no displacement that Burnish draws", node.path)
+
+    def _mixed(self, node: Node, scope: Scope) -> Moved:
+        sides = [self._moved(side) for side in self._below(node, scope)]
+        is_vector = any(vector for vector, _ in sides)
+        back, front = (
+            value if vector or not is_vector else Call("vec3", (Number(0.0), Number(0.0), value))
+            for vector, value in sides
         )
-        value, scale = (network.input(node, name, scope) for name in ("displacement", "scale"))
-        value = members.shared(value)
-        return is_vector, value if scale == Number(1.0) else binary("*", value, scale)
-    if node.category == "dot":
-        return _side(network, node, "in", scope, members)
-    if node.category == "mix":
-        return _mixed(network, node, scope, members)
-    raise UnsupportedError(f"{node.category} is no displacement that Burnish draws", node.path)
-
-
-def _mixed(network: Network, node: Node, scope: Scope, members: Members) -> tuple[bool, Expression]:
-    sides = [_side(network, node, name, scope, members) for name in ("bg", "fg")]
-    is_vector = any(vector for vector, _ in sides)
-    back, front = (
-        value if vector or not is_vector else Call("vec3", (Number(0.0), Number(0.0), value))
-        for vector, value in sides
-    )
-    return is_vector, Call("mix", (back, front, network.input(node, "mix", scope)))
-
-
-def _side(
-    network: Network, node: Node, name: str, scope: Scope, members: Members
-) -> tuple[bool, Expression]:
-    port = node.inputs.get(name)
-    found = root(network, port, scope) if port is not None else None
-    return (False, Number(0.0)) if found is None else _moved(network, *found, members)
+        return is_vector, Call("mix", (back, front, self._network.input(node, "mix", scope)))
 
 
 class _OfMesh:
@@ -125,7 +156,7 @@ class _OfMesh:
         """A function that reads only its arguments; all others are written out."""
         if any(port.type == "filename" for port in definition.inputs.values()):
             return None
-        if any(category in _OF_PIXELS for category in _categories(definition)):
+        if not _categories(definition).isdisjoint(_OF_PIXELS):
             return None
         found = self._members.function(definition)
         return None if found is None or found.sees_surface else found
@@ -139,11 +170,15 @@ class _OfMesh:
         return Call(f"{texture}.level", (place, Number(0.0)))
 
 
-def _categories(definition: Definition, around: frozenset[str] = frozenset()) -> Iterator[str]:
+def _categories(definition: Definition) -> set[str]:
     """The categories of all nodes that a definition stands for."""
-    if definition.graph is None or definition.name in around:
-        return
-    for node in definition.graph.nodes.values():
-        yield node.category
-        if node.definition is not None:
-            yield from _categories(node.definition, around | {definition.name})
+    found: set[str] = set()
+    pending, seen = [definition], {definition.name}
+    for each in pending:  # The list grows on the way.
+        for node in each.graph.nodes.values() if each.graph is not None else ():
+            found.add(node.category)
+            inner = node.definition
+            if inner is not None and inner.name not in seen:
+                seen.add(inner.name)
+                pending.append(inner)
+    return found

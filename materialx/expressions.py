@@ -17,7 +17,7 @@ WIDTH = 110
 _INDENT = "    "
 
 _LONGEST = 12
-"""The digits of numbers that people write, in characters."""
+"""The longest text of a number that a person is expected to have written, in characters."""
 
 # How tightly operators bind, from the table of docs/language.md.
 CHOICE, OR, AND, NOT, COMPARISON, SUM, PRODUCT, PREFIX, POSTFIX = range(9)

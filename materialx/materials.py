@@ -180,12 +180,14 @@ def _words(renderable: Renderable) -> list[str]:
     graph, link = renderable.graph, renderable.port.link
     found = {renderable.doc: None}
     waiting = [link] if link is not None else []
-    while waiting:
-        link = waiting.pop(0)
+    seen = set(waiting)
+    for link in waiting:  # The list grows on the way.
         if node := graph.nodes.get(link.node):
             found[node.hints.get("doc", "")] = None
             if node.type in ("material", "surfaceshader", *CLOSURES) and node.category != "mix":
-                waiting += [port.link for port in node.inputs.values() if port.link is not None]
+                below = dict.fromkeys(port.link for port in node.inputs.values() if port.link)
+                waiting += [each for each in below if each not in seen]
+                seen.update(below)
         elif group := graph.graphs.get(link.graph):
             found[group.hints.get("doc", "")] = None
     return [words for words in found if words]

@@ -39,37 +39,36 @@ class Pictures:
     def __init__(self, folders: Sequence[Path]) -> None:
         self._folders = folders
         self._found: dict[Path, Picture] = {}
+        self._tiles: dict[str, tuple[int, ...]] = {}
         self.too_large: set[str] = set()
         """The names of pictures that are there, and were not copied because of their size."""
 
     def found(self, name: str) -> Picture | None:
         """The picture with this path in one of the folders; nothing if there is none that may be
         read. Of a set of files for the squares of a chart, it is the first one."""
-        (name,) = files_of_set(name, (FIRST,)) or (name,)
-        for folder, wanted in product(self._folders, _ends(name)):
-            root = folder.resolve()
-            try:
-                path = (root / wanted).resolve()
-                if path.is_relative_to(root) and path.is_file():
-                    if self._fits(path):
-                        return self._copied(path)
-                    self.too_large.add(name)
-            except (OSError, ValueError):
+        (first,) = files_of_set(name, (FIRST,)) or (name,)
+        for folder, wanted in product(self._folders, _ends(first)):
+            path = _inside(folder.resolve(), wanted)
+            if path is None:
                 continue
+            if self._fits(path):
+                self.too_large.discard(name)
+                return self._copied(path)
+            self.too_large.add(name)
         return None
 
     def tiles(self, name: str) -> tuple[int, ...]:
         """The squares of a chart for which a set of files has files; none for one file."""
-        if not is_set(name):
-            return ()
+        if name not in self._tiles:
+            self._tiles[name] = self._tiles_of(name) if is_set(name) else ()
+        return self._tiles[name]
+
+    def _tiles_of(self, name: str) -> tuple[int, ...]:
+        numbers = range(FIRST, FIRST + _IN_ROW * MOST_ROWS)
         for folder, wanted in product(self._folders, _ends(name)):
-            numbers = range(FIRST, FIRST + _IN_ROW * MOST_ROWS)
-            files = files_of_set(wanted, numbers)
-            found = tuple(
-                number
-                for number, file in zip(numbers, files, strict=True)
-                if _is_file(folder / file)
-            )
+            root, files = folder.resolve(), files_of_set(wanted, numbers)
+            pairs = zip(numbers, files, strict=True)
+            found = tuple(number for number, file in pairs if _inside(root, file) is not None)
             if found:
                 return found
         return ()
@@ -117,11 +116,15 @@ def files_of_set(name: str, tiles: Iterable[int]) -> tuple[str, ...]:
     return tuple(files)
 
 
-def _is_file(path: Path) -> bool:
+def _inside(root: Path, wanted: str) -> Path | None:
+    """The file with this path in a folder; nothing if there is none, or if it lies elsewhere."""
     try:
-        return path.is_file()
+        if (root / wanted).is_file():
+            path = (root / wanted).resolve()
+            return path if path.is_relative_to(root) else None
     except (OSError, ValueError):  # Too long, or with characters that no path has.
-        return False
+        pass
+    return None
 
 
 def _ends(name: str) -> Iterator[str]:

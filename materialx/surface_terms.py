@@ -7,7 +7,7 @@ of a model stand in a file of their own, ``materialx/mixed_CATEGORY.burnish``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from .constants import constant, property_named
@@ -117,7 +117,9 @@ class _Writer:
 
     def _declarations(self) -> list[str]:
         texts, (scattered,), transmits = self._surface(_ASKED, ("bsdf",))
-        bare = self._pairs(self._asking)
+        bare = [
+            pair for name, pair in self._pairs().items() if self.arguments[name] in self._asking
+        ]
         asked = f"asked: {self._library('Asked')}"
         bsdf = _declaration(
             "What the surface scatters, by what is asked.",
@@ -141,9 +143,12 @@ class _Writer:
             color = Binary("+", color, emitted)
         if opacity != Number(1.0):
             color = Binary("*", opacity, color)
+        pairs = [
+            f"{pair} = {flat(self._default(self._definition.inputs[name]))}"
+            for name, pair in self._pairs().items()
+        ]
         return _declaration(
-            self._definition.hints.get("doc", ""),
-            declared("term", self.name, self._pairs()),
+            self._definition.hints.get("doc", ""), declared("term", self.name, pairs),
             Call(self._library(LOOK), (color, opacity)), texts,
         )  # fmt: skip
 
@@ -151,17 +156,12 @@ class _Writer:
         """What the surface scatters to a question."""
         return Member(Call(self._bsdf, (question, *map(Name, self._asking))), "response")
 
-    def _pairs(self, only: Sequence[str] = ()) -> list[str]:
-        """All arguments with their types and defaults; or some of them, without defaults."""
-        pairs = []
-        for name, argument in self.arguments.items():
-            port = self._definition.inputs[name]
-            pair = f"{argument}: {BARE[port.type]}"
-            if not only:
-                pairs.append(f"{pair} = {flat(self._default(port))}")
-            elif argument in only:
-                pairs.append(pair)
-        return pairs
+    def _pairs(self) -> dict[str, str]:
+        """The arguments with their types, by the inputs that they are."""
+        return {
+            name: f"{argument}: {BARE[self._definition.inputs[name].type]}"
+            for name, argument in self.arguments.items()
+        }
 
     def _default(self, port: Port) -> Expression:
         texts = _Texts(self._functions, self._file, self._names())

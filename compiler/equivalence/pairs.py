@@ -24,7 +24,7 @@ _COMMUTING = ("add", "mul", "min", "max")
 
 
 class Ends(NamedTuple):
-    """Between which two numbers something lies, for each box; NaN where nothing is known."""
+    """Two numbers between which something lies, for each box; NaN where nothing is known."""
 
     low: Array
     high: Array
@@ -39,7 +39,7 @@ class Pairs:
         self._found: dict[tuple[int, int], Ends] = {}
 
     def difference(self, first: Term, second: Term) -> Ends:
-        """Between which numbers the first one minus the second one lies."""
+        """Two numbers between which the first term minus the second one lies."""
         pending = [(first, second)]
         while pending:
             one, other = pending[-1]
@@ -96,7 +96,7 @@ class Pairs:
 
 
 def _fit(ours: list[Term], theirs: list[Term]) -> int:
-    """How well two lists of arguments fit: the same terms, or else the same operations."""
+    """Rates how well two lists of arguments fit: the same terms, or else the same operations."""
     return sum(2 if x is y else x.op == y.op for x, y in zip(ours, theirs, strict=True))
 
 
@@ -127,7 +127,7 @@ def _hull(*all_: Ends) -> Ends:
 
 
 def _between(place: Place) -> Ends:
-    """Where the argument is, in both terms and on the way from one to the other."""
+    """The interval of the argument, in both terms and on the way from one to the other."""
     return _hull(place[0], place[1])
 
 

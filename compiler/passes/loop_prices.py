@@ -73,7 +73,7 @@ class LoopPrices:
         return None if value is None else constant_lanes(leaf.type, value)
 
     def _own(self, roots: Iterable[Node], uses: Counter[Node]) -> tuple[bool, int]:
-        """If there is a loop among what only ``roots`` need, and the price of all of that."""
+        """Tells if only ``roots`` need some loop, with the price of all that only they need."""
         pending, counted = list(roots), Counter[Node]()
         own: list[Node] = []
         while pending:
@@ -86,7 +86,7 @@ class LoopPrices:
         return self._priced(own)
 
     def _priced(self, nodes: Iterable[Node]) -> tuple[bool, int]:
-        """If there is a loop among some nodes, and the price of all of them, with their turns."""
+        """Tells if some nodes have a loop, with the price of all of them, times their turns."""
         nodes = list(nodes)
         loops = {each: node for node in nodes if node.op in LOOPS for each in formals_of(node)}
         has_loop, price = bool(loops), 0

@@ -45,14 +45,14 @@ LISTED = (CAPTURED, CAPTURED_EXPANDED, COMPUTED)
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """What a version of a material, which serves some values only, is a version of."""
+    """The material of which another one, which serves some values only, is a version."""
 
     source: Subject
     """The material for all values, which is drawn with some of those that the version serves."""
     narrowed: frozenset[str]
     """The names of parameters of which the version serves some values only."""
     fixed: frozenset[str]
-    """Those of them that have one value: their default."""
+    """The names of narrowed parameters that have one value: their default."""
 
 
 class Trial(ABC):

@@ -188,8 +188,12 @@ def test_archives_of_very_many_files_are_refused(
 ) -> None:
     many: Files = {f"{place}": b"" for place in range(200)}
     path = archive(tmp_path / "a.zip", many)
-    monkeypatch.setattr(archives, "MOST_FILES", 100)
-    assert refused(path) == "archives of more than 100 files are not read"
+    deep = archive(tmp_path / "b.zip", {**PLAIN, "/".join("x" * 101): b""})
+    monkeypatch.setattr(archives, "MOST_PLACES", 100)
+    for made in (path, deep):
+        assert refused(made) == (
+            "archives of more than 100 files, with the folders around them, are not read"
+        )
     monkeypatch.setattr(archives, "LARGEST_LIST", 2000)
     assert refused(path).startswith("this is no whole ZIP archive: ")
 

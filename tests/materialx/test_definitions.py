@@ -69,3 +69,29 @@ def test_all_nodes_are_right_with_their_defaults(part: int, tmp_path: Path) -> N
 
 def test_no_node_is_left_out() -> None:
     assert len(list(shown())) <= 5 * EACH
+
+
+PLASTIC = """<materialx version="1.39">
+<nodedef name="ND_plastic" node="plastic"><input name="size" type="float" value="2"/>
+<output name="out" type="surfaceshader"/></nodedef>
+<nodegraph name="NG_plastic" nodedef="ND_plastic">
+<oren_nayar_diffuse_bsdf name="b" type="BSDF"/>
+<surface name="s" type="surfaceshader"><input name="bsdf" type="BSDF" nodename="b"/>
+<input name="opacity" type="float" interfacename="size"/></surface>
+<output name="out" type="surfaceshader" nodename="s"/></nodegraph>
+<plastic name="a" type="surfaceshader"/>
+<mix name="c" type="surfaceshader"><input name="fg" type="surfaceshader" nodename="a"/></mix>
+<surfacematerial name="M" type="material">
+<input name="surfaceshader" type="surfaceshader" nodename="c"/></surfacematerial>
+</materialx>
+"""
+
+
+def test_closures_of_a_mixed_model_have_the_arguments_that_they_read(tmp_path: Path) -> None:
+    """Here there are none: the one input is for the opacity alone."""
+    path = tmp_path / "plastic.mtlx"
+    path.write_text(PLASTIC)
+    text = imported(path).files["plastic.burnish"].decode()
+    assert "term plastic(size: float = 2) =" in text
+    assert "term plastic_bsdf(asked: Asked) =" in text
+    assert "term plastic_lit() per light =" in text

@@ -217,6 +217,41 @@ def test_pictures_that_are_too_large_are_told(
     assert "textures/a.1001.png" in found.files
 
 
+def test_a_large_first_picture_of_a_set_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("burnish.materialx.pictures.LARGEST", 10)
+    found = of_set(tmp_path, BOTH, "hextiledimage", "a.&lt;UDIM&gt;.png")
+    (problem,) = found.problems
+    assert "the picture `a.<UDIM>.png` is too large to be copied" in problem.text
+
+
+def test_a_picture_that_fits_in_another_folder_is_copied(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small = HERE / "documents" / "images" / "set.1001.png"
+    (tmp_path / "small").mkdir()
+    (tmp_path / "small" / "a.png").write_bytes(small.read_bytes())
+    monkeypatch.setattr("burnish.materialx.pictures.LARGEST", small.stat().st_size)
+    (tmp_path / "a.png").write_bytes(bytes(small.stat().st_size + 1))
+    of_set(tmp_path, {}, "image", "a.png")
+    found = imported(tmp_path / "set.mtlx", image_folders=[tmp_path / "small"])
+    assert not found.problems
+    assert found.files["textures/a.png"] == small.read_bytes()
+
+
+def test_files_of_a_set_outside_of_the_folder_are_not_seen(tmp_path: Path) -> None:
+    """Neither which of them are there: the set is the one that the folder has under this name."""
+    inside = tmp_path / "inside"
+    inside.mkdir()
+    for name, original in {"a.1005.png": "set.1001.png", **BOTH}.items():
+        place = tmp_path if name == "a.1005.png" else inside
+        place.joinpath(name).write_bytes((HERE / "documents" / "images" / original).read_bytes())
+    found = of_set(inside, {}, "image", "../a.&lt;UDIM&gt;.png")
+    assert not found.problems
+    assert "[1001, 1013]" in found.files[found.main].decode()
+
+
 VOLUMES = """<materialx version="1.39">
 <standard_surface name="s" type="surfaceshader"/>
 <absorption_vdf name="v" type="VDF"/>

@@ -102,6 +102,12 @@ def test_of_equal_arguments_the_wanted_result_decides(name: str) -> None:
     assert kit.color(BY_RESULT.replace("EXPRESSION", expression))[0] == expected
 
 
+def test_a_call_of_a_type_that_there_is_not_is_told_once() -> None:
+    with pytest.raises(CompileError) as raised:
+        kit.shader(BY_RESULT.replace("EXPRESSION", "(noise(uv) as float9)"))
+    assert [one.rule.code for one in raised.value.diagnostics] == ["B0201"]
+
+
 def test_functions_of_equal_arguments_need_different_written_results() -> None:
     for first, second in (("float", "float"), ("float", ""), ("", "")):
         results = [f" -> {each}" if each else "" for each in (first, second)]

@@ -225,8 +225,10 @@ def _at_rate(ctx: Context, e: ast.AtRate, operands: Sequence[Node], _scope: Scop
 
 def _ascription(ctx: Context, e: ast.Ascription, operands: Sequence[Value], scope: Scope) -> Value:
     declared = declared_type(ctx, e.type, scope.module, scope.variables)
+    if declared is None:
+        return FAILURE
     operand = plain(ctx, operands[0], e.operand, declared)
-    if declared is None or isinstance(operand, Failure):
+    if isinstance(operand, Failure):
         return FAILURE
     fitted = fit(ctx, operand, declared.type, declared.text, e.operand.span)
     if isinstance(fitted, Failure):

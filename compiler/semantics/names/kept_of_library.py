@@ -1,7 +1,7 @@
 """Keeps what depends on declarations of the library alone, for all compiles of a process.
 
 Whoever computes such a thing has a ``KeptOfLibrary`` for it: flattened records, the leaves of
-records, and transcripts of equations.
+records, transcripts of equations, and bodies of functions.
 """
 
 from __future__ import annotations

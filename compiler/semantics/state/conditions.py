@@ -27,8 +27,10 @@ class Conditions:
         """The common value of all conditions that a node is a copy of, as far as it is known."""
 
     def value(self, condition: Node) -> bool | None:
-        """True if a condition always holds, in all of its lanes; false if in none of them; ``None``
-        otherwise, or if it is unknown."""
+        """True if a condition always holds, false if it never does; ``None`` if that is unknown.
+
+        A condition with lanes holds if all of them do, and never does if none of them does.
+        """
         known, pending = self._known, [condition]
         while pending:
             node = pending[-1]
@@ -81,7 +83,7 @@ class Conditions:
         return self._called(node, known) if node.op == "call" else None
 
     def _of_lanes(self, node: Node) -> bool | None:
-        """What all lanes of a constant vector say, as `choose` asks for them."""
+        """The common value of all lanes of a constant vector: ``choose`` takes a side by them."""
         known = self._constants.known(node) if isinstance(node.type, Vector) else None
         lanes = set(known) if isinstance(known, tuple) else set()
         return bool(lanes.pop()) if len(lanes) == 1 else None
