@@ -30,7 +30,7 @@ def test_a_material_that_differs_fails(tmp_path: Path) -> None:
     said = invoke("import", document("inheritance"), "-o", tmp_path, "--check")
     assert said.exit_code == 1
     assert re.search(r"^OldBrick  different  \d+ of \d+ +0\.\d+$", said.stdout, re.MULTILINE)
-    assert said.stdout.endswith("1 alike, 1 different\n")
+    assert said.stdout.endswith("2 alike, 1 different\n")
     assert (tmp_path / "inheritance.burnish").exists()
 
 

@@ -22,8 +22,7 @@ from .materialx import libraries
 from .truth import truth
 
 Numbers = tuple[float, ...]
-WORDS = {"R": "0", "conty_kulla": "0"}
-"""Words that are defaults in MaterialX, and the numbers of the same choices here."""
+Defaults = dict[tuple[str, str], set[str]]
 
 
 def defaults(path: Path) -> Iterator[tuple[str, str, str]]:
@@ -42,21 +41,29 @@ def files() -> list[Path]:
 
 
 @cache
-def inputs() -> dict[tuple[str, str], set[Numbers]]:
-    """The defaults of each input of each node, whose names are in lower case."""
-    found = defaultdict(set)
+def inputs() -> tuple[Defaults, Defaults]:
+    """The defaults of each input of each node, whose names are in lower case; and their words."""
+    found: Defaults = defaultdict(set)
+    words: Defaults = defaultdict(set)
     for name in ("stdlib/stdlib_defs.mtlx", "pbrlib/pbrlib_defs.mtlx"):
         for node in ElementTree.parse(libraries() / name).iter("nodedef"):
             for each in node.iter("input"):
                 if "value" in each.attrib:
                     key = node.attrib["node"], each.attrib["name"].lower()
-                    found[key].add(numbers(each.attrib["value"]))
-    return found
+                    found[key].add(each.attrib["value"])
+                    words[key].add(word(each))
+    return found, words
+
+
+def word(each: ElementTree.Element) -> str:
+    """The word for an input's default, of those that it has for its values; or the default."""
+    value, choices = each.attrib["value"], each.attrib.get("enum", "").split(",")
+    numbered = each.attrib.get("enumvalues", "").split(",")
+    return (choices[numbered.index(value)] if value in numbered else value).strip().lower()
 
 
 def numbers(text: str) -> Numbers:
     """The numbers in a value; one, if all of them are equal, and 0 or 1 for a condition."""
-    text = WORDS.get(text, text)
     text = re.sub(r"\bvec\d", "", text.replace("true", "1").replace("false", "0"))
     lanes = tuple(float(number) for number in re.findall(r"[-+.\d][-+.\de]*", text))
     return lanes[:1] if len(set(lanes)) == 1 else lanes
@@ -66,7 +73,7 @@ NAMES = {
     f"{import_path(path, library.FOLDER)}.{function}": (path.name, function)
     for path in files()
     for function, _, _ in defaults(path)
-    if any(node == re.sub(r"_vec\d$", "", function) for node, _ in inputs())
+    if any(node == re.sub(r"_vec\d$", "", function) for node, _ in inputs()[0])
 }
 
 
@@ -77,7 +84,8 @@ def test_defaults_are_those_of_materialx(name: str) -> None:
     node = re.sub(r"_vec\d$", "", function)
     for each, argument, default in defaults(library.FOLDER / "mtlx" / file):
         if each == function:
-            known = inputs()[node, argument.lower()]
-            # Words have a number in the library: that of the default is 0.
-            expected = {(0.0,)} if known == {()} else known
-            assert expected == {numbers(default)}, f"{function}: {argument}"
+            values, words = (known[node, argument.lower()] for known in inputs())
+            if member := re.fullmatch(r"[A-Z]\w+\.(\w+)", default):
+                assert words == {member[1].lower()}, f"{function}: {argument}"
+            else:
+                assert set(map(numbers, values)) == {numbers(default)}, f"{function}: {argument}"
