@@ -124,6 +124,8 @@ def _from_quads(found: Floats) -> Floats:
 class Analytic:
     """A texture that is a smooth function of where it is read, as ``picture`` of the shader is."""
 
+    kind = "texture2d"
+
     def read(self, name: str, operands: tuple[Any, ...]) -> tuple[Any, ...]:
         """The value of a read with derivatives."""
         assert name == "sample_grad", name
