@@ -281,3 +281,20 @@ def test_nothing_is_said_about_what_only_such_a_side_of_the_library_reads() -> N
     over = "fn over(a: float, b: float) -> float = a / b\n"
     assert warnings(cloth("0", wrong) + over) == []
     assert len(warnings(cloth("share", wrong) + over)) == 1
+
+
+def test_a_part_counts_where_it_is_read() -> None:
+    """Here on a dead side, which a function of the library leaves out besides."""
+    source = (
+        "import std.mtlx.asking.{Asked, Bsdf, absorbing_volume, by_light}\n"
+        "fn volume(asked: Asked, depth: float) -> Bsdf =\n"
+        "    absorbing_volume(asked, if depth > 0 then within else vec3(0))\n"
+        "where { within = vec3(1) / depth }\n"
+        "material M { color = volume(by_light(normal, normal), 0).throughput }"
+    )
+    assert warnings(source) == []
+    read_by_a_part = (
+        "fn over(a: float, b: float) -> float = a + 1 where { one = a / b two = one + 1 }\n"
+        "material M { color = vec3(over(uv.x, 0)) }"
+    )
+    assert "B0415" in warnings(read_by_a_part)

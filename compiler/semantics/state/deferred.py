@@ -108,6 +108,9 @@ class Deferred:
                 seen.update(new)
                 pending += new
         self._passed.update(evaluated)
+        # What others read that are evaluated as well, or that a function of the library leaves out,
+        # counts where these do.
+        seen.update(operand for node in self._tree.nodes[first:] for operand in node.operands)
         left = tuple(node for node in wrong if node not in seen)
         self._also[value] = (*self._also.get(value, ()), *left)
 
