@@ -13,6 +13,20 @@ BY_REASON: Mapping[str, Sequence[str]] = {
         "std.mtlx.color.from_acescc: scg_to_rgb( choose(c [<= -> <] (9.72 - 15) / 17.52,",
         "std.mtlx.color.from_acescct: scg_to_rgb( choose(c [<= -> <] 0.155251141552511, (",
     ),
+    "A polynomial without negative terms is 1 or more.": (
+        (
+            "std.mtlx.sheen.conty_kulla_even: t = saturate(fit.x / [max(fit.y, 0.001) -> (fit.y)] "
+            ") where { fit = vec2"
+        ),
+        (
+            "std.mtlx.sheen.conty_kulla_even: e(fit.x / max(fit.y, [0.001 -> 0.00075] )) where { "
+            "fit = vec"
+        ),
+        (
+            "std.mtlx.sheen.conty_kulla_even: e(fit.x / max(fit.y, [0.001 -> 0.00125] )) where { "
+            "fit = vec"
+        ),
+    ),
     "Corners are added up, in whatever order.": (
         (
             "std.mtlx.noise.corner2: t) -> ivec2 = ivec2( [i & 1, i >> 1 -> i >> 1, i & 1] ) "
