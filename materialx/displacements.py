@@ -13,7 +13,7 @@ from ..compiler.syntax import ast
 from .expressions import Call, Expression, Name, Number, binary
 from .leaves import network as network_of
 from .library_files import declarations
-from .members import Members
+from .members import Members, MembersTexts
 from .model import Definition, Node, Port
 from .names import slot_name
 from .networks import Network
@@ -134,18 +134,8 @@ class _Movement:
         return is_vector, Call("mix", (back, front, self._network.input(node, "mix", scope)))
 
 
-class _OfMesh:
+class _OfMesh(MembersTexts):
     """The ``Texts`` of a displacement: those of a material, but for what would depend on it."""
-
-    def __init__(self, members: Members) -> None:
-        self._members = members
-        self.parameter = members.parameter
-        self.texture = members.texture
-        self.structures = members.structures
-        self.tiles = members.tiles
-        self.text = members.text
-        self.attribute = members.attribute
-        self.part = members.part
 
     def surface(self, slot: str) -> Expression:
         if slot in _OF_VIEW:
@@ -158,13 +148,13 @@ class _OfMesh:
             return None
         if not _categories(definition).isdisjoint(_OF_PIXELS):
             return None
-        found = self._members.function(definition)
+        found = super().function(definition)
         return None if found is None or found.sees_surface else found
 
     def library(self, name: str) -> str:
         if name in _OF_PIXELS:
             raise UnsupportedError("a displacement cannot compare a pixel with those beside it")
-        return self._members.library(_AT_VERTICES.get(name, name))
+        return super().library(_AT_VERTICES.get(name, name))
 
     def read(self, texture: str, place: Expression) -> Expression:
         return Call(f"{texture}.level", (place, Number(0.0)))

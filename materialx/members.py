@@ -209,6 +209,48 @@ class Members:
         return Name(fresh)
 
 
+class MembersTexts:
+    """The ``Texts`` of a material, for those who write some of its expressions elsewhere, or in
+    another way: they replace methods."""
+
+    def __init__(self, members: Members) -> None:
+        self._members = members
+
+    @property
+    def structures(self) -> Structures:
+        return self._members.structures
+
+    def surface(self, slot: str) -> Expression:
+        return self._members.surface(slot)
+
+    def parameter(self, scope: Scope, port: Port) -> Expression:
+        return self._members.parameter(scope, port)
+
+    def texture(self, port: Port, sampling: Sampling, node: Node) -> Expression | None:
+        return self._members.texture(port, sampling, node)
+
+    def tiles(self, file: str) -> tuple[int, ...]:
+        return self._members.tiles(file)
+
+    def read(self, texture: str, place: Expression) -> Expression:
+        return self._members.read(texture, place)
+
+    def text(self, name: str) -> str:
+        return self._members.text(name)
+
+    def attribute(self, name: str, kind: str, doc: str) -> str:
+        return self._members.attribute(name, kind, doc)
+
+    def function(self, definition: Definition) -> Function | None:
+        return self._members.function(definition)
+
+    def library(self, name: str) -> str:
+        return self._members.library(name)
+
+    def part(self, name: str, value: Expression, node: Node) -> Expression:
+        return self._members.part(name, value, node)
+
+
 def _only(rows: Iterable[Equation], kept: Container[Equation] | None) -> list[Equation]:
     return [row for row in rows if kept is None or row in kept]
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from .expressions import Binary, Call, Expression, Member, Name, Number, binary, laid_out
 from .leaves import network as network_of
 from .links import output_of
-from .members import Members
+from .members import Members, MembersTexts
 from .model import Node, Port
 from .networks import Network
 from .places import Scope
@@ -183,25 +183,15 @@ def _lit(
     return sums
 
 
-class _Parts:
+class _Parts(MembersTexts):
     """The ``Texts`` of closures: parts behind ``where``; all else is the material's."""
 
     def __init__(self, members: Members) -> None:
-        self._members = members
+        super().__init__(members)
         self.rows: list[Equation] = []
-        self.surface = members.surface
-        self.parameter = members.parameter
-        self.texture = members.texture
-        self.tiles = members.tiles
-        self.read = members.read
-        self.text = members.text
-        self.attribute = members.attribute
-        self.function = members.function
-        self.library = members.library
-        self.structures = members.structures
 
     def part(self, name: str, value: Expression, node: Node) -> Expression:
-        found = self._members.part(name, value, node)
+        found = super().part(name, value, node)
         # The same counter gives names to slots and to these parts, which would hide slots.
         self.rows.append(self._members.slots.pop())
         return found
