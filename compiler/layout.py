@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
 """The groups that exist in every shader, in the order of their bindings."""
 
+SHARED_GROUPS = ("frame", "view", "rig")
+"""The groups whose blocks serve many materials."""
+
 
 def blocks_of(shader: Shader, derived: Sequence[Parameter]) -> tuple[Block, ...]:
     """The blocks of a shader, of which the host computes these derived parameters as well."""
@@ -105,9 +108,13 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
 def block_name(group: str, derived: bool, taken: Set[str] = frozenset()) -> str:
     """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``.
 
-    The groups ``wind`` and ``Wind`` would have the same one, so the second is ``WindGroup``.
+    What is derived from a shared group differs between materials: ``DerivedFromRig`` belongs to one
+    material, and not to the rig as ``Rig`` does. The groups ``wind`` and ``Wind`` would have the
+    same one, so the second is ``WindGroup``.
     """
-    name = group[:1].upper() + group[1:] + ("Derived" if derived else "")
+    name = group[:1].upper() + group[1:]
+    if derived:
+        name = f"DerivedFrom{name}" if group in SHARED_GROUPS else f"{name}Derived"
     while name in taken:
         name += "Group"
     return name

@@ -40,6 +40,55 @@ class BlockBindingRow:
 
 
 @frozen(kw_only=True)
+class EntryRow:
+    """One entry of the layout of a bind group, whether a stage reads what is bound there or not."""
+
+    binding: Count
+    """Number within the group."""
+    kind: Literal["block", "buffer", "texture", "sampler", "image"]
+    """What is bound; a texture and a sampler in one are a ``texture``, with a ``sampler``."""
+    type: str
+    """WebGPU's word for the type of the binding.
+
+    Of blocks it is ``uniform``, of buffers ``storage`` or ``read-only-storage``, of textures the
+    sample type, such as ``unfilterable-float``, of samplers ``filtering``, ``non-filtering`` or
+    ``comparison``, and of images ``write-only``.
+    """
+    name: str
+    """The block, buffer, texture or image, or the texture that the sampler is for."""
+    read: bool
+    """True if a stage reads or writes it."""
+
+
+@frozen(kw_only=True)
+class GroupLayoutRow:
+    """The layout of a bind group, or of a descriptor set: it follows from declarations."""
+
+    group: Count
+    """Bind group, descriptor set or register space."""
+    layout_id: str
+    """A digest of the layout: groups with one id fit one layout object."""
+    shared: bool
+    """True if materials share it: nothing in it differs from material to material of a rig."""
+    visibility: tuple[str, ...]
+    """The stages that see all of its entries."""
+    entries: tuple[EntryRow, ...]
+    """The entries, by number."""
+
+
+@frozen(kw_only=True)
+class PushConstantsRow:
+    """The block that is push constants."""
+
+    block: str
+    """The name of the block."""
+    size: Count
+    """Its bytes, from the first one on."""
+    visibility: tuple[str, ...]
+    """The stages of the range."""
+
+
+@frozen(kw_only=True)
 class VertexInputNameRow:
     """The name of a vertex input."""
 
@@ -111,6 +160,8 @@ class BackendRow:
     """Textures by name; together with their samplers where the profile combines the two."""
     samplers: Mapping[str, BindingRow]
     """Samplers by the name of the texture; empty where the profile combines the two."""
+    layouts: tuple[GroupLayoutRow, ...]
+    """The layouts of all bind groups, by number; empty where the API has no groups."""
     vertex_inputs: Mapping[str, VertexInputNameRow]
     """Vertex inputs by name."""
     stream_output: Literal["text", "names", "semantics", None]
@@ -133,3 +184,5 @@ class BackendRow:
     A host asks for it (``requiredLimits`` of WebGPU), or looks it up, and does without the material
     where a device has less.
     """
+    push_constants: PushConstantsRow | None = None
+    """The block that has no binding, since it is push constants, if there is one."""

@@ -56,7 +56,7 @@ class Reflection:
 
     VERSION: ClassVar = "format"
 
-    format: Literal[2]
+    format: Literal[3]
     """Version of this document's format."""
     material: str
     """The material."""

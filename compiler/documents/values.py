@@ -348,7 +348,8 @@ class BlockRow:
     layout_id: str
     """A digest of the members, with their types and offsets, and of the structs.
 
-    Blocks with one id have the same bytes for the same values, in whatever material.
+    Of a derived block, it is also of the steps that compute its values. Blocks with one id have
+    the same bytes for the same values, in whatever material.
     """
     members: tuple[BlockMember, ...]
     """Members in order, padding included; they leave no gap.

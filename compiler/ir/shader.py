@@ -116,6 +116,8 @@ class TextureInfo(LeafInfo):
     """The record that declares it, as for parameters."""
     is_brought: bool = False
     """True if it belongs to a light that brings the steps to make it, which frames run."""
+    light: LightInfo | None = None
+    """The rig's entry that it belongs to."""
     intent: Intent | None = None
     """The intent that is declared, or ``color`` if texels become colours; ``None`` for others."""
 
@@ -154,6 +156,8 @@ class BufferInfo(LeafInfo):
     """
     each: int = 1
     """The number of elements that an invocation writes."""
+    light: LightInfo | None = None
+    """The rig's entry that it belongs to, or whose lights are its elements."""
 
 
 def count_info(buffer: Buffer, span: Span, doc: str = "") -> ParameterInfo:

@@ -14,7 +14,7 @@ from ..ir.operations import BUILTIN_OPS, CALL, OPERATIONS
 from ..ir.types import Scalar, Type, Vector, width
 
 LOAD = 4
-"""Reading one more element of an array of uniforms, at an index that the shader computes."""
+"""Reading one more row of a block: of a value that the host computes, or of an array's element."""
 
 
 def cost_of(node: Node) -> int:

@@ -5,6 +5,11 @@ evaluates it once, in float64, rounds it once, and keeps it in the group's deriv
 group ``frame`` may be combined with another one. A value that reads two of the other groups stays
 in the shader, because hosts update these at different times.
 
+A value is moved if it pays: if it saves the shader at least as much as it costs to read the result
+from a block (``LOAD``, for each row of it). What saves less stays in the shader, which then reads
+the parameters instead; so a host has little to compute, and each of its values is worth it. What is
+computed from another moved value counts from there on.
+
 What depends on one element of an array, such as one lamp in a sum over all lamps, is moved too. The
 host computes it for each element and puts the results into a table beside the array, which the
 shader reads at the same position (``derived_tables.py``).
@@ -22,10 +27,9 @@ from ..ir.leaves import Parameter
 from ..ir.node import Graph, Node, Roots
 from ..ir.operations import BINDING, PARAMETER, builtin_of, joins_group
 from ..ir.ranges import Ranges
-from ..ir.refinements import OPPOSITES
 from ..ir.rewrite import rewrite
 from ..ir.shader import Notes
-from ..ir.types import BOOL, Array, Matrix, Scalar, Vector
+from ..ir.types import Array, Matrix, Scalar, Type, Vector
 from .cost import LOAD, cost_of
 from .derived_tables import Table, numbered
 from .elements import is_element
@@ -107,26 +111,28 @@ def _length(array: Node) -> int:
     return array.type.count
 
 
-def _compares_stored(node: Node, needed: Container[int]) -> bool:
-    """True for a comparison of a constant with a value that blocks have anyway.
+def _price(type_: Type) -> int:
+    """The cost of reading a value of this type from a block: of each row that it takes there."""
+    return LOAD * _rows(type_)
 
-    These have no bools: a stored one is a whole number, which the shader compares with zero. So
-    nothing would be saved. ``needed`` are the values that the shader needs.
+
+def _rows(type_: Type) -> int:
+    return type_.columns if isinstance(type_, Matrix) else 1
+
+
+def _pays(root: Node, stored: Container[int]) -> bool:
+    """True if a stored value saves the shader at least what it costs to read it.
+
+    ``stored`` are values that nothing is saved by: they are stored anyway, or the shader computes
+    them to know which element it reads.
     """
-    if builtin_of(node) not in OPPOSITES or node.type != BOOL:
-        return False
-    compared = [operand for operand in node.operands if operand.op != "constant"]
-    return len(compared) == 1 and (compared[0].id in needed or not _saves(compared[0], 1))
-
-
-def _saves(root: Node, least: int) -> bool:
-    """True if a stored value saves operations that cost at least ``least``."""
+    least = _price(root.type)
     saved, pending, seen = 0, [root], {root.id}
     while pending and saved < least:
         node = pending.pop()
         saved += 0 if node.data in CHEAP else cost_of(node)
         for operand in node.operands:
-            if operand.id not in seen:
+            if operand.id not in seen and operand.id not in stored:
                 seen.add(operand.id)
                 pending.append(operand)
     return saved >= least
@@ -182,23 +188,34 @@ class _Hoisting:
             self._reads[node.id] = self._reads_of(node)
             if node.op == "index":
                 self._positions.add(node.operands[1].id)
-        needed = {root.id for root in roots}
-        hoistable: list[Node] = []
-        for node in nodes:
-            if self._reads[node.id] is not None and self._hoistable(node):
-                hoistable.append(node)
-            else:
-                needed.update([operand.id for operand in node.operands])
-        chosen = [
-            node
-            for node in hoistable
-            if node.id in needed and _saves(node, 1) and not _compares_stored(node, needed)
-        ]
+        chosen: list[Node] = []
+        stored = set(self._positions)
+        for node in self._needed(roots):
+            if _pays(node, stored):
+                chosen.append(node)
+                stored.add(node.id)
         if chosen:
             self._naming.learn(reversed(nodes))
         for node in chosen:
             self._place(node)
         return bool(self._single or self._members)
+
+    def _needed(self, roots: Roots) -> list[Node]:
+        """The values that a host may compute and the shader needs, operands before users.
+
+        A value that does not pay by itself is computed by the shader, which so needs its operands.
+        """
+        needed = {root.id for root in roots}
+        found: list[Node] = []
+        for node in reversed(roots.nodes):
+            if not self._hoistable(node):
+                needed.update([operand.id for operand in node.operands])
+            elif node.id in needed:
+                if _pays(node, self._positions):
+                    found.append(node)
+                else:
+                    needed.update([operand.id for operand in node.operands])
+        return found[::-1]
 
     def rule(self, graph: Graph, node: Node, operands: tuple[Node, ...]) -> Node | None:
         """Replace a chosen node; inside hoisted values nothing changes."""
@@ -261,8 +278,7 @@ class _Hoisting:
         reads = self._reads[node.id]
         if reads is None or reads.owner is None or node.id in self._positions:
             return False
-        pays = reads.position is None or _saves(node, LOAD)
-        return pays and isinstance(node.type, Scalar | Vector | Matrix)
+        return isinstance(node.type, Scalar | Vector | Matrix)
 
     # --- where it goes ---------------------------------------------------------------------------
 
@@ -284,8 +300,7 @@ class _Hoisting:
         If so, the value is counted.
         """
         assert reads.array is not None and reads.owner is not None
-        columns = node.type.columns if isinstance(node.type, Matrix) else 1
-        size = ROW * columns * _length(reads.array)
+        size = ROW * _rows(node.type) * _length(reads.array)
         if self._filled[reads.owner] + size > ROOM:
             return False
         self._filled[reads.owner] += size

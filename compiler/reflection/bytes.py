@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from ..documents.values import BlockMember, BlockRow, LayoutRow, StructMember, StructRow
+from ..ir.leaves import Parameter
+from ..ir.node import Node
 from ..ir.program import Block, Program, StageName
 from ..ir.storage import LANE, byte_size, padding_names
 from ..ir.types import FLOAT, Struct, Type
 from ..packing import Packing
+from .values import steps
 
 
-def block_rows(program: Program) -> Iterator[BlockRow]:
-    """The blocks of a program as they lie in memory, padding included."""
+def block_rows(program: Program, derived: Mapping[Parameter, Node]) -> Iterator[BlockRow]:
+    """The blocks of a program as they lie in memory, padding included.
+
+    ``derived`` are the values of the derived parameters.
+    """
     read = {stage.name: {block.name for block in stage.blocks} for stage in program.stages}
     for block in program.blocks:
         stages = tuple([stage for stage, names in read.items() if block.name in names])
-        yield _block_row(block, stages)
+        yield _block_row(block, stages, derived)
 
 
-def _block_row(block: Block, stages: tuple[StageName, ...]) -> BlockRow:
+def _block_row(
+    block: Block, stages: tuple[StageName, ...], derived: Mapping[Parameter, Node]
+) -> BlockRow:
     members, structs = tuple(_member_rows(block)), tuple(map(struct_row, block.structs))
     return BlockRow(
         name=block.name,
@@ -28,16 +37,32 @@ def _block_row(block: Block, stages: tuple[StageName, ...]) -> BlockRow:
         extern=block.host is not None,
         size=block.size,
         stages=stages,
-        layout_id=_layout_id(members, structs),
+        layout_id=_layout_id(members, structs, _computed(block, derived)),
         members=members,
         structs=structs,
     )
 
 
-def _layout_id(members: Sequence[BlockMember], structs: Sequence[StructRow]) -> str:
-    """A digest of where everything lies."""
+def _computed(block: Block, derived: Mapping[Parameter, Node]) -> list[object]:
+    """How a host computes the values of a derived block."""
+    parameters = (member.parameter for member in block.members)
+    values = [derived[each] for each in parameters if each is not None and each in derived]
+    # The members of a table are computed one by one.
+    parts = (value.operands if value.op == "struct" else (value,) for value in values)
+    return [steps(part) for part in chain.from_iterable(parts)]
+
+
+def _layout_id(
+    members: Sequence[BlockMember], structs: Sequence[StructRow], computed: Sequence[object]
+) -> str:
+    """A digest of where everything lies and, of derived values, of how they are computed."""
     lies = [(member.name, member.type, member.offset) for member in members]
-    return f"{_fnv_1a(repr((lies, structs))):016x}"
+    return layout_digest(lies, structs, *computed)
+
+
+def layout_digest(*facts: object) -> str:
+    """A digest of all that a layout says, as 16 hexadecimal digits."""
+    return f"{_fnv_1a(repr(facts)):016x}"
 
 
 def _fnv_1a(text: str) -> int:

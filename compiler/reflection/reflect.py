@@ -94,7 +94,7 @@ def _vertices_each(shader: Shader) -> int:
     return 3 if shader.expansion is None else shader.expansion.listed
 
 
-FORMAT: Literal[2] = 2
+FORMAT: Literal[3] = 3
 """Grows when a host that reads the document has to change."""
 
 CONVENTIONS = Conventions(
@@ -127,7 +127,7 @@ def reflect(
         rig=shader.rig_name,
         doc=shader.doc,
         conventions=CONVENTIONS,
-        blocks=tuple(block_rows(program)),
+        blocks=tuple(block_rows(program, derived or {})),
         parameters=parameter_rows(infos, places, _reads(shader, program, derived or {})),
         derived=derived_rows(places, derived or {}, infos),
         promises=tuple(_promise_rows(shader)),

@@ -12,6 +12,9 @@ from ..ir.program import Program
 from ..ir.shader import TextureInfo
 from ..ir.types import TextureType
 
+SamplerType = Literal["filtering", "non-filtering", "comparison"]
+SampleType = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
+
 
 class TextureRows:
     """Describes the declared textures of one program, and their samplers."""
@@ -60,28 +63,35 @@ class TextureRows:
         """True if a host has to make a sampler: not for textures that are only loaded."""
         return bool(texture.state) and texture not in self._loaded
 
-    def _sampler_type(
-        self, texture: Texture
-    ) -> Literal["filtering", "non-filtering", "comparison"] | None:
+    def _sampler_type(self, texture: Texture) -> SamplerType | None:
         """GPUSamplerBindingType."""
-        if not self._has_sampler(texture):
-            return None
-        if _type(texture).sample == "depth":
-            return "comparison"
-        return "filtering" if _filters(texture) else "non-filtering"
+        return sampler_type(texture) if self._has_sampler(texture) else None
 
-    def _sample_type(
-        self, texture: Texture
-    ) -> Literal["float", "unfilterable-float", "depth", "sint", "uint"]:
-        """GPUTextureSampleType; a texture that nothing filters may have an unfilterable format."""
-        match _type(texture).sample:
-            case "int":
-                return "sint"
-            case "float":
-                filtered = self._has_sampler(texture) and _filters(texture)
-                return "float" if filtered else "unfilterable-float"
-            case other:
-                return other
+    def _sample_type(self, texture: Texture) -> SampleType:
+        """GPUTextureSampleType."""
+        return sample_type(texture, is_filtered=self._has_sampler(texture))
+
+
+def sampler_type(texture: Texture) -> SamplerType:
+    """GPUSamplerBindingType of the sampler that a texture declares."""
+    if _type(texture).sample == "depth":
+        return "comparison"
+    return "filtering" if _filters(texture) else "non-filtering"
+
+
+def sample_type(texture: Texture, *, is_filtered: bool) -> SampleType:
+    """GPUTextureSampleType; a texture that nothing filters may have an unfilterable format.
+
+    ``is_filtered`` is True if a sampler reads the texture, whatever it does.
+    """
+    match _type(texture).sample:
+        case "int":
+            return "sint"
+        case "float":
+            filters = is_filtered and bool(texture.state) and _filters(texture)
+            return "float" if filters else "unfilterable-float"
+        case other:
+            return other
 
 
 def _type(texture: Texture) -> TextureType:

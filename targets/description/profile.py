@@ -14,15 +14,12 @@ from ...compiler.ir.stages import COMPUTE, FRAGMENT, GEOMETRY, RASTERISED, Chain
 from ...compiler.ir.types import TEXTURES, TextureType, Type
 from ...stdlib.builtins.row import Domain
 from ...support.frozen import EMPTY, frozen
+from .binding_scheme import BindingKind, BindingScheme
 from .forms import Forms
 from .spellings import Literals, PipelineInput, Spellings, TypeNames
 
 Numbering = Literal["set", "kind"]
 """The way of counting binding numbers: together in a set, or without sets, each kind on its own."""
-
-GROUP_SETS: Mapping[str, int] = {"frame": 0, "view": 0, "rig": 1, "material": 2, "draw": 3}
-"""Bind group of each parameter group: WebGPU guarantees four."""
-
 
 OfTypes = Callable[[tuple[Type, ...]], bool]
 """A question about an operation on operands of these types."""
@@ -130,6 +127,9 @@ class Limits:
     groups."""
     bindings: int | None = None
     """Binding numbers in a group, if they are limited; for the host's own blocks, too."""
+
+    numbers: Mapping[BindingKind, int] = EMPTY
+    """Binding numbers of each kind, where each kind is numbered on its own."""
 
     def most(self, name: str) -> int | None:
         """The value of a field that a program must not exceed, be it that devices are asked."""
@@ -272,9 +272,12 @@ class Profile:
     numbers_storage_apart: bool = False
     """With one count for each kind: True if storage buffers are a kind of their own, and False if
     their numbers follow those of the blocks."""
-    sets: Mapping[str, int] = GROUP_SETS
-    default_set: int = 2
-    """The set of a user's own groups."""
+    scheme: BindingScheme = BindingScheme()
+    """The sets, and the numbers in them."""
+    can_combine_samplers: bool = False
+    """True if it has textures and samplers apart, and a scheme may ask for both in one."""
+    push_constants: bool = False
+    """True if the block of a group can be push constants."""
     natives: Spellings = EMPTY
     """Spellings that only this profile has."""
     inputs: Mapping[str, PipelineInput] = EMPTY

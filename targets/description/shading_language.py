@@ -18,6 +18,7 @@ from ...compiler.ir.stages import STAGES
 from ...compiler.ir.tessellation import Patch, Spacing
 from ...compiler.ir.types import Dimension
 from ...support.frozen import EMPTY, changed, frozen
+from .binding_scheme import BindingKind
 from .forms import Forms
 from .profile import Profile
 from .reserved import Reserved
@@ -32,9 +33,6 @@ any."""
 FieldRole = Literal["attribute", "varying", "control point", "of patch", "render target"]
 """The role of a stage's input or output: a vertex attribute, a varying, a varying of a control
 point that the stage hands on, a value that is the same for a whole patch, or a render target."""
-
-BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]
-"""The kinds of things that a host binds; a texture and a sampler in one are a texture."""
 
 
 def no_semantic(_role: FieldRole, _name: str, _location: int) -> str:

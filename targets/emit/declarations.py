@@ -13,7 +13,7 @@ from ...compiler.ir.program import Block, Image, Stage, StoredMember
 from ...compiler.ir.storage import stored_type, structs_in
 from ...compiler.ir.types import RuntimeArray, Struct
 from ...support.frozen import cached_property
-from ..description.shading_language import BindingKind
+from ..description.binding_scheme import BindingKind
 from ..legalise.bindings import Bindings, BindingSlot
 from ..legalise.resource_arguments import Passed
 from .comments import comment_line

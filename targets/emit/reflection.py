@@ -20,11 +20,13 @@ from ...compiler.documents.backends import (
 from ...compiler.ir.program import Block, Program, StoredMember
 from ...compiler.ir.render_state import Winding
 from ...compiler.ir.stages import CAPTURE
+from ..description.binding_scheme import BindingKind
 from ..description.profile import Profile
-from ..description.shading_language import BindingKind, Language
+from ..description.shading_language import Language
 from ..legalise.bindings import BindingSlot
 from ..legalise.limits import demands
 from .emitter import Emission
+from .group_layouts import layout_rows, push_constants_row
 from .names import Names
 
 
@@ -62,6 +64,8 @@ def backend_row(
             for each in program.textures
             if each in program.sampled and not profile.samplers.combined
         },
+        layouts=layout_rows(program, profile, emission.bindings),
+        push_constants=push_constants_row(program, emission.bindings),
         vertex_inputs={
             field.name: _name(names.attributes[field.name], names.semantics[field.name])
             for field in program.vertex_inputs
@@ -126,6 +130,8 @@ class _Bindings:
         """The row of a uniform block; a block of loose uniforms has no name in the text."""
         name = "" if self._profile.loose_uniforms else self._names.blocks[block.name]
         place = self._place(name, self._slots.blocks[block.name], "block")
+        if block.name == self._slots.push_constants:
+            place = {"identifier": name, "group": None, "binding": None, "register": None}
         return BlockBindingRow(**place, members=_members(block, self._names, self._profile))
 
     def buffer(self, name: str, *, is_written: bool) -> BindingRow:

@@ -118,6 +118,8 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 
 VULKAN = Profile(
     name="vulkan",
+    can_combine_samplers=True,
+    push_constants=True,
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     image_formats=STORABLE,
     stream_output=StreamOutput("text"),
@@ -207,7 +209,13 @@ OPENGL_4 = Profile(
     samplers=Samplers(combined=True),
     framebuffer=Framebuffer(clip_control=("GL_UPPER_LEFT", "GL_ZERO_TO_ONE")),
     # Only fragments and kernels are guaranteed to have storage buffers.
-    limits=Limits(varyings=15, vertex_buffers=0, work_group=1024, shared_bytes=32768),
+    limits=Limits(
+        varyings=15,
+        vertex_buffers=0,
+        work_group=1024,
+        shared_bytes=32768,
+        numbers={"block": 84, "buffer": 8, "texture": 96},
+    ),
     agrees=AGREES,
     limit_names=TEXTURE_UNITS,
     without_inputs=ONE_VIEW,
@@ -261,7 +269,13 @@ ES_31 = Profile(
     samplers=ES_SAMPLERS,
     framebuffer=BOTTOM_FIRST,
     # Only kernels are guaranteed to have storage buffers.
-    limits=Limits(varyings=15, vertex_buffers=0, fragment_buffers=0, kernel_buffers=4),
+    limits=Limits(
+        varyings=15,
+        vertex_buffers=0,
+        fragment_buffers=0,
+        kernel_buffers=4,
+        numbers={"block": 36, "buffer": 4, "texture": 96},
+    ),
     natives=WITHOUT_FMA,
     lacks=COUNTS,
     agrees=AGREES,

@@ -250,7 +250,14 @@ METAL2 = Profile(
     agrees={"dot": is_float},
     # The argument tables of every device have 31 textures and 16 samplers (Apple, "Metal Feature
     # Set Tables").
-    limits=Limits(varyings=15, attributes=31, block_bytes=65536, work_group=512, textures=31),
+    limits=Limits(
+        varyings=15,
+        attributes=31,
+        block_bytes=65536,
+        work_group=512,
+        textures=31,
+        numbers={"block": 31, "texture": 31, "sampler": 16},
+    ),
     checkers=("clang-msl",),
 )
 

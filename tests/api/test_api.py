@@ -151,7 +151,7 @@ def test_instances_of_what_is_no_reflection() -> None:
     with pytest.raises(TypeError, match=said):
         burnish.Instance(None)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"^/: there is no `material`\n/: there is no `pass`\n"):
-        burnish.Instance({"format": 2})
+        burnish.Instance({"format": 3})
     instance = burnish.compile(FOUR, "wgsl")["Four"].instance()
     for call in (instance.set, instance.set_text):
         with pytest.raises(TypeError, match="`name` takes a text"):

@@ -201,6 +201,7 @@ _PLAIN = BackendRow(
     buffers={},
     textures={"albedo": _bound("albedo")},
     samplers={},
+    layouts=(),
     vertex_inputs={"uv": VertexInputNameRow(identifier="a_uv", semantic=None)},
     stream_output=None,
     captures={},

@@ -177,7 +177,7 @@ def test_another_format_is_refused() -> None:
     with pytest.raises(ValueError) as caught:
         Instance({**document, "format": 1})
     assert str(caught.value) == (
-        "/format: this is version 1, and Burnish reads version 2: compile the source again"
+        "/format: this is version 1, and Burnish reads version 3: compile the source again"
     )
     with pytest.raises(ValueError, match=r"^/: there is no `format`\n/: there is no `material`\n"):
         Instance({})

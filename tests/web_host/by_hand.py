@@ -231,7 +231,7 @@ def _shader(
 
 
 _REFLECTION: Document = {
-    "format": 2, "material": "Hand", "pass": "Hand", "rig": "Daylight", "doc": "",
+    "format": 3, "material": "Hand", "pass": "Hand", "rig": "Daylight", "doc": "",
     "conventions": {
         "clip_space": "x right, y up, z in 0..w", "handedness": "right", "front_face": "ccw",
         "texture_origin": "top_left", "matrices": "column",
@@ -256,7 +256,7 @@ _REFLECTION: Document = {
 _BACKEND: Document = {
     "language": "wgsl", "source_maps": {}, "clip_depth": "0..1", "clip_control": [],
     "flip_y": False, "front_face": "ccw", "first_row": "top", "files": [], "blocks": {},
-    "buffers": {}, "images": {}, "textures": {}, "samplers": {}, "vertex_inputs": {},
+    "buffers": {}, "images": {}, "textures": {}, "samplers": {}, "layouts": [], "vertex_inputs": {},
     "stream_output": None, "captures": {}, "host_uniforms": [], "required_limits": {},
 }  # fmt: skip
 

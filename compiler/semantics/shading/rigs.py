@@ -8,7 +8,7 @@ from typing import Literal
 from ....support.frozen import changed
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
-from ...ir.shader import LightInfo, ParameterInfo
+from ...ir.shader import BufferInfo, LightInfo, ParameterInfo, TextureInfo
 from ...syntax import ast
 from ..checking.turns import LONGEST
 from ..declarations.buffers import light_buffer
@@ -106,7 +106,9 @@ def _entry(
     light = LightInfo(name, short, record.name, library_name(record.symbol), written.doc)
     if written.number == "one":
         own = tuple(
-            changed(info, light=light) if isinstance(info, ParameterInfo) else info
+            changed(info, light=light)
+            if isinstance(info, ParameterInfo | TextureInfo | BufferInfo)
+            else info
             for info in leaves
         )
         read = tuple(info.leaf for info in own)
@@ -121,6 +123,7 @@ def _entry(
     if written.number == "any":
         one = as_array(ctx, name, record.name, parameters, 1, group)
         info = light_buffer(name, one, record.name, place, written.doc)
+        info = changed(info, light=light)
         entry = RigEntry(
             name, short, place, record, "buffer", (info.leaf,), bound, info.leaf.count, replaced
         )
