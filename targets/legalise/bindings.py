@@ -203,7 +203,7 @@ def _resource(
         return
     assert isinstance(leaf, Texture)
     yield Bound("texture", leaf.name, set_, leaf in program.textures, of_rig=of_rig)
-    if leaf.state and not profile.samplers.combined:
+    if (leaf.state or leaf.name in owners) and not profile.samplers.combined:
         is_own = owners.get(leaf.name) == leaf.name
         yield Bound("sampler", leaf.name, set_, is_own, of_rig=of_rig)
 

@@ -151,7 +151,13 @@ def test_groups_come_in_order_each_with_its_derived_block() -> None:
         ],
         docs={"m": "How much."},
     )
-    assert [block.name for block in blocks] == ["Frame", "Rig", "RigDerived", "Material", "Weather"]
+    assert [block.name for block in blocks] == [
+        "Frame",
+        "Rig",
+        "DerivedFromRig",
+        "Material",
+        "Weather",
+    ]
     assert blocks[1].members[0].name == "sun_direction"
     assert blocks[3].members[0].doc == "How much."
     assert [member.name for member in blocks[4].members[:2]] == ["w", "wet"]

@@ -24,9 +24,9 @@ COMBINED = [selected for selected in BY_SET if selected.profile.samplers.combine
 def test_blocks(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
     assert bindings.blocks == {
-        "View": BindingSlot(0, 0),
+        "View": BindingSlot(0, 1),
         "Rig": BindingSlot(1, 0),
-        "RigDerived": BindingSlot(1, 1),
+        "DerivedFromRig": BindingSlot(2, 4),
         "Material": BindingSlot(2, 0),
         "Draw": BindingSlot(3, 0),
     }
@@ -35,8 +35,8 @@ def test_blocks(selected: Selected) -> None:
 @pytest.mark.parametrize("selected", SEPARATE, ids=str)
 def test_separate_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
-    assert bindings.textures == {"albedo": BindingSlot(2, 1)}
-    assert bindings.samplers == {"albedo": BindingSlot(2, 2)}
+    assert bindings.textures == {"albedo": BindingSlot(2, 5)}
+    assert bindings.samplers == {"albedo": BindingSlot(2, 6)}
 
 
 MANY = """
@@ -90,14 +90,14 @@ def test_a_stage_declares_the_shared_sampler_of_a_texture_that_only_another_read
 @pytest.mark.parametrize("selected", COMBINED, ids=str)
 def test_combined_samplers(selected: Selected) -> None:
     bindings = assign_bindings(plastic(), selected.profile)
-    assert bindings.textures == bindings.samplers == {"albedo": BindingSlot(2, 1)}
+    assert bindings.textures == bindings.samplers == {"albedo": BindingSlot(2, 5)}
 
 
 def test_each_kind_is_numbered_on_its_own_where_there_are_no_sets() -> None:
     profile = changed(SEPARATE[0].profile, numbering="kind")
     bindings = assign_bindings(plastic(), profile)
-    names = ("View", "Rig", "RigDerived", "Material", "Draw")
-    assert bindings.blocks == {name: BindingSlot(0, number) for number, name in enumerate(names)}
+    numbers = {"View": 1, "Rig": 2, "Material": 3, "DerivedFromRig": 7, "Draw": 8}
+    assert bindings.blocks == {name: BindingSlot(0, number) for name, number in numbers.items()}
     assert bindings.textures == bindings.samplers == {"albedo": BindingSlot(0, 0)}
 
 
@@ -123,7 +123,7 @@ def test_blocks_of_the_host_have_numbers_of_their_own_where_there_are_no_sets() 
 @pytest.mark.parametrize("selected", BY_SET, ids=str)
 def test_a_block_of_the_host_stays_where_it_is(selected: Selected) -> None:
     text = """
-    extern block Sky per frame at group 2, binding 1 { tint : vec3 at 0 }
+    extern block Sky per frame at group 2, binding 5 { tint : vec3 at 0 }
     material M {
         param gain : float = 1
         map grain : texture2d
@@ -131,16 +131,16 @@ def test_a_block_of_the_host_stays_where_it_is(selected: Selected) -> None:
     }
     """
     bindings = assign_bindings(staged(text).program, selected.profile)
-    assert bindings.blocks["Sky"] == BindingSlot(2, 1)
+    assert bindings.blocks["Sky"] == BindingSlot(2, 5)
     assert bindings.blocks["Material"] == BindingSlot(2, 0)
-    assert bindings.textures == {"grain": BindingSlot(2, 2)}
+    assert bindings.textures == {"grain": BindingSlot(2, 6)}
 
 
 @pytest.mark.parametrize("selected", BY_SET, ids=str)
 def test_a_texture_that_is_only_loaded_has_no_sampler(selected: Selected) -> None:
     text = "material M { map grain : texture2d  color = grain.load(ivec2(uv), 0).rgb }"
     bindings = assign_bindings(staged(text).program, selected.profile)
-    assert (bindings.textures, bindings.samplers) == ({"grain": BindingSlot(2, 0)}, {})
+    assert (bindings.textures, bindings.samplers) == ({"grain": BindingSlot(2, 5)}, {})
 
 
 @pytest.mark.parametrize("selected", SEPARATE, ids=str)

@@ -77,14 +77,12 @@ def test_a_function_gets_what_only_those_read_that_it_calls() -> None:
     }
     """
     found = functions(printed(text).files[1].text)
-    passed = "material_derived, grain, grain_sampler, "
-    declared = (
-        "material_derived: ptr<uniform, MaterialDerived>, grain: texture_2d<f32>, grain_sampler:"
-    )
+    passed = "material, grain, grain_sampler, "
+    declared = "material: ptr<uniform, Material>, grain: texture_2d<f32>, grain_sampler:"
     for name, called in (("main", "layers_grain"), ("layers_grain", "grit_grain")):
         assert found[called][0].startswith(declared)
         assert f"{called}({passed}" in found[name][1]
-    assert "steps" not in found["layers_grain"][1]
+    assert "steps" not in found["layers_grain"][0]
 
 
 @pytest.mark.parametrize("path", SINGLE, ids=lambda path: path.stem)

@@ -108,7 +108,7 @@ def test_members_are_imported_by_name(tmp_path: Path) -> None:
 def test_what_depends_on_the_hosts_block_alone_is_still_hoisted() -> None:
     (compiled,) = burnish.compile(f"{BLOCK} material M {{ color = tint * sin(time) }}", ("wgsl",))
     (derived,) = compiled.reflection.derived
-    assert (derived.group, derived.block) == ("frame", "FrameDerived")
+    assert (derived.group, derived.block) == ("frame", "DerivedFromFrame")
 
 
 @pytest.mark.parametrize(

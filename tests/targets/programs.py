@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.ir import build
 from burnish.compiler.ir.leaves import Attribute, Parameter, Texture
 from burnish.compiler.ir.node import Formal, Graph, Node, reachable
@@ -18,7 +19,7 @@ from burnish.compiler.ir.program import (
     native_uses,
     texture_reads,
 )
-from burnish.compiler.ir.shader import Notes, Shader
+from burnish.compiler.ir.shader import Notes, Shader, TextureInfo
 from burnish.compiler.ir.stages import (
     CLIP_POSITION,
     DISCARD,
@@ -83,9 +84,13 @@ class Maker:
         return self.graph.node("formal", type_, (), formal)
 
 
-def shader_called(name: str, graph: Graph, doc: str = "") -> Shader:
-    """A shader of which only the name, the graph and the comment are known."""
-    return Shader(name, doc, "Forward", "Rig", graph, Notes(), (), (), (), ())
+def shader_called(
+    name: str, graph: Graph, doc: str = "", textures: tuple[Texture, ...] = ()
+) -> Shader:
+    """A shader of which only the name, the graph, the comment and the textures are known."""
+    span = Span(Source("<text>", ""), 0, 0)
+    infos = tuple(TextureInfo(texture, str(texture.type), "", span) for texture in textures)
+    return Shader(name, doc, "Forward", "Rig", graph, Notes(), (), infos, (), ())
 
 
 def block(
@@ -148,14 +153,15 @@ def tiny(color: Node, make: Maker, blocks: tuple[Block, ...] = (), **fragment: o
     """A program whose fragment stage yields ``color``; its vertex stage does next to nothing."""
     zero = build.constant(make.graph, VEC4, (0.0, 0.0, 0.0, 1.0))
     parts = {"blocks": blocks, **fragment}
+    textures: tuple[Texture, ...] = fragment.get("textures", ())  # type: ignore[assignment]
     return Program(
-        shader=shader_called("Tiny", make.graph),
+        shader=shader_called("Tiny", make.graph, textures=textures),
         stages=(
             stage(VERTEX, Output(CLIP_POSITION, zero)),
             stage(FRAGMENT, written("color", color), **parts),
         ),
         blocks=blocks,
-        textures=fragment.get("textures", ()),  # type: ignore[arg-type]
+        textures=textures,
         interfaces=between(),
     )
 
@@ -251,7 +257,7 @@ def plastic() -> Program:
     albedo = Texture("albedo", TextureType(), "material")
     view = block("View", "view", [(to_clip, ""), (eye, "Where the camera stands, in world space")])
     rig = block("Rig", "rig", [(sun, ""), (lamp_count, ""), (lamps, "")])
-    derived = block("RigDerived", "rig", [(sun_cos, "cos(outer)")], derived=True)
+    derived = block("DerivedFromRig", "rig", [(sun_cos, "cos(outer)")], derived=True)
     material = block("Material", "material", [(base, "Base colour"), (power, "Specular exponent")])
     draw = block("Draw", "draw", [(world, "")])
 
@@ -317,7 +323,10 @@ def plastic() -> Program:
     )
     return Program(
         shader=shader_called(
-            "Plastic", make.graph, "Plastic after the classic three-term model.\nSecond line \\"
+            "Plastic",
+            make.graph,
+            "Plastic after the classic three-term model.\nSecond line \\",
+            (albedo,),
         ),
         stages=(vertex, fragment),
         blocks=(view, rig, derived, material, draw),

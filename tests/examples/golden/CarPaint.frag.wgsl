@@ -16,8 +16,8 @@ struct Material {
 
 @group(1) @binding(0) var<uniform> rig: Rig;
 @group(2) @binding(0) var<uniform> material: Material;
-@group(2) @binding(1) var grain: texture_2d<f32>;
-@group(2) @binding(2) var grain_sampler: sampler;
+@group(2) @binding(5) var grain: texture_2d<f32>;
+@group(2) @binding(6) var grain_sampler: sampler;
 
 struct FragmentInput {
     @location(0) position_shifted: vec3f,

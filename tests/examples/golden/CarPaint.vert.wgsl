@@ -15,7 +15,7 @@ struct DrawDerived {
     normal_matrix: mat3x4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(3) @binding(0) var<uniform> draw: Draw;
 @group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
 

@@ -12,10 +12,6 @@ struct Material {
     density: f32,
 }
 
-struct MaterialDerived {
-    height_to_float: f32,
-}
-
 struct Draw {
     object_to_world: mat4x4f,
 }
@@ -24,9 +20,8 @@ struct DrawDerived {
     normal_matrix: mat3x4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(2) @binding(0) var<uniform> material: Material;
-@group(2) @binding(1) var<uniform> material_derived: MaterialDerived;
 @group(3) @binding(0) var<uniform> draw: Draw;
 @group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
 
@@ -63,7 +58,7 @@ fn main(input: VertexInput) -> VertexOutput {
     );
     let emitted_vertex = emitted_vertex_to_int % 3;
     let position = (draw.object_to_world * vec4f(object_position_elements[emitted_vertex], 1.0)).xyz;
-    let height = f32(emitted_strip) / material_derived.height_to_float;
+    let height = f32(emitted_strip) / f32(material.shells - 1);
     var object_normal_elements: array<vec3f, 3> = array<vec3f, 3>(
         input.corner0_vertex_normal, input.corner1_vertex_normal, input.corner2_vertex_normal
     );

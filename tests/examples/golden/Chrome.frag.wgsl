@@ -14,20 +14,10 @@ struct Material {
     levels: f32,  /// Levels of the map, each blurred more
 }
 
-struct MaterialDerived {
-    color_product: f32,
-    materialderived_pad_0: f32,
-    materialderived_pad_1: f32,
-    materialderived_pad_2: f32,
-    color_product_2: vec3f,
-    share_difference: vec3f,
-}
-
 @group(1) @binding(0) var<uniform> rig: Rig;
 @group(2) @binding(0) var<uniform> material: Material;
-@group(2) @binding(1) var<uniform> material_derived: MaterialDerived;
-@group(2) @binding(2) var surroundings: texture_cube<f32>;
-@group(2) @binding(3) var surroundings_sampler: sampler;
+@group(2) @binding(5) var surroundings: texture_cube<f32>;
+@group(2) @binding(6) var surroundings_sampler: sampler;
 
 struct FragmentInput {
     @location(0) position_shifted: vec3f,
@@ -40,12 +30,10 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     // Zero stays zero.
     let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     let mirrored = reflect(-to_eye, normal);
-    let share = material.tint
-        + material_derived.share_difference * pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
+    let share = material.tint + (1.0 - material.tint) * pow(1.0 - saturate(dot(normal, to_eye)), 5.0);
     let color = textureSampleLevel(
-            surroundings, surroundings_sampler, mirrored, material_derived.color_product
+            surroundings, surroundings_sampler, mirrored, material.roughness * material.levels
         ).xyz * share
-        + material_derived.color_product_2 * saturate(dot(normal, -rig.sun_direction))
-            * rig.sun_diffuse_color;
+        + 0.1 * material.tint * saturate(dot(normal, -rig.sun_direction)) * rig.sun_diffuse_color;
     return vec4f(color, 1.0);
 }

@@ -11,11 +11,6 @@ layout(std140) uniform Material {
     uint seed;
 };
 
-layout(std140) uniform MaterialDerived {
-    float place_to_float;
-    uint drawn_shift_left;
-};
-
 in vec2 v_place;
 
 layout(location = 0) out vec4 out_color;
@@ -35,7 +30,7 @@ void main() {
     int column = int(clamp(floor(v_place.x), -2147483600.0, 2147483500.0));
     // Clamped to the floats that an `int` holds.
     int row = int(clamp(floor(v_place.y), -2147483600.0, 2147483500.0));
-    uint drawn = scattered(uint((column & 255) | ((row & 255) << 8u)) ^ drawn_shift_left);
+    uint drawn = scattered(uint((column & 255) | ((row & 255) << 8u)) ^ (seed << 16u));
     vec4 chance = safe_unpack_unorm4x8(drawn);
     vec2 centre = mix(vec2(0.25), vec2(0.75), chance.xy);
     bool inside = all(lessThan(abs(fract(v_place) - centre), vec2(0.08 + 0.14 * chance.z)));

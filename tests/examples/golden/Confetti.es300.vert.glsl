@@ -10,9 +10,10 @@ layout(std140) uniform View {
     vec3 eye;  /// Where the viewer stands
 };
 
-layout(std140) uniform MaterialDerived {
-    float place_to_float;
-    uint drawn_shift_left;
+layout(std140) uniform Material {
+    vec3 paper;
+    int cells;  /// Squares across
+    uint seed;
 };
 
 layout(std140) uniform Draw {
@@ -26,7 +27,7 @@ out vec2 v_place;
 
 void main() {
     vec3 position = (object_to_world * vec4(vertex_position, 1.0)).xyz;
-    v_place = vertex_uv * place_to_float;
+    v_place = vertex_uv * float(cells);
     gl_Position = view_projection * vec4(position, 1.0);
     gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;
 }

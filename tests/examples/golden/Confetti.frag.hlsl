@@ -7,11 +7,6 @@ cbuffer Material : register(b0, space2) {
     uint seed;
 };
 
-cbuffer MaterialDerived : register(b1, space2) {
-    float place_to_float;
-    uint drawn_shift_left;
-};
-
 struct FragmentInput {
     [[vk::location(0)]] float2 place : TEXCOORD0;
 };
@@ -31,7 +26,7 @@ float4 main(FragmentInput input) : SV_Target0 {
     int column = int(clamp(floor(input.place.x), -2147483600.0, 2147483500.0));
     // Clamped to the floats that an `int` holds.
     int row = int(clamp(floor(input.place.y), -2147483600.0, 2147483500.0));
-    uint drawn = scattered(asuint((column & 255) | ((row & 255) << 8u)) ^ drawn_shift_left);
+    uint drawn = scattered(asuint((column & 255) | ((row & 255) << 8u)) ^ (seed << 16u));
     float4 chance = safe_unpack_unorm4x8(drawn);
     float2 centre = lerp(float2(0.25, 0.25), float2(0.75, 0.75), chance.xy);
     bool inside = all(abs(frac(input.place) - centre) < (0.08 + 0.14 * chance.z).xx);

@@ -1,14 +1,15 @@
 // Confetti: vertex shader, by Burnish.
 // Paper that somebody has strewn with squares.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };
 
-cbuffer MaterialDerived : register(b1, space2) {
-    float place_to_float;
-    uint drawn_shift_left;
+cbuffer Material : register(b0, space2) {
+    float3 paper;
+    int cells;  /// Squares across
+    uint seed;
 };
 
 cbuffer Draw : register(b0, space3) {
@@ -28,7 +29,7 @@ struct VertexOutput {
 VertexOutput main(VertexInput input) {
     float3 position = mul(object_to_world, float4(input.vertex_position, 1.0)).xyz;
     VertexOutput output;
-    output.place = input.vertex_uv * place_to_float;
+    output.place = input.vertex_uv * float(cells);
     output.clip_position = mul(view_projection, float4(position, 1.0));
     return output;
 }

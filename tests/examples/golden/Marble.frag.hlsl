@@ -2,7 +2,7 @@
 // Marble without a texture: veins where the noise is high. The functions come from a file beside
 // this one, and others can use them as well.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };
@@ -18,10 +18,6 @@ cbuffer Material : register(b0, space2) {
     float3 stone;
     float3 veins;
     float grain;  /// How many veins there are
-};
-
-cbuffer MaterialDerived : register(b1, space2) {
-    float3 kd_difference;
 };
 
 struct FragmentInput {
@@ -40,7 +36,7 @@ float4 main(FragmentInput input) : SV_Target0 {
         vein_turbulence += (0.5 + vein_product_2) / (2.0 * vein_octave);
     }
     float vein = vein_turbulence >= 1.1754944e-38 ? pow(vein_turbulence, 3.0) : 0.0;
-    float3 kd = stone + kd_difference * vein;
+    float3 kd = stone + (veins - stone) * vein;
     // Zero stays zero.
     float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     float normal_dot_sun_to_light = dot(normal, -sun_direction);

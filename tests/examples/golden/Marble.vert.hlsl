@@ -2,7 +2,7 @@
 // Marble without a texture: veins where the noise is high. The functions come from a file beside
 // this one, and others can use them as well.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };

@@ -26,7 +26,7 @@ struct DrawDerived {
     normal_matrix: mat3x4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(1) @binding(0) var<uniform> rig: Rig;
 @group(2) @binding(0) var<uniform> material: Material;
 @group(3) @binding(0) var<uniform> draw: Draw;

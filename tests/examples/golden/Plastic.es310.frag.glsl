@@ -14,12 +14,12 @@ struct Point {
     float pad_2;
 };
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };
 
-layout(std140, binding = 1) uniform Rig {
+layout(std140, binding = 2) uniform Rig {
     vec3 ambient_light;  /// Light from everywhere
     vec3 sun_diffuse_color;
     vec3 sun_specular_color;
@@ -38,7 +38,7 @@ layout(std140, binding = 1) uniform Rig {
     float torch_outer;
 };
 
-layout(std140, binding = 2) uniform RigDerived {
+layout(std140, binding = 7) uniform DerivedFromRig {
     float torch_falloff_cos;
     float torch_falloff_inverse_width;
 };

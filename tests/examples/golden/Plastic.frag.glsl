@@ -11,7 +11,7 @@ struct Point {
     float pad_2;
 };
 
-layout(std140, set = 0, binding = 0) uniform View {
+layout(std140, set = 0, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };
@@ -35,7 +35,7 @@ layout(std140, set = 1, binding = 0) uniform Rig {
     float torch_outer;
 };
 
-layout(std140, set = 1, binding = 1) uniform RigDerived {
+layout(std140, set = 2, binding = 4) uniform DerivedFromRig {
     float torch_falloff_cos;
     float torch_falloff_inverse_width;
 };
@@ -46,8 +46,8 @@ layout(std140, set = 2, binding = 0) uniform Material {
     float power;  /// Specular exponent
 };
 
-layout(set = 2, binding = 1) uniform texture2D albedo;
-layout(set = 2, binding = 2) uniform sampler albedo_sampler;
+layout(set = 2, binding = 5) uniform texture2D albedo;
+layout(set = 2, binding = 6) uniform sampler albedo_sampler;
 
 layout(location = 0) in vec3 v_position;
 layout(location = 1) in vec3 v_normal;

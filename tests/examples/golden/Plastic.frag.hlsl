@@ -10,7 +10,7 @@ struct Point {
     float pad_2;
 };
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };
@@ -34,7 +34,7 @@ cbuffer Rig : register(b0, space1) {
     float torch_outer;
 };
 
-cbuffer RigDerived : register(b1, space1) {
+cbuffer DerivedFromRig : register(b4, space2) {
     float torch_falloff_cos;
     float torch_falloff_inverse_width;
 };
@@ -45,8 +45,8 @@ cbuffer Material : register(b0, space2) {
     float power;  /// Specular exponent
 };
 
-Texture2D<float4> albedo : register(t1, space2);
-SamplerState albedo_sampler : register(s2, space2);
+Texture2D<float4> albedo : register(t5, space2);
+SamplerState albedo_sampler : register(s6, space2);
 
 struct FragmentInput {
     [[vk::location(0)]] float3 position : TEXCOORD0;

@@ -38,7 +38,7 @@ struct Rig {
     float torch_outer;
 };
 
-struct RigDerived {
+struct DerivedFromRig {
     float torch_falloff_cos;
     float torch_falloff_inverse_width;
 };
@@ -73,8 +73,8 @@ float3 lambert_phong(
 }
 
 fragment FragmentOutput fs_main(
-    FragmentInput input [[stage_in]], constant View& view [[buffer(0)]], constant Rig& rig [[buffer(1)]],
-    constant RigDerived& rig_derived [[buffer(2)]], constant Material& material [[buffer(3)]],
+    FragmentInput input [[stage_in]], constant View& view [[buffer(1)]], constant Rig& rig [[buffer(2)]],
+    constant DerivedFromRig& derived_from_rig [[buffer(7)]], constant Material& material [[buffer(3)]],
     texture2d<float> albedo [[texture(0)]], sampler albedo_sampler [[sampler(0)]]
 ) {
     const float3 tint = float3(material.base) * albedo.sample(albedo_sampler, input.uv).xyz;
@@ -92,8 +92,8 @@ fragment FragmentOutput fs_main(
     const float3 torch_to_light = normalize(float3(rig.torch_place) - input.position);
     const float torch_falloff = smoothstep(
         0.0f, 1.0f,
-        (dot(float3(rig.torch_axis), -torch_to_light) - rig_derived.torch_falloff_cos)
-            * rig_derived.torch_falloff_inverse_width
+        (dot(float3(rig.torch_axis), -torch_to_light) - derived_from_rig.torch_falloff_cos)
+            * derived_from_rig.torch_falloff_inverse_width
     );
     const float3 color = tint * float3(rig.ambient_light)
         + lambert_phong(

@@ -34,7 +34,7 @@ struct Rig {
     torch_outer: f32,
 }
 
-struct RigDerived {
+struct DerivedFromRig {
     torch_falloff_cos: f32,
     torch_falloff_inverse_width: f32,
 }
@@ -45,12 +45,12 @@ struct Material {
     power: f32,  /// Specular exponent
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(1) @binding(0) var<uniform> rig: Rig;
-@group(1) @binding(1) var<uniform> rig_derived: RigDerived;
+@group(2) @binding(4) var<uniform> derived_from_rig: DerivedFromRig;
 @group(2) @binding(0) var<uniform> material: Material;
-@group(2) @binding(1) var albedo: texture_2d<f32>;
-@group(2) @binding(2) var albedo_sampler: sampler;
+@group(2) @binding(5) var albedo: texture_2d<f32>;
+@group(2) @binding(6) var albedo_sampler: sampler;
 
 struct FragmentInput {
     @location(0) position: vec3f,
@@ -84,8 +84,8 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     let torch_to_light = normalize(rig.torch_place - input.position);
     let torch_falloff = smoothstep(
         0.0, 1.0,
-        (dot(rig.torch_axis, -torch_to_light) - rig_derived.torch_falloff_cos)
-            * rig_derived.torch_falloff_inverse_width
+        (dot(rig.torch_axis, -torch_to_light) - derived_from_rig.torch_falloff_cos)
+            * derived_from_rig.torch_falloff_inverse_width
     );
     let color = tint * rig.ambient_light
         + lambert_phong(

@@ -35,7 +35,7 @@ layout(std140) uniform Rig {
     float torch_outer;
 };
 
-layout(std140) uniform RigDerived {
+layout(std140) uniform DerivedFromRig {
     float torch_falloff_cos;
     float torch_falloff_inverse_width;
 };

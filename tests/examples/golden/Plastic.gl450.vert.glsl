@@ -2,16 +2,16 @@
 // Plastic: vertex shader, by Burnish.
 // Plastic after the classic three-term model.
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };
 
-layout(std140, binding = 4) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     mat4 object_to_world;
 };
 
-layout(std140, binding = 5) uniform DrawDerived {
+layout(std140, binding = 9) uniform DrawDerived {
     mat3x4 normal_matrix;
 };
 

@@ -1,7 +1,7 @@
 // Plastic: vertex shader, by Burnish.
 // Plastic after the classic three-term model.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };

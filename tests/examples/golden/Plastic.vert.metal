@@ -32,8 +32,8 @@ struct VertexOutput {
 };
 
 vertex VertexOutput vs_main(
-    VertexInput input [[stage_in]], constant View& view [[buffer(0)]], constant Draw& draw [[buffer(4)]],
-    constant DrawDerived& draw_derived [[buffer(5)]]
+    VertexInput input [[stage_in]], constant View& view [[buffer(1)]], constant Draw& draw [[buffer(8)]],
+    constant DrawDerived& draw_derived [[buffer(9)]]
 ) {
     const float3 position = (draw.object_to_world * float4(input.vertex_position, 1.0f)).xyz;
     VertexOutput output;

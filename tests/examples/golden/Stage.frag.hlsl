@@ -1,6 +1,6 @@
 // Stage: fragment shader, by Burnish.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };
@@ -21,7 +21,7 @@ cbuffer Rig : register(b0, space1) {
     float key_spread;  /// Between the samples, in texels
 };
 
-cbuffer RigDerived : register(b1, space1) {
+cbuffer DerivedFromRig : register(b4, space2) {
     float key_falloff_cos;
     float key_falloff_inverse_width;
 };
@@ -30,8 +30,8 @@ cbuffer Material : register(b0, space2) {
     float3 base;
 };
 
-Texture2D<float> key_shadow : register(t2, space1);
-SamplerComparisonState key_shadow_sampler : register(s3, space1);
+Texture2D<float> key_shadow : register(t1, space1);
+SamplerComparisonState key_shadow_sampler : register(s2, space1);
 
 int2 texture_size(Texture2D<float> texels, int level) {
     uint width, height, levels;

@@ -1,6 +1,6 @@
 // Stage: vertex shader, by Burnish.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };

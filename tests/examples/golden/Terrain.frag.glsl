@@ -14,8 +14,8 @@ layout(std140, set = 2, binding = 0) uniform Material {
     int steep;  /// Layer of steep ones; at most the last
 };
 
-layout(set = 2, binding = 1) uniform texture2DArray ground;
-layout(set = 2, binding = 2) uniform sampler ground_sampler;
+layout(set = 2, binding = 5) uniform texture2DArray ground;
+layout(set = 2, binding = 6) uniform sampler ground_sampler;
 
 layout(location = 0) in vec3 v_normal;
 layout(location = 1) in vec2 v_uv;

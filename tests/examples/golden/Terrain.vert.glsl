@@ -2,7 +2,7 @@
 // Terrain: vertex shader, by Burnish.
 // Ground of several kinds, one in each layer.
 
-layout(std140, set = 0, binding = 0) uniform View {
+layout(std140, set = 0, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };

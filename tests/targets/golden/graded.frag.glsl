@@ -8,11 +8,6 @@ layout(std140, set = 3, binding = 0) uniform Draw {
     mat2x4 tilt;
 };
 
-layout(std140, set = 3, binding = 1) uniform DrawDerived {
-    mat3x4 slope_transpose;
-    mat3x4 normal_matrix;
-};
-
 layout(location = 0) in vec3 v_normal;
 layout(location = 1) in vec2 v_uv;
 
@@ -23,7 +18,7 @@ void main() {
     vec3 normal = v_normal * inversesqrt(max(dot(v_normal, v_normal), 1.1754944e-38));
     vec3 graded = (grade * vec4(normal, 1.0)).xyz;
     mat3x2 own = mat3x2(v_uv, v_uv.yx, vec2(1.0, v_uv.x));
-    vec2 slope = (slope_transpose * graded).xy
+    vec2 slope = transpose(mat2x3(tilt[0].xyz, tilt[1].xyz)) * graded
         + (own * mat4x3(grade[0].xyz, grade[1].xyz, grade[2].xyz, grade[3].xyz))[3];
     vec3 color = graded + (tilt * slope).xyz;
     out_color = vec4(color, 1.0);

@@ -7,11 +7,6 @@ cbuffer Draw : register(b0, space3) {
     column_major float4x2 tilt;
 };
 
-cbuffer DrawDerived : register(b1, space3) {
-    column_major float4x3 slope_transpose;
-    column_major float4x3 normal_matrix;
-};
-
 struct FragmentInput {
     [[vk::location(0)]] float3 normal : TEXCOORD0;
     [[vk::location(1)]] float2 uv : TEXCOORD1;
@@ -30,17 +25,18 @@ float4 main(FragmentInput input) : SV_Target0 {
     float3 normal = input.normal * rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     float3 graded = mul(grade, float4(normal, 1.0)).xyz;
     float2x3 own = transpose(float3x2(input.uv, input.uv.yx, float2(1.0, input.uv.x)));
-    float2 slope = mul(slope_transpose, graded).xy + transpose(
-        product(
-            own,
-            transpose(
-                float4x3(
-                    transpose(grade)[0].xyz, transpose(grade)[1].xyz, transpose(grade)[2].xyz,
-                    transpose(grade)[3].xyz
+    float2 slope = mul(transpose(transpose(float2x3(transpose(tilt)[0].xyz, transpose(tilt)[1].xyz))), graded)
+        + transpose(
+            product(
+                own,
+                transpose(
+                    float4x3(
+                        transpose(grade)[0].xyz, transpose(grade)[1].xyz, transpose(grade)[2].xyz,
+                        transpose(grade)[3].xyz
+                    )
                 )
             )
-        )
-    )[3];
+        )[3];
     float3 color = graded + mul(tilt, slope).xyz;
     return float4(color, 1.0);
 }

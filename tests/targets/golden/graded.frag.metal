@@ -11,11 +11,6 @@ struct Draw {
     float2x4 tilt;
 };
 
-struct DrawDerived {
-    float3x4 slope_transpose;
-    float3x4 normal_matrix;
-};
-
 struct FragmentInput {
     float3 normal [[user(location0)]];
     float2 uv [[user(location1)]];
@@ -25,15 +20,12 @@ struct FragmentOutput {
     float4 color [[color(0)]];
 };
 
-fragment FragmentOutput fs_main(
-    FragmentInput input [[stage_in]], constant Draw& draw [[buffer(1)]],
-    constant DrawDerived& draw_derived [[buffer(2)]]
-) {
+fragment FragmentOutput fs_main(FragmentInput input [[stage_in]], constant Draw& draw [[buffer(8)]]) {
     // Zero stays zero.
     const float3 normal = input.normal * precise::rsqrt(max(dot(input.normal, input.normal), 1.1754944e-38f));
     const float3 graded = (draw.grade * float4(normal, 1.0f)).xyz;
     const float3x2 own = float3x2(input.uv, input.uv.yx, float2(1.0f, input.uv.x));
-    const float2 slope = (draw_derived.slope_transpose * graded).xy
+    const float2 slope = transpose(float2x3(draw.tilt[0].xyz, draw.tilt[1].xyz)) * graded
         + (own * float4x3(draw.grade[0].xyz, draw.grade[1].xyz, draw.grade[2].xyz, draw.grade[3].xyz))[3];
     const float3 color = graded + (draw.tilt * slope).xyz;
     FragmentOutput output;

@@ -7,13 +7,7 @@ struct Draw {
     tilt: mat2x4f,
 }
 
-struct DrawDerived {
-    slope_transpose: mat3x4f,
-    normal_matrix: mat3x4f,
-}
-
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
 
 struct FragmentInput {
     @location(0) normal: vec3f,
@@ -26,7 +20,7 @@ fn main(input: FragmentInput) -> @location(0) vec4f {
     let normal = input.normal * inverseSqrt(max(dot(input.normal, input.normal), 1.1754944e-38));
     let graded = (draw.grade * vec4f(normal, 1.0)).xyz;
     let own = mat3x2f(input.uv, input.uv.yx, vec2f(1.0, input.uv.x));
-    let slope = (draw_derived.slope_transpose * graded).xy
+    let slope = transpose(mat2x3f(draw.tilt[0].xyz, draw.tilt[1].xyz)) * graded
         + (own * mat4x3f(draw.grade[0].xyz, draw.grade[1].xyz, draw.grade[2].xyz, draw.grade[3].xyz))[3];
     let color = graded + (draw.tilt * slope).xyz;
     return vec4f(color, 1.0);

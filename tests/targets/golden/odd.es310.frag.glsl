@@ -4,7 +4,7 @@ precision highp int;
 precision highp sampler2D;
 // Odd: fragment shader, by Burnish.
 
-layout(std140, binding = 0) uniform Material {
+layout(std140, binding = 3) uniform Material {
     float threshold;
     uint texture_;
     float pad_0;

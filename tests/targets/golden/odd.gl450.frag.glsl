@@ -1,7 +1,7 @@
 #version 450 core
 // Odd: fragment shader, by Burnish.
 
-layout(std140, binding = 0) uniform Material {
+layout(std140, binding = 3) uniform Material {
     float threshold;
     uint texture_;
     float pad_0;

@@ -35,7 +35,7 @@ struct FragmentOutput {
 
 fragment FragmentOutput fs_main(
     FragmentInput input [[stage_in]], float4 frag_coord [[position]], bool front_facing [[front_facing]],
-    constant Material& material [[buffer(0)]]
+    constant Material& material [[buffer(3)]]
 ) {
     const float3x3 turn = float3x3(material.turn[0].xyz, material.turn[1].xyz, material.turn[2].xyz);
     const float3 turned = turn * frag_coord.xyz;

@@ -21,7 +21,7 @@ layout(std140) uniform Rig {
     Lamp lamps[8];
 };
 
-layout(std140) uniform RigDerived {
+layout(std140) uniform DerivedFromRig {
     float sun_cos_outer;  /// cos(outer)
 };
 

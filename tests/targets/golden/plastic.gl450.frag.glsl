@@ -10,18 +10,18 @@ struct Lamp {
     float pad_1;
 };
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 world_to_clip;
     vec3 eye;  /// Where the camera stands, in world space
 };
 
-layout(std140, binding = 1) uniform Rig {
+layout(std140, binding = 2) uniform Rig {
     vec3 sun_direction;
     int lamps_count;
     Lamp lamps[8];
 };
 
-layout(std140, binding = 2) uniform RigDerived {
+layout(std140, binding = 7) uniform DerivedFromRig {
     float sun_cos_outer;  /// cos(outer)
 };
 

@@ -3,12 +3,12 @@
 // Plastic after the classic three-term model.
 // Second line
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 world_to_clip;
     vec3 eye;  /// Where the camera stands, in world space
 };
 
-layout(std140, binding = 4) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     mat4 object_to_world;
 };
 

@@ -24,7 +24,7 @@ struct Rig {
     array<Lamp, 8> lamps;
 };
 
-struct RigDerived {
+struct DerivedFromRig {
     float sun_cos_outer;  /// cos(outer)
 };
 
@@ -51,7 +51,7 @@ struct VertexOutput {
 };
 
 vertex VertexOutput vs_main(
-    VertexInput input [[stage_in]], constant View& view [[buffer(0)]], constant Draw& draw [[buffer(4)]]
+    VertexInput input [[stage_in]], constant View& view [[buffer(1)]], constant Draw& draw [[buffer(8)]]
 ) {
     // In world space, homogeneous
     const float4 position = draw.object_to_world * float4(input.position, 1.0f);
@@ -85,8 +85,8 @@ float3 shade(constant Material& material, float3 to_light, float3 normal, float3
 }
 
 fragment FragmentOutput fs_main(
-    FragmentInput input [[stage_in]], constant View& view [[buffer(0)]], constant Rig& rig [[buffer(1)]],
-    constant RigDerived& rig_derived [[buffer(2)]], constant Material& material [[buffer(3)]],
+    FragmentInput input [[stage_in]], constant View& view [[buffer(1)]], constant Rig& rig [[buffer(2)]],
+    constant DerivedFromRig& derived_from_rig [[buffer(7)]], constant Material& material [[buffer(3)]],
     texture2d<float> albedo [[texture(0)]], sampler albedo_sampler [[sampler(0)]]
 ) {
     const float3 normal = normalize(input.normal.xyz);
@@ -100,7 +100,7 @@ fragment FragmentOutput fs_main(
     }
     const float3 color = (
         tint * 0.1f + shade(material, -float3(rig.sun_direction), normal, to_eye, tint) + from_lamps
-    ) * rig_derived.sun_cos_outer;
+    ) * derived_from_rig.sun_cos_outer;
     FragmentOutput output;
     output.color = float4(color, 1.0f);
     return output;

@@ -29,7 +29,7 @@ struct VertexOutput {
 };
 
 vertex VertexOutput vs_main(
-    VertexInput input [[stage_in]], constant View& view [[buffer(0)]], constant Draw& draw [[buffer(4)]]
+    VertexInput input [[stage_in]], constant View& view [[buffer(1)]], constant Draw& draw [[buffer(8)]]
 ) {
     // In world space, homogeneous
     const float4 position = draw.object_to_world * float4(input.position, 1.0f);

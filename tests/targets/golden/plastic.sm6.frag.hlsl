@@ -9,7 +9,7 @@ struct Lamp {
     float pad_1;
 };
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 world_to_clip;
     float3 eye;  /// Where the camera stands, in world space
 };
@@ -20,7 +20,7 @@ cbuffer Rig : register(b0, space1) {
     Lamp lamps[8];
 };
 
-cbuffer RigDerived : register(b1, space1) {
+cbuffer DerivedFromRig : register(b4, space2) {
     float sun_cos_outer;  /// cos(outer)
 };
 
@@ -29,8 +29,8 @@ cbuffer Material : register(b0, space2) {
     float power;  /// Specular exponent
 };
 
-Texture2D<float4> albedo : register(t1, space2);
-SamplerState albedo_sampler : register(s2, space2);
+Texture2D<float4> albedo : register(t5, space2);
+SamplerState albedo_sampler : register(s6, space2);
 
 struct FragmentInput {
     [[vk::location(0)]] float3 position : TEXCOORD0;

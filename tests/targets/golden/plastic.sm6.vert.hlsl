@@ -2,7 +2,7 @@
 // Plastic after the classic three-term model.
 // Second line
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 world_to_clip;
     float3 eye;  /// Where the camera stands, in world space
 };

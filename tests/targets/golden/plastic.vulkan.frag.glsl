@@ -10,7 +10,7 @@ struct Lamp {
     float pad_1;
 };
 
-layout(std140, set = 0, binding = 0) uniform View {
+layout(std140, set = 0, binding = 1) uniform View {
     mat4 world_to_clip;
     vec3 eye;  /// Where the camera stands, in world space
 };
@@ -21,7 +21,7 @@ layout(std140, set = 1, binding = 0) uniform Rig {
     Lamp lamps[8];
 };
 
-layout(std140, set = 1, binding = 1) uniform RigDerived {
+layout(std140, set = 2, binding = 4) uniform DerivedFromRig {
     float sun_cos_outer;  /// cos(outer)
 };
 
@@ -30,8 +30,8 @@ layout(std140, set = 2, binding = 0) uniform Material {
     float power;  /// Specular exponent
 };
 
-layout(set = 2, binding = 1) uniform texture2D albedo;
-layout(set = 2, binding = 2) uniform sampler albedo_sampler;
+layout(set = 2, binding = 5) uniform texture2D albedo;
+layout(set = 2, binding = 6) uniform sampler albedo_sampler;
 
 layout(location = 0) in vec3 v_position;
 layout(location = 1) in vec4 v_normal;

@@ -3,7 +3,7 @@
 // Plastic after the classic three-term model.
 // Second line
 
-layout(std140, set = 0, binding = 0) uniform View {
+layout(std140, set = 0, binding = 1) uniform View {
     mat4 world_to_clip;
     vec3 eye;  /// Where the camera stands, in world space
 };

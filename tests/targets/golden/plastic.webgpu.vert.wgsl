@@ -11,7 +11,7 @@ struct Draw {
     object_to_world: mat4x4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(3) @binding(0) var<uniform> draw: Draw;
 
 struct VertexInput {

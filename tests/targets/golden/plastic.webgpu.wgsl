@@ -20,7 +20,7 @@ struct Rig {
     lamps: array<Lamp, 8>,
 }
 
-struct RigDerived {
+struct DerivedFromRig {
     sun_cos_outer: f32,  /// cos(outer)
 }
 
@@ -33,13 +33,13 @@ struct Draw {
     object_to_world: mat4x4f,
 }
 
-@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<uniform> view: View;
 @group(1) @binding(0) var<uniform> rig: Rig;
-@group(1) @binding(1) var<uniform> rig_derived: RigDerived;
+@group(2) @binding(4) var<uniform> derived_from_rig: DerivedFromRig;
 @group(2) @binding(0) var<uniform> material: Material;
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(2) @binding(1) var albedo: texture_2d<f32>;
-@group(2) @binding(2) var albedo_sampler: sampler;
+@group(2) @binding(5) var albedo: texture_2d<f32>;
+@group(2) @binding(6) var albedo_sampler: sampler;
 
 struct VertexInput {
     @location(0) position: vec3f,
@@ -95,6 +95,6 @@ fn fs_main(input: FragmentInput) -> @location(0) vec4f {
         from_lamps += shade(to_light, normal, to_eye, tint) * rig.lamps[i].diffuse;
     }
     let color = (tint * 0.1 + shade(-rig.sun_direction, normal, to_eye, tint) + from_lamps)
-        * rig_derived.sun_cos_outer;
+        * derived_from_rig.sun_cos_outer;
     return vec4f(color, 1.0);
 }

@@ -5,9 +5,9 @@ cbuffer Draw : register(b0, space3) {
     int numbers_count;  /// The number of elements of `numbers`
 };
 
-StructuredBuffer<float> numbers : register(t1, space3);
-RWStructuredBuffer<float2> totals : register(u2, space3);
-RWStructuredBuffer<float4> before : register(u3, space3);
+StructuredBuffer<float> numbers : register(t2, space3);
+RWStructuredBuffer<float2> totals : register(u3, space3);
+RWStructuredBuffer<float4> before : register(u4, space3);
 
 struct ComputeInput {
     uint index : SV_DispatchThreadID;

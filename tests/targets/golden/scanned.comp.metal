@@ -61,9 +61,9 @@ float3 group_exclusive_sum(threadgroup array<float3, 40>& group_vec3s, float3 va
 }
 
 kernel void cs_main(
-    uint index [[thread_position_in_grid]], constant Draw& draw [[buffer(0)]],
-    device const float* numbers [[buffer(1)]], device float2* totals [[buffer(2)]],
-    device float4* before [[buffer(3)]]
+    uint index [[thread_position_in_grid]], constant Draw& draw [[buffer(8)]],
+    device const float* numbers [[buffer(10)]], device float2* totals [[buffer(11)]],
+    device float4* before [[buffer(12)]]
 ) {
     threadgroup array<float, 40> group_floats;
     threadgroup array<float3, 40> group_vec3s;

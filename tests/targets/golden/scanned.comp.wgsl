@@ -6,9 +6,9 @@ struct Draw {
 }
 
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(3) @binding(1) var<storage, read> numbers: array<f32>;
-@group(3) @binding(2) var<storage, read_write> totals: array<vec2f>;
-@group(3) @binding(3) var<storage, read_write> before: array<vec4f>;
+@group(3) @binding(2) var<storage, read> numbers: array<f32>;
+@group(3) @binding(3) var<storage, read_write> totals: array<vec2f>;
+@group(3) @binding(4) var<storage, read_write> before: array<vec4f>;
 
 struct ComputeInput {
     @builtin(global_invocation_id) index: vec3u,

@@ -2,7 +2,7 @@
 // Scanned: compute shader, by Burnish.
 // What groups of forty numbers come to, and what is before each of these.
 
-layout(std140, binding = 0) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     int numbers_count;  /// The number of elements of `numbers`
 };
 

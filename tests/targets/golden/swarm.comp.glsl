@@ -15,15 +15,15 @@ layout(std140, set = 3, binding = 0) uniform Draw {
     int before_count;  /// The number of elements of `before`
 };
 
-layout(std430, set = 3, binding = 1) readonly buffer BeforeBuffer {
+layout(std430, set = 3, binding = 2) readonly buffer BeforeBuffer {
     Particle before[];
 };
 
-layout(std430, set = 3, binding = 2) writeonly buffer AfterBuffer {
+layout(std430, set = 3, binding = 3) writeonly buffer AfterBuffer {
     Particle after[];
 };
 
-layout(std430, set = 3, binding = 3) writeonly buffer SpeedsBuffer {
+layout(std430, set = 3, binding = 4) writeonly buffer SpeedsBuffer {
     float speeds[];
 };
 

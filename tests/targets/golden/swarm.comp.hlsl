@@ -14,9 +14,9 @@ cbuffer Draw : register(b0, space3) {
     int before_count;  /// The number of elements of `before`
 };
 
-StructuredBuffer<Particle> before : register(t1, space3);
-RWStructuredBuffer<Particle> after : register(u2, space3);
-RWStructuredBuffer<float> speeds : register(u3, space3);
+StructuredBuffer<Particle> before : register(t2, space3);
+RWStructuredBuffer<Particle> after : register(u3, space3);
+RWStructuredBuffer<float> speeds : register(u4, space3);
 
 struct ComputeInput {
     uint index : SV_DispatchThreadID;

@@ -19,9 +19,9 @@ struct Draw {
 };
 
 kernel void cs_main(
-    uint index [[thread_position_in_grid]], constant Draw& draw [[buffer(0)]],
-    device const Particle* before [[buffer(1)]], device Particle* after [[buffer(2)]],
-    device float* speeds [[buffer(3)]]
+    uint index [[thread_position_in_grid]], constant Draw& draw [[buffer(8)]],
+    device const Particle* before [[buffer(10)]], device Particle* after [[buffer(11)]],
+    device float* speeds [[buffer(12)]]
 ) {
     const int index_2 = int(index);
     if (index_2 >= draw.before_count) { return; }

@@ -15,9 +15,9 @@ struct Draw {
 }
 
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(3) @binding(1) var<storage, read> before: array<Particle>;
-@group(3) @binding(2) var<storage, read_write> after: array<Particle>;
-@group(3) @binding(3) var<storage, read_write> speeds: array<f32>;
+@group(3) @binding(2) var<storage, read> before: array<Particle>;
+@group(3) @binding(3) var<storage, read_write> after: array<Particle>;
+@group(3) @binding(4) var<storage, read_write> speeds: array<f32>;
 
 struct ComputeInput {
     @builtin(global_invocation_id) index: vec3u,

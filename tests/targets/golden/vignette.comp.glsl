@@ -3,13 +3,13 @@
 // Vignette: compute shader, by Burnish.
 // Darkens the corners of a picture.
 
-layout(std140, set = 3, binding = 2) uniform Draw {
+layout(std140, set = 3, binding = 0) uniform Draw {
     float strength;
 };
 
-layout(rgba16f, set = 3, binding = 0) writeonly uniform image2D dark;
-layout(r32f, set = 3, binding = 1) writeonly uniform image2D light_;
-layout(set = 3, binding = 3) uniform texture2D picture;
+layout(rgba16f, set = 3, binding = 2) writeonly uniform image2D dark;
+layout(r32f, set = 3, binding = 3) writeonly uniform image2D light_;
+layout(set = 3, binding = 4) uniform texture2D picture;
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,15 +1,15 @@
 // Vignette: compute shader, by Burnish.
 // Darkens the corners of a picture.
 
-cbuffer Draw : register(b2, space3) {
+cbuffer Draw : register(b0, space3) {
     float strength;
 };
 
 [[vk::image_format("rgba16f")]] [[spv::format_rgba16f]]
-RWTexture2D<float4> dark : register(u0, space3);
+RWTexture2D<float4> dark : register(u2, space3);
 [[vk::image_format("r32f")]] [[spv::format_r32f]]
-RWTexture2D<float4> light_ : register(u1, space3);
-Texture2D<float4> picture : register(t3, space3);
+RWTexture2D<float4> light_ : register(u3, space3);
+Texture2D<float4> picture : register(t4, space3);
 
 int2 texture_size(Texture2D<float4> texels, int level) {
     uint width, height, levels;

@@ -14,7 +14,7 @@ int2 texture_size(texture2d<float> texels, int level) {
 }
 
 kernel void cs_main(
-    uint2 texel [[thread_position_in_grid]], constant Draw& draw [[buffer(0)]],
+    uint2 texel [[thread_position_in_grid]], constant Draw& draw [[buffer(8)]],
     texture2d<float, access::write> dark [[texture(0)]],
     texture2d<float, access::write> light_ [[texture(1)]], texture2d<float> picture [[texture(2)]]
 ) {

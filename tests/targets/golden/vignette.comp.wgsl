@@ -5,10 +5,10 @@ struct Draw {
     strength: f32,
 }
 
-@group(3) @binding(2) var<uniform> draw: Draw;
-@group(3) @binding(0) var dark: texture_storage_2d<rgba16float, write>;
-@group(3) @binding(1) var light_: texture_storage_2d<r32float, write>;
-@group(3) @binding(3) var picture: texture_2d<f32>;
+@group(3) @binding(0) var<uniform> draw: Draw;
+@group(3) @binding(2) var dark: texture_storage_2d<rgba16float, write>;
+@group(3) @binding(3) var light_: texture_storage_2d<r32float, write>;
+@group(3) @binding(4) var picture: texture_2d<f32>;
 
 struct ComputeInput {
     @builtin(global_invocation_id) texel: vec3u,

@@ -6,7 +6,7 @@ precision highp image2D;
 // Vignette: compute shader, by Burnish.
 // Darkens the corners of a picture.
 
-layout(std140, binding = 0) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     float strength;
 };
 

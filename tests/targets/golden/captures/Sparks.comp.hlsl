@@ -15,10 +15,6 @@ cbuffer Draw : register(b0, space3) {
     int mesh_count;  /// The number of elements of `mesh`
 };
 
-cbuffer DrawDerived : register(b1, space3) {
-    int vertices;
-};
-
 StructuredBuffer<MeshPrimitive> mesh : register(t2, space3);
 RWStructuredBuffer<uint> captured : register(u3, space3);
 
@@ -29,7 +25,7 @@ struct ComputeInput {
 [numthreads(64, 1, 1)]
 void main(ComputeInput input) {
     int index = int(input.index);
-    if (index >= vertices) { return; }
+    if (index >= mesh_count * 2) { return; }
     int primitive = index / 2;
     float3 position = mul(object_to_world, float4(mesh[primitive].corner0_vertex_position, 1.0)).xyz;
     int emitted_vertex = asint(asuint(index % 2));

@@ -15,13 +15,8 @@ struct Draw {
     mesh_count: i32,  /// The number of elements of `mesh`
 }
 
-struct DrawDerived {
-    vertices: i32,
-}
-
 @group(2) @binding(0) var<uniform> material: Material;
 @group(3) @binding(0) var<uniform> draw: Draw;
-@group(3) @binding(1) var<uniform> draw_derived: DrawDerived;
 @group(3) @binding(2) var<storage, read> mesh: array<MeshPrimitive>;
 @group(3) @binding(3) var<storage, read_write> captured: array<u32>;
 
@@ -32,7 +27,7 @@ struct ComputeInput {
 @compute @workgroup_size(64)
 fn main(input: ComputeInput) {
     let index = i32(input.index.x);
-    if (index >= draw_derived.vertices) { return; }
+    if (index >= draw.mesh_count * 2) { return; }
     let primitive = index / 2;
     let position = (draw.object_to_world * vec4f(mesh[primitive].corner0_vertex_position, 1.0)).xyz;
     let emitted_vertex = i32(u32(index % 2));

@@ -2,12 +2,12 @@
 // Shared: geometry shader, by Burnish.
 // Fins on some triangles, and some more on all.
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };
 
-layout(std140, binding = 1) uniform Material {
+layout(std140, binding = 3) uniform Material {
     int fins;
 };
 

@@ -2,7 +2,7 @@
 // Tent: geometry shader, by Burnish.
 // A roof over each triangle, walls around it, and a flag on every third one.
 
-layout(std140, set = 0, binding = 0) uniform View {
+layout(std140, set = 0, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };

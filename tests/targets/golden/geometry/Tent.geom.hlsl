@@ -1,7 +1,7 @@
 // Tent: geometry shader, by Burnish.
 // A roof over each triangle, walls around it, and a flag on every third one.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };

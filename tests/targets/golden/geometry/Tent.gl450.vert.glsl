@@ -2,11 +2,11 @@
 // Tent: vertex shader, by Burnish.
 // A roof over each triangle, walls around it, and a flag on every third one.
 
-layout(std140, binding = 2) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     mat4 object_to_world;
 };
 
-layout(std140, binding = 3) uniform DrawDerived {
+layout(std140, binding = 9) uniform DrawDerived {
     mat3x4 normal_matrix;
 };
 

@@ -2,7 +2,7 @@
 // Blanket: control shader, by Burnish.
 // A blanket that is finer where it is wider.
 
-layout(std140, binding = 1) uniform Material {
+layout(std140, binding = 3) uniform Material {
     float detail;
     float bump;  /// How far the middles of the triangles rise.
 };

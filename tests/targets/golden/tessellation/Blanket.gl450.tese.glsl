@@ -2,21 +2,21 @@
 // Blanket: evaluation shader, by Burnish.
 // A blanket that is finer where it is wider.
 
-layout(std140, binding = 0) uniform View {
+layout(std140, binding = 1) uniform View {
     mat4 view_projection;  /// World to clip space
     vec3 eye;  /// Where the viewer stands
 };
 
-layout(std140, binding = 1) uniform Material {
+layout(std140, binding = 3) uniform Material {
     float detail;
     float bump;  /// How far the middles of the triangles rise.
 };
 
-layout(std140, binding = 2) uniform Draw {
+layout(std140, binding = 8) uniform Draw {
     mat4 object_to_world;
 };
 
-layout(std140, binding = 3) uniform DrawDerived {
+layout(std140, binding = 9) uniform DrawDerived {
     mat3x4 normal_matrix;
 };
 

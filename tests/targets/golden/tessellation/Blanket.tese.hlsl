@@ -1,7 +1,7 @@
 // Blanket: evaluation shader, by Burnish.
 // A blanket that is finer where it is wider.
 
-cbuffer View : register(b0, space0) {
+cbuffer View : register(b1, space0) {
     column_major float4x4 view_projection;  /// World to clip space
     float3 eye;  /// Where the viewer stands
 };
