@@ -34,6 +34,7 @@ from ..targets.description.profile import LIMITED, Profile
 from ..targets.description.shading_language import Language
 from ..targets.emit.directives import Directed, directed
 from ..targets.emit.emitter import EmitOptions, EmittedFile, emit
+from ..targets.legalise.bindings import clashes
 from ..targets.legalise.forms import form_for
 from ..targets.legalise.guards import keeps
 from ..targets.legalise.lacks import Lack, lacks
@@ -46,6 +47,10 @@ from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, Spans
 
 if TYPE_CHECKING:
     from ..compiler.ir.frame import Frame, FrameShader
+
+
+MOVED = "give the host's block another number, or have `--bindings` move the others (`first`)"
+"""The advice about a binding number that is occupied."""
 
 
 class Asked(NamedTuple):
@@ -67,6 +72,8 @@ class Asked(NamedTuple):
     """Values and ranges of parameters, by name, to which the texts are limited."""
     specialise: bool = True
     """False if the texts serve all values, and only hosts are told of these."""
+    bindings: Path | str | None = None
+    """The file of a binding scheme, or a scheme as JSON; ``None`` for the usual one."""
 
 
 @seldom_collected
@@ -99,6 +106,8 @@ class _Computed:
 def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     """Run all phases, from reading to printing. Raises ``CompileError``."""
     chosen = select_targets(asked.targets, report, single_file=asked.emit.single_file)
+    if asked.bindings is not None:
+        chosen = _bound(chosen, asked.bindings, inputs, report)
     frontend = Frontend(report, asked.search_path, inputs)
     module = opened(asked.source, frontend)
     frames: list[Frame] | None = None
@@ -131,6 +140,28 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     if report.failed:
         raise CompileError(report.diagnostics)
     return _Computed(ResultGraphs(tuple(made), tuple(frames or ())), tuple(lacking), chosen)
+
+
+def _bound(
+    chosen: Sequence[tuple[Language, Profile]],
+    bindings: Path | str,
+    inputs: Inputs,
+    report: Report,
+) -> list[tuple[Language, Profile]]:
+    """The profiles with a scheme of the user's, whose mistakes are reported."""
+    from json import loads
+
+    from ..targets.binding_schemes import IN_MEMORY, scheme_in, scheme_of, with_scheme
+
+    if isinstance(bindings, str):
+        scheme = scheme_of(loads(bindings), IN_MEMORY, report)
+    else:
+        scheme = scheme_in(bindings, inputs, report)
+    return (
+        list(chosen)
+        if scheme is None
+        else [(language, with_scheme(profile, scheme)) for language, profile in chosen]
+    )
 
 
 def _specialised(
@@ -279,6 +310,12 @@ def _lacking(
                 what=f"{excess.what} of {shader.name}", target=name, limit=excess.limit,
                 hint=excess.instead or within(excess.limit_name, excess.count, profile),
             )  # fmt: skip
+        for clash in clashes(program, profile):
+            report.add(
+                rules.OCCUPIED, places.get(clash.name) or places.get(clash.other),
+                name=clash.name, other=clash.other, group=clash.slot.set,
+                binding=clash.slot.binding, target=name, hint=MOVED,
+            )  # fmt: skip
         for lack in lacks(program, profile):
             report.add(
                 rules.UNSUPPORTED,
@@ -326,7 +363,7 @@ def _output(
 ) -> OutputFile:
     """The record of a text. Its source map is found when asked for, unless the text shows it."""
     target, profile = legal.language, legal.profile
-    default = profile is target.profiles[0]
+    default = profile.name == target.profiles[0].name
     name = graphs.shader.name
     parts = (name, file.suffix) if default else (name, profile.name, file.suffix)
     if options.line_directives and target.line_directive:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
+from os import PathLike
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any
@@ -76,6 +77,7 @@ def compile(
     partial: bool = False,
     native_stages: bool = False,
     keep_graphs: bool = False,
+    bindings: str | PathLike[str] | Mapping[str, Any] | None = None,
 ) -> CompileResult:
     """Compile a file, or a text, for some targets.
 
@@ -94,7 +96,8 @@ def compile(
     divides patches has the stages for it that a target provides; otherwise each primitive or patch
     is drawn as an instance. With ``keep_graphs``, the graphs behind the texts stay as long as the
     result; otherwise only those of the last results do. Whatever needs the graphs of another one,
-    such as its first ``reflection``, then takes as long as compiling it once more.
+    such as its first ``reflection``, then takes as long as compiling it once more. ``bindings`` is
+    a binding scheme: the path of a file of TOML, or a mapping with the same content.
 
     Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
     of other types.
@@ -108,7 +111,7 @@ def compile(
     asked = Asked(
         tuple(_names_of_targets(targets)), *sources(source, search_path), material, rig, pass_,
         Options(hoist), EmitOptions(flip_y, single_file, line_directives), partial, native_stages,
-        keep_graphs, _texts_of(values), specialise,
+        keep_graphs, _texts_of(values), specialise, _scheme(bindings),
     )  # fmt: skip
     library = current_library()
     result = _REMEMBERED.find(asked, library)
@@ -233,6 +236,21 @@ def _texts_of(values: Mapping[str, GivenValue]) -> tuple[tuple[str, str], ...]:
     """Values as a command line has them."""
     expect("values", values, Mapping, "a mapping of names to values")
     return tuple((name, _text_of(name, value)) for name, value in values.items())
+
+
+def _scheme(given: str | PathLike[str] | Mapping[str, Any] | None) -> Path | str | None:
+    """A binding scheme as the path of its file, or as JSON."""
+    if given is None:
+        return None
+    expect("bindings", given, (str, PathLike, Mapping), "a path or a mapping")
+    if not isinstance(given, Mapping):
+        return Path(given)
+    from json import dumps
+
+    try:
+        return dumps(to_json(given))
+    except TypeError:
+        raise TypeError("`bindings` takes numbers, truth values and names") from None
 
 
 def _text_of(name: str, value: GivenValue) -> str:

@@ -36,7 +36,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish -o build/
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
-        burnish compile materials/*.burnish -o build/
+        burnish compile materials/*.burnish --bindings engine.toml -o build/
         burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
     """
     each_once(chosen["values"])
@@ -47,6 +47,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
     if watch:
         from .watch import watch as repeat
 
-        repeat(request.files, request.search_path, lambda: succeeds(request, None))
+        further = () if request.bindings is None else (request.bindings,)
+        repeat(request.files, request.search_path, lambda: succeeds(request, None), further)
     elif not succeeds(request, context.obj if isinstance(context.obj, Question) else None):
         context.exit(FAILED)

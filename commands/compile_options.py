@@ -92,6 +92,14 @@ HOIST = Option(
     "Leave values that depend only on parameters to the host, or compute them in the shader.",
     off="--no-hoist",
 )
+BINDINGS = Option(
+    "bindings",
+    ("--bindings",),
+    "A file of TOML that says where things are bound: sets, first numbers, combined samplers, push "
+    "constants.",
+    metavar="FILE",
+    is_path=True,
+)
 NATIVE_STAGES = Option(
     "native_stages",
     ("--native-stages",),
@@ -106,7 +114,7 @@ CACHE = Option(
 
 OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
+    LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -133,6 +141,7 @@ class CompileRequest:
     flip_y: bool = False
     line_directives: bool = False
     hoist: bool = True
+    bindings: Path | None = None
     native_stages: bool = False
     cache: bool = True
 
@@ -175,7 +184,9 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
             chosen["files"] = (*chosen.get("files", ()), Path(word))
         else:
             return None
-    paths = (*chosen.get("search_path", ()), *chosen.get("files", ()))
+    paths = [*chosen.get("search_path", ()), *chosen.get("files", ())]
+    if "bindings" in chosen:
+        paths.append(chosen["bindings"])
     if not chosen.keys() >= {"files", "output"} or not all(map(_may_be_read, paths)):
         return None
     if not _are_named_once(chosen.get("values", ())):

@@ -68,6 +68,7 @@ def _result(request: CompileRequest, file: Path) -> CompileResult:
         single_file=request.single_file,
         line_directives=request.line_directives,
         native_stages=request.native_stages,
+        bindings=request.bindings,
     )
 
 

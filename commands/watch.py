@@ -9,7 +9,6 @@ import os
 import stat
 import time
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from threading import Event, Lock
 from typing import Generic, TypeVar
@@ -42,9 +41,15 @@ Stamp = tuple[int, ...] | None
 """The data by which a changed file is recognised; ``None`` if there is no file."""
 
 
-def watch(files: Sequence[Path], search_path: Sequence[Path], act: Callable[[], object]) -> None:
+def watch(
+    files: Sequence[Path],
+    search_path: Sequence[Path],
+    act: Callable[[], object],
+    further: Sequence[Path] = (),
+) -> None:
     """Call ``act`` now and after each change to one of the files or its imports; never returns.
 
+    ``further`` are files of another kind on which everything depends.
     Raises ``UsageError`` if the package that watches is not installed.
     """
     try:
@@ -55,7 +60,7 @@ def watch(files: Sequence[Path], search_path: Sequence[Path], act: Callable[[], 
     watcher = Watcher[Path]()
 
     def follow(file: Path) -> None:
-        watcher.follow(file, file, partial(sources, file, search_path))
+        watcher.follow(file, file, lambda: sources(file, search_path) | {*further})
 
     for file in files:
         follow(file)

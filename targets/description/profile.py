@@ -124,10 +124,12 @@ class Limits:
     """Bytes that the invocations of a work group share."""
     groups: int | None = None
     """Bind groups, if they are limited; this concerns the host's own blocks, which have fixed
-    groups."""
+    groups, and schemes."""
     bindings: int | None = None
-    """Binding numbers in a group, if they are limited; for the host's own blocks, too."""
+    """Binding numbers in a group, if they are limited; for the same."""
 
+    push_constant_bytes: int = 128
+    """Bytes of push constants, where there are any."""
     numbers: Mapping[BindingKind, int] = EMPTY
     """Binding numbers of each kind, where each kind is numbered on its own."""
 
@@ -190,6 +192,7 @@ LIMITED: Mapping[str, Limited] = {
     "shared_bytes": Limited("bytes that a work group shares", COMPUTE),
     "emitted_vertices": Limited("vertices of one primitive", GEOMETRY),
     "emitted_components": Limited("numbers at the vertices of one primitive", GEOMETRY),
+    "push_constant_bytes": Limited("bytes of push constants"),
     "groups": Limited("bind groups"),
     "bindings": Limited("bindings in a group"),
 }

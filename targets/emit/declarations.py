@@ -117,6 +117,7 @@ class Declarations:
             register=self._register("block", slot),
             argument=self._argument(block),
             members=tuple(self._member(block, member) for member in block.members),
+            pushed=block.name == self._bindings.push_constants,
         )
 
     def _argument(self, block: Block) -> str:

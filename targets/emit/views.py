@@ -42,6 +42,8 @@ class BlockView:
     argument: str
     """The block as a parameter of a function."""
     members: tuple[MemberView, ...]
+    pushed: bool
+    """True if it is push constants, which have no binding."""
 
 
 @frozen

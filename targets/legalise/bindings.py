@@ -100,7 +100,7 @@ def assign_bindings(program: Program, profile: Profile) -> Bindings:
         images=slots["image"],
         sampler_owners=owners,
         every=numbered,
-        push_constants=_pushed(program, profile),
+        push_constants=pushed_block(program, profile),
     )
 
 
@@ -109,6 +109,10 @@ def clashes(program: Program, profile: Profile) -> Iterator[Clash]:
 
     Textures and buffers take numbers that are free.
     """
+    if profile.numbering == "kind" or not profile.explicit_bindings:
+        return
+    if not program.shader.externs and not profile.scheme.first:
+        return
     found: dict[BindingSlot, str] = {}
     every = _numbered(_everything(program, profile, sampler_owners(program, profile)), profile)
     for bound, slot in every:
@@ -118,8 +122,8 @@ def clashes(program: Program, profile: Profile) -> Iterator[Clash]:
             found[slot] = bound.name
 
 
-def _pushed(program: Program, profile: Profile) -> str:
-    """The block that is push constants."""
+def pushed_block(program: Program, profile: Profile) -> str:
+    """The block that is push constants; empty if there is none."""
     group = profile.scheme.push_constants
     if not group or not profile.push_constants:
         return ""

@@ -27,7 +27,8 @@ from ..description.capabilities import (
     without_native_stages,
 )
 from ..description.capability import feature_of_stage
-from ..description.profile import LIMITED, Limits, Profile, buffer_limit
+from ..description.profile import LIMITED, Profile, buffer_limit
+from .bindings import pushed_block
 from .lacks import capturing, emitting, is_lowered
 from .samplers import sampler_count, sampler_owners
 
@@ -69,7 +70,7 @@ def excesses(program: Program, profile: Profile) -> Iterator[Excess]:
             yield Excess(name, count, limit, first, of_expansion=of_corners, instead=instead)
     if not {stage.row for stage in emitting(program)} - {*profile.stages}:
         yield from _too_much_emitted(program, profile)
-    yield from _excessive_places(program, profile.limits)
+    yield from _excessive_places(program, profile)
 
 
 def _first_beyond(program: Program, name: str, limit: int) -> str:
@@ -117,6 +118,7 @@ def _counts(program: Program, profile: Profile) -> dict[str, int]:
         if program.shader.work_group is None
         else invocations(program.shader.work_group),
         "shared_bytes": _shared_bytes(program),
+        "push_constant_bytes": _push_constant_bytes(program, profile),
         **_buffer_counts(program, profile),
     }
 
@@ -156,6 +158,12 @@ def _shared_bytes(program: Program) -> int:
     # A vector of three lanes takes the room of four in some languages.
     lanes = sum({3: 4}.get(width(type_), width(type_)) for type_ in joined)
     return lanes * LANE_BYTES * invocations(program.shader.work_group)
+
+
+def _push_constant_bytes(program: Program, profile: Profile) -> int:
+    """The size of the block that is push constants, if one is."""
+    name = pushed_block(program, profile)
+    return next((block.size for block in program.blocks if block.name == name), 0)
 
 
 def _buffer_counts(program: Program, profile: Profile) -> dict[str, int]:
@@ -212,16 +220,24 @@ def _nested_blocks(region: Region) -> int:
     return deepest
 
 
-def _excessive_places(program: Program, limits: Limits) -> Iterator[Excess]:
-    """Bindings of the host's own blocks that the profile does not have. They count from 0."""
-    for block in program.blocks:
-        if block.host is not None:
-            for name, number, limit in (
-                ("groups", block.host.group, limits.groups),
-                ("bindings", block.host.binding, limits.bindings),
-            ):
-                if limit is not None and number >= limit:
-                    yield Excess(name, number + 1, limit, block.name)
+def _excessive_places(program: Program, profile: Profile) -> Iterator[Excess]:
+    """Bindings of the host's own blocks, and of the scheme, that the profile does not have.
+
+    They count from 0.
+    """
+    scheme, limits = profile.scheme, profile.limits
+    of_host = [(block.host, block.name) for block in program.blocks]
+    groups = [(place.group, name) for place, name in of_host if place is not None]
+    groups += [(number, "") for number in (*scheme.sets.values(), *scheme.resources.values())]
+    bindings = [(place.binding, name) for place, name in of_host if place is not None]
+    bindings += [(number, "") for number in scheme.first.values()]
+    for limit_name, numbers, limit in (
+        ("groups", groups, limits.groups),
+        ("bindings", bindings, limits.bindings),
+    ):
+        for number, name in numbers:
+            if limit is not None and number >= limit:
+                yield Excess(limit_name, number + 1, limit, name)
 
 
 LANE_BYTES = 4

@@ -42,3 +42,15 @@ ASKED_OF_DEVICES = warning(
     "The text is written. A host has to ask the device for as many, and to do without the material "
     "where a device has fewer: the reflection says it, `required_limits` of the backend.",
 )
+BINDING_SCHEME = error(
+    "B0708",
+    "{file}: {problem}",
+    "A scheme of bindings has the tables `sets`, `resources`, `first` and `kinds`, and the values "
+    "`combined_samplers` and `push_constants`; the page on commands explains them.",
+)
+OCCUPIED = error(
+    "B0709",
+    "`{name}` and `{other}` both have binding {binding} of group {group} for {target}",
+    "A binding number is used once in a group. Blocks have numbers that follow from the groups of "
+    "parameters, so that all materials agree; textures and buffers take what is free.",
+)
