@@ -154,10 +154,10 @@ def _groups(shader: Shader) -> list[str]:
 
 
 def _host_blocks(program: Program) -> Iterator[Bound]:
-    read = {block.name for block in program.blocks}
-    for extern in program.shader.externs:
-        place = BindingSlot(extern.place.group, extern.place.binding)
-        name = extern.place.name
+    read = {block.name: block.host for block in program.blocks if block.host is not None}
+    every = {extern.place.name: extern.place for extern in program.shader.externs} | read
+    for name, host in every.items():
+        place = BindingSlot(host.group, host.binding)
         yield Bound("block", name, place.set, name in read, place=place)
 
 
@@ -177,7 +177,8 @@ def _block(
     program: Program, group: str, set_: int, *, derived: bool, first: int | None = None
 ) -> Bound:
     own = [b for b in program.blocks if b.host is None and (b.group, b.derived) == (group, derived)]
-    name = own[0].name if own else block_name(group, derived)
+    hosts = frozenset(extern.place.name for extern in program.shader.externs)
+    name = own[0].name if own else block_name(group, derived, hosts)
     parameters = [info.leaf for info in program.shader.parameters]
     has_own = any(leaf.group == group and leaf.host is None for leaf in parameters)
     is_declared = bool(own) or (has_own and not derived)

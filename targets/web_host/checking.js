@@ -19,7 +19,8 @@ import { PACKAGE } from "./generated/shapes.js";
 /** An object of JSON. @typedef {Record<string, unknown>} Members */
 /** The number of rows of each list. @typedef {Record<string, number>} Counts */
 
-const VERSION = 2;
+/** The versions of documents that this host reads. @type {Record<string, number>} */
+const VERSIONS = { packages: 2, plans: 2, reflections: 3 };
 /** @type {Record<string, string>} */
 const KINDS = {
   null: "null", boolean: "true or false", integer: "a whole number", number: "a number",
@@ -36,9 +37,9 @@ export function checkPackage(from) {
   const reflections = listOf(shaders).map((each) => membersOf(membersOf(each).reflection).format);
   const found = { packages: [version], plans: [ofPlan], reflections };
   for (const [what, versions] of Object.entries(found)) {
-    const other = versions.find((each) => each !== undefined && each !== VERSION);
+    const other = versions.find((each) => each !== undefined && each !== VERSIONS[what]);
     if (other === undefined) continue;
-    const known = `this host knows ${what} of version ${VERSION}`;
+    const known = `this host knows ${what} of version ${VERSIONS[what]}`;
     const make = "make the package again with `frame_package`";
     throw new Error(`${known}, and this one is of version ${shown(other)}: ${make}`);
   }

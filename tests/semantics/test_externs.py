@@ -75,10 +75,10 @@ def test_wide_gaps_are_filled_by_rows() -> None:
     assert len(fillers) < 10
 
 
-def test_our_own_blocks_keep_out_of_the_way() -> None:
+def test_our_own_blocks_and_textures_have_other_places() -> None:
     text = """
-    extern block Material per frame at group 2, binding 0 { gain : float at 0 }
-    extern block Two per view at group 0, binding 1 { zoom : float at 0 }
+    extern block Material per frame at group 2, binding 6 { gain : float at 0 }
+    extern block Two per view at group 0, binding 2 { zoom : float at 0 }
     material M {
         param tint : rgb per frame = #fff
         param far  : float = 2
@@ -93,8 +93,34 @@ def test_our_own_blocks_keep_out_of_the_way() -> None:
     ]  # fmt: skip
     places = [(row.group, row.binding) for row in rows]
     assert len(set(places)) == len(places)
-    assert {(2, 0), (0, 1)} <= set(places)
+    assert {(2, 6), (0, 2)} <= set(places)
     assert len(compiled.reflection.blocks) == len(backend.blocks)
+
+
+OCCUPIED = """
+extern block PerView per view at group 0, binding 1 { zoom : float at 0 }
+material M { color = vec3(zoom) }
+"""
+
+
+def test_a_place_that_is_occupied_is_told() -> None:
+    with pytest.raises(burnish.CompileError) as failed:
+        burnish.compile(OCCUPIED, ("wgsl", "glsl:gl450"))
+    (found,) = failed.value.diagnostics
+    assert (found.rule.code, found.message) == (
+        "B0709",
+        "`PerView` and `View` both have binding 1 of group 0 for wgsl:webgpu",
+    )
+    assert found.span is not None
+    assert found.span.text == "PerView"
+    burnish.compile(OCCUPIED, ("wgsl",), bindings={"first": {"view": 2}})
+
+
+def test_a_place_is_free_where_the_group_has_no_block() -> None:
+    text = OCCUPIED.replace("binding 1", "binding 0")
+    (compiled,) = burnish.compile(text, ("wgsl",))
+    (first, *_) = compiled.reflection.backends["wgsl:webgpu"].layouts
+    assert [(entry.binding, entry.name) for entry in first.entries] == [(0, "PerView"), (1, "View")]
 
 
 def test_members_are_imported_by_name(tmp_path: Path) -> None:

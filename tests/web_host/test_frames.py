@@ -59,10 +59,10 @@ def changed(whole: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
     return made
 
 
-def other_version(what: str, version: int) -> str:
+def other_version(what: str, version: int, known: int = 2) -> str:
     return (
-        f"this host knows {what} of version 2, and this one is of version {version}: make the "
-        "package again with `frame_package`"
+        f"this host knows {what} of version {known}, and this one is of version {version}: make "
+        "the package again with `frame_package`"
     )
 
 
@@ -71,7 +71,7 @@ def other_version(what: str, version: int) -> str:
     [
         ("package", 1, other_version("packages", 1)),
         ("plan/plan", 7, other_version("plans", 7)),
-        ("shaders/1/reflection/format", 1, other_version("reflections", 1)),
+        ("shaders/1/reflection/format", 1, other_version("reflections", 1, 3)),
         ("shaders/0/texts", {}, "the package of ByHand has no texts for a browser"),
         ("values", {}, "ByHand needs a value for `glow`"),
         ("values/glow", 11, "`glow` is declared in 0..10: 11 is not"),
