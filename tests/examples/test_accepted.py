@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from _pytest.mark import ParameterSet
 
 import burnish
 from burnish import CompileResult
+from burnish.api.entry_points import CompiledMaterial
 from burnish.targets.runner.codes import modules
 from burnish.targets.runner.routes import ROUTES
 from burnish.targets.toolchain import Job, Toolchain, Verdict
@@ -131,8 +133,43 @@ def check_accepted(compiled: Compiled) -> None:
     assert sum(1 for _ in jobs(result)) >= wanted
 
 
+@cache
+def shared_layouts() -> Mapping[str, str]:
+    """The ids of the layout of set 0 in one material, by profile."""
+    plastic = next(variant for variant in VARIANTS if variant.path.stem == "plastic")
+    (material,) = plastic.compile().materials
+    return layouts(material, 0)
+
+
+def layouts(material: CompiledMaterial, group: int) -> Mapping[str, str]:
+    """The ids of a material's layouts of one group, by profile."""
+    return {
+        name: row.layout_id
+        for name, backend in material.reflection.backends.items()
+        for row in backend.layouts
+        if row.group == group
+    }
+
+
+def check_layouts(material: CompiledMaterial) -> None:
+    """All examples have one layout of set 0, in each profile."""
+    assert layouts(material, 0).items() <= shared_layouts().items(), material.name
+
+
 def test_accepted(variant: Variant, find: Find) -> None:
     check_accepted(find(variant))
+
+
+def test_one_layout_for_the_view_and_one_for_a_rig(variant: Variant, find: Find) -> None:
+    """A host binds these once, and then draws all materials."""
+    materials = find(variant).result.materials
+    for material in materials:
+        check_layouts(material)
+    of_rig = [layouts(material, 1) for material in materials]
+    every = {name: layout for found in of_rig for name, layout in found.items()}
+    assert every
+    for found in of_rig:
+        assert found.items() <= every.items()
 
 
 def test_only_profiles_that_lack_something_are_left_out(variant: Variant, find: Find) -> None:
@@ -147,6 +184,8 @@ def test_frames_are_accepted(path: Path, find: Find) -> None:
     lacking = {name for material in compiled.result.materials for name in material.lacking}
     assert lacking == LACKING_OF_FRAMES.get(path.stem, frozenset())
     check_accepted(compiled)
+    for material in compiled.result.materials:
+        check_layouts(material)
 
 
 def test_every_example_is_tried() -> None:

@@ -83,7 +83,7 @@ def test_our_own_blocks_and_textures_have_other_places() -> None:
         param tint : rgb per frame = #fff
         param far  : float = 2
         map albedo : texture2d
-        color = tint * far * gain * zoom * albedo(uv).rgb
+        color = tint * far * (gain + uv.x) * zoom * albedo(uv).rgb
     }
     """
     (compiled,) = burnish.compile(text, ("wgsl",))
