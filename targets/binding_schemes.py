@@ -88,12 +88,12 @@ class _Row:
     """Gives what is wrong with its value, as sentences."""
 
 
-def _numbers(names: Callable[[str], str]) -> Callable[[str, object], Iterator[str]]:
+def _numbers(names: Callable[[str], str], example: str) -> Callable[[str, object], Iterator[str]]:
     """The check of a table of numbers; ``names`` says what is wrong with a name, or nothing."""
 
     def problems(key: str, value: object) -> Iterator[str]:
         if not isinstance(value, Mapping):
-            yield f"`{key}` is a table of numbers, as in `{key} = {{ draw = 1 }}`"
+            yield f"`{key}` is a table of numbers, as in `{key} = {{ {example} = 1 }}`"
             return
         for name, number in value.items():
             if wrong := names(str(name)):
@@ -123,10 +123,10 @@ def _name_of_group(key: str, value: object) -> Iterator[str]:
 
 
 _ROWS: Mapping[str, _Row] = {
-    "sets": _Row(_numbers(_group)),
-    "resources": _Row(_numbers(_group)),
-    "first": _Row(_numbers(_group)),
-    "kinds": _Row(_numbers(_kind)),
+    "sets": _Row(_numbers(_group, "draw")),
+    "resources": _Row(_numbers(_group, "draw")),
+    "first": _Row(_numbers(_group, "draw")),
+    "kinds": _Row(_numbers(_kind, "block")),
     "combined_samplers": _Row(_flag),
     "push_constants": _Row(_name_of_group),
 }

@@ -35,6 +35,7 @@ NOT_OF_A_SOURCE = {
     "doubted": "what a downstream compiler says, in tests/toolchain",
     "tool_broke": "about a downstream compiler, in tests/toolchain",
     "tool_missing": "about a downstream compiler, in tests/toolchain",
+    "binding_scheme": "about an option of the command line, in tests/cli",
 }
 ALSO = {"light_lacks_slot": {"B0201"}, "level_differs": {"B0201"}}
 """Codes that a rule's file shows for comparison."""
