@@ -248,9 +248,16 @@ def _scheme(given: str | PathLike[str] | Mapping[str, Any] | None) -> Path | str
     from json import dumps
 
     try:
-        return dumps(to_json(given))
+        return dumps(given, default=_plain)
     except TypeError:
         raise TypeError("`bindings` takes numbers, truth values and names") from None
+
+
+def _plain(value: object) -> dict[str, Any]:
+    """A mapping of any kind as JSON knows it."""
+    if not isinstance(value, Mapping):
+        raise TypeError
+    return dict(value)
 
 
 def _text_of(name: str, value: GivenValue) -> str:

@@ -128,8 +128,9 @@ class Limits:
     bindings: int | None = None
     """Binding numbers in a group, if they are limited; for the same."""
 
-    push_constant_bytes: int = 128
-    """Bytes of push constants, where there are any."""
+    push_constant_bytes: int | None = None
+    """Bytes of push constants; ``None`` where there are none, and a scheme that asks for them is
+    ignored."""
     numbers: Mapping[BindingKind, int] = EMPTY
     """Binding numbers of each kind, where each kind is numbered on its own."""
 
@@ -279,8 +280,6 @@ class Profile:
     """The sets, and the numbers in them."""
     can_combine_samplers: bool = False
     """True if it has textures and samplers apart, and a scheme may ask for both in one."""
-    push_constants: bool = False
-    """True if the block of a group can be push constants."""
     natives: Spellings = EMPTY
     """Spellings that only this profile has."""
     inputs: Mapping[str, PipelineInput] = EMPTY

@@ -119,7 +119,6 @@ DOWNWARDS = {"ddy": "(-dFdy({0}))"}
 VULKAN = Profile(
     name="vulkan",
     can_combine_samplers=True,
-    push_constants=True,
     stages=(*EXPANDED, CONTROL, EVALUATION, *COMPUTED),
     image_formats=STORABLE,
     stream_output=StreamOutput("text"),
@@ -130,7 +129,12 @@ VULKAN = Profile(
     # Every device has 16 textures and samplers in a stage (Vulkan, "Required Limits"). Those of the
     # milestone Roadmap 2022 have 200 textures, and 200 resources of all kinds.
     limits=Limits(
-        groups=4, vertex_buffers=4, fragment_buffers=4, kernel_buffers=4, asked_textures=128
+        groups=4,
+        vertex_buffers=4,
+        fragment_buffers=4,
+        kernel_buffers=4,
+        asked_textures=128,
+        push_constant_bytes=128,
     ),
     limit_names={
         "textures": "maxPerStageDescriptorSampledImages",

@@ -125,7 +125,7 @@ def clashes(program: Program, profile: Profile) -> Iterator[Clash]:
 def pushed_block(program: Program, profile: Profile) -> str:
     """The block that is push constants; empty if there is none."""
     group = profile.scheme.push_constants
-    if not group or not profile.push_constants:
+    if not group or profile.limits.push_constant_bytes is None:
         return ""
     own = (b.name for b in program.blocks if b.host is None and not b.derived and b.group == group)
     return next(own, "")

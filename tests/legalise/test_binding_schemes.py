@@ -78,11 +78,13 @@ def test_texts_say_what_the_reflection_says_and_are_accepted() -> None:
     scheme = {**SCHEME, "combined_samplers": True, "push_constants": "draw"}
     profiles = (*PROFILES, "glsl:gl450", "msl")
     (material,) = burnish.compile(TEXT, profiles, rig="Hall", bindings=scheme).materials
-    texts = {(file.target, file.stage): file.text for file in material.files}
-    assert "layout(push_constant, std140) uniform Draw {" in texts["glsl", "vertex"]
-    assert "layout(set = 0, binding = 10) uniform samplerCube around;" in texts["glsl", "fragment"]
-    assert "cbuffer Draw : register(b3, space1) {" in texts["hlsl", "vertex"]
-    assert "@group(1) @binding(3) var<uniform> draw: Draw;" in texts["wgsl", "vertex"]
+    texts = {(file.profile, file.stage): file.text for file in material.files}
+    assert "layout(push_constant, std140) uniform Draw {" in texts["vulkan", "vertex"]
+    assert (
+        "layout(set = 0, binding = 10) uniform samplerCube around;" in texts["vulkan", "fragment"]
+    )
+    assert "cbuffer Draw : register(b3, space1) {" in texts["sm6", "vertex"]
+    assert "@group(1) @binding(3) var<uniform> draw: Draw;" in texts["webgpu", "vertex"]
     backend = material.reflection.backends["glsl:vulkan"]
     assert backend.push_constants is not None
     assert (backend.push_constants.block, backend.push_constants.size) == ("Draw", 64)
