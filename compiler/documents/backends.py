@@ -45,8 +45,8 @@ class EntryRow:
 
     binding: Count
     """Number within the group."""
-    kind: Literal["block", "buffer", "texture", "sampler", "image"]
-    """What is bound; a texture and a sampler in one are a ``texture``, with a ``sampler``."""
+    kind: Literal["block", "buffer", "texture", "sampler", "combined", "image"]
+    """What is bound; ``combined`` is a texture with its sampler, in one object."""
     type: str
     """WebGPU's word for the type of the binding.
 

@@ -27,7 +27,7 @@ def layout_rows(
     groups: dict[int, dict[int, tuple[Bound, EntryRow]]] = {}
     for bound, slot in bindings.every:
         if _is_listed(bound, slot, profile, bindings):
-            entry = _entry(bound, slot, program, textures)
+            entry = _entry(bound, slot, program, profile, textures)
             groups.setdefault(slot.set, {}).setdefault(slot.binding, (bound, entry))
     shared = profile.scheme.shared_sets
     return tuple(
@@ -87,7 +87,7 @@ def _group_row(
 
 def _type_of(entry: EntryRow, textures: Mapping[str, Texture]) -> object:
     """The type of a texture, by which views of it have to be made."""
-    return textures[entry.name].type if entry.kind == "texture" else ""
+    return textures[entry.name].type if entry.kind in ("texture", "combined") else ""
 
 
 def _drawn(program: Program) -> tuple[str, ...]:
@@ -99,12 +99,14 @@ def _entry(
     bound: Bound,
     slot: BindingSlot,
     program: Program,
+    profile: Profile,
     textures: Mapping[str, Texture],
 ) -> EntryRow:
     assert bound.kind != "written"
+    is_combined = bound.kind == "texture" and profile.samplers.combined
     return EntryRow(
         binding=slot.binding,
-        kind=bound.kind,
+        kind="combined" if is_combined else bound.kind,
         type=_word(bound, program, textures),
         name=bound.name,
         read=bound.is_read,

@@ -59,7 +59,7 @@ def pipeline(reflection: Reflection, route: Route, codes: Codes) -> Pipeline:
         inputs=tuple(
             _input(row, backend) for row in reflection.vertex_inputs if row.buffer is None
         ),
-        blocks=tuple(_block(row, backend.blocks[row.name]) for row in reflection.blocks),
+        blocks=tuple(_block(row, backend) for row in reflection.blocks),
         textures=_textures(reflection, backend),
         buffers=tuple(_buffers(reflection, backend)),
         images=tuple(
@@ -157,10 +157,12 @@ def _input(row: VertexInputRow, backend: BackendRow) -> Input:
     return Input(identifier, row.location, row.format, row.step)
 
 
-def _block(row: BlockRow, binding: BlockBindingRow) -> BlockSlot:
+def _block(row: BlockRow, backend: BackendRow) -> BlockSlot:
     """A block; if it has no name in the text, loose uniforms."""
+    binding, pushed = backend.blocks[row.name], backend.push_constants
     loose = () if binding.identifier else tuple(uniforms_of(row, binding))
-    return BlockSlot(_place(binding), row.size, loose)
+    is_pushed = pushed is not None and pushed.block == row.name
+    return BlockSlot(_place(binding), row.size, loose, is_pushed)
 
 
 def _place(row: BindingRow | BlockBindingRow) -> Place:
@@ -169,8 +171,12 @@ def _place(row: BindingRow | BlockBindingRow) -> Place:
 
 def _textures(reflection: Reflection, backend: BackendRow) -> tuple[TextureSlot, ...]:
     states = {row.texture: row.state for row in reflection.samplers}
+    entries = (entry for layout in backend.layouts for entry in layout.entries)
+    combined = {entry.name for entry in entries if entry.kind == "combined"}
     return tuple(
-        _texture(row, backend, states.get(row.name)) for row in reflection.textures if row.stages
+        replace(_texture(row, backend, states.get(row.name)), combined=row.name in combined)
+        for row in reflection.textures
+        if row.stages
     )
 
 

@@ -75,3 +75,29 @@ def test_a_layout_of_what_is_declared_draws_the_same(vulkan: Asker, way: str, na
     expected = drawn(made, draw)
     assert np.ptp(expected[:, :, :3]) > 0.1
     assert np.array_equal(drawn(*whole(reflection, route.profile, made, draw)), expected)
+
+
+def test_push_constants_and_combined_samplers_draw_the_same(vulkan: Asker) -> None:
+    """Of a texture that is sampled, and of one of which texels are only loaded."""
+    text = """
+    material Worn {
+        map albedo : texture2d
+        map wear   : texture2d
+        color = albedo(uv).rgb * (0.25 + uv.x + wear.load(ivec2(0), 0).rgb)
+    }
+    """
+    route = ROUTES[f"{vulkan.driver}:glsl"]
+    schemes: tuple[dict[str, object], ...] = (
+        {},
+        {"combined_samplers": True, "push_constants": "draw"},
+    )
+    found: list[Floats] = []
+    for scheme in schemes:
+        (material,) = burnish.compile(text, (route.profile,), bindings=scheme).materials
+        reflection = Exact.of(material).reflection
+        codes = compile_one(route, material.files, tools())
+        state = set_up(Instance(reflection), meshes.mesh("sphere"), Scene(), SIZE)
+        (drawn,) = vulkan.draw(draw_job(pipeline(reflection, route, codes), (state.draw(),)))
+        found.append(pixels(drawn))
+    assert np.ptp(found[0][:, :, 0]) > 0.1
+    assert np.array_equal(found[0], found[1])

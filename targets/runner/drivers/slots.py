@@ -47,6 +47,8 @@ class BlockSlot:
     """The block's size in bytes."""
     uniforms: tuple[UniformSlot, ...] = ()
     """The loose uniforms that replace the block, if the text has no blocks."""
+    pushed: bool = False
+    """True for push constants, which have no place. Only Vulkan has them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +95,9 @@ class TextureSlot:
     anisotropy: int = 1
     """The most samples along the longer side of a footprint. Only packages for web pages say more
     than 1: no API says what such a filter computes, so what is compared is drawn without it."""
+    combined: bool = False
+    """True if a descriptor has to be of a texture and a sampler in one, even if nothing samples.
+    Where something does, a texture without a sampler's place is one anyway."""
     dimension: Dimension = "2d"
     sample: Sample = "float"
     sampling: Sampling | None = "filtering"

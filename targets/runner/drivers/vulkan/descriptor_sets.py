@@ -67,6 +67,8 @@ class DescriptorSets:
     def fill(self, gpu: Gpu) -> None:
         """Make the descriptors that never change refer to the blocks' buffers and the samplers."""
         for block, buffer in zip(self.slots.blocks, self.blocks, strict=True):
+            if block.pushed:
+                continue
             part = vk.VkDescriptorBufferInfo(buffer=buffer.handle, range=buffer.size)
             self._write(gpu, block.place, BLOCK, pBufferInfo=[part])
         for slot, sampler in zip(self.slots.textures, self.samplers, strict=True):
@@ -116,7 +118,8 @@ def _descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
 
 def _used_descriptors(pipeline: Pipeline) -> Iterator[tuple[Place, int]]:
     for block in pipeline.blocks:
-        yield block.place, BLOCK
+        if not block.pushed:
+            yield block.place, BLOCK
     for buffer in pipeline.buffers:
         yield buffer.place, STORAGE
     for image in pipeline.images:
@@ -133,7 +136,8 @@ def sampler_places(pipeline: Pipeline) -> list[Place]:
 
 
 def _texture_type(slot: TextureSlot) -> int:
-    return int(COMBINED if slot.sampler is None and slot.sampling is not None else TEXTURE)
+    is_combined = slot.combined or (slot.sampler is None and slot.sampling is not None)
+    return int(COMBINED if is_combined else TEXTURE)
 
 
 def _layouts(owned: ExitStack, gpu: Gpu, kinds: Sequence[tuple[Place, int]]) -> list[Any]:

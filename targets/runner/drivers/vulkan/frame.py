@@ -30,8 +30,9 @@ from .descriptor_sets import DescriptorSets
 from .device import Gpu, recording
 from .formats import DEPTHS
 from .frame_textures import BUFFER_USES, USES, MadeTexture, make_frame_textures, record
-from .graphics_pipeline import make_layout, make_pipeline, viewport
+from .graphics_pipeline import make_pipeline, viewport
 from .memory import Buffer, filled_buffer, make_buffer
+from .pipeline_layout import make_layout, push
 from .render_passes import GRAPHICS, RenderPasses
 from .uploads import MESH, STORAGE, Uploads
 
@@ -217,7 +218,7 @@ class _Frame:
         """Bind the pipeline of a draw, and the resources that it reads."""
         key = drawn.pipeline, bound.slots.targets, render_pass
         if key not in self._pipelines:
-            layout = make_layout(self._owned, self._gpu, bound.layouts)
+            layout = make_layout(self._owned, self._gpu, bound)
             described = saying_places(bound.slots)
             made = make_pipeline(self._owned, self._gpu, described, layout, render_pass)
             self._pipelines[key] = made, layout
@@ -227,6 +228,7 @@ class _Frame:
             vk.vkCmdBindDescriptorSets(
                 commands, GRAPHICS, layout, 0, len(bound.sets), bound.sets, 0, None
             )
+        push(commands, layout, bound.slots, drawn.values.blocks)
 
     def _draw_mesh(self, commands: Any, draw: Draw) -> None:
         if not draw.indices:  # A buffer of no bytes cannot be made.
@@ -241,7 +243,7 @@ class _Frame:
     def _run(self, commands: Any, step: FrameStep, bound: DescriptorSets) -> None:
         key = step.draws[0].pipeline
         if key not in self._pipelines:
-            layout = make_layout(self._owned, self._gpu, bound.layouts)
+            layout = make_layout(self._owned, self._gpu, bound)
             made = make_compute_pipeline(self._owned, self._gpu, bound.slots, layout)
             self._pipelines[key] = made, layout
         pipeline, layout = self._pipelines[key]
@@ -250,6 +252,7 @@ class _Frame:
             vk.vkCmdBindDescriptorSets(
                 commands, COMPUTE, layout, 0, len(bound.sets), bound.sets, 0, None
             )
+        push(commands, layout, bound.slots, step.draws[0].values.blocks)
         vk.vkCmdDispatch(commands, *step.groups)
 
     def _wait_for_buffers(self, commands: Any, barriers: Sequence[BufferBarrier]) -> None:

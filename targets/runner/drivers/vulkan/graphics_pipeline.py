@@ -131,14 +131,6 @@ def viewport(pipeline: Pipeline, left: int, top: int, width: int, height: int) -
     return vk.VkViewport(float(left), bottom, float(width), -float(height), 0.0, 1.0)
 
 
-def make_layout(owned: ExitStack, gpu: Gpu, sets: Sequence[Any]) -> Any:
-    """A pipeline layout from the layouts of descriptor sets."""
-    info = vk.VkPipelineLayoutCreateInfo(pSetLayouts=sets)
-    layout = vk.vkCreatePipelineLayout(gpu.device, info, None)
-    owned.callback(vk.vkDestroyPipelineLayout, gpu.device, layout, None)
-    return layout
-
-
 def make_pipeline(
     owned: ExitStack, gpu: Gpu, pipeline: Pipeline, layout: Any, render_pass: Any
 ) -> Any:

@@ -72,7 +72,7 @@ def _pipeline_problems(gpu: Gpu, pipeline: Pipeline) -> Iterator[str]:
                 f"uniform block {slot.place.identifier!r} has {slot.size} bytes, and the device "
                 f"takes at most {limits.maxUniformBufferRange}"
             )
-    places = [slot.place for slot in pipeline.blocks]
+    places = [slot.place for slot in pipeline.blocks if not slot.pushed]
     places += [slot.place for slot in pipeline.buffers]
     places += [slot.texture for slot in pipeline.textures]
     places += [slot.sampler for slot in pipeline.textures if slot.sampler is not None]
