@@ -7,10 +7,11 @@ which block it lies, and the order of the declarations decides the order in the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from .ir.groups import STANDARD_GROUPS, block_name
 from .ir.leaves import Parameter
 from .ir.program import Block, StoredMember
 from .ir.storage import (
@@ -26,12 +27,6 @@ from .ir.types import FLOAT, Array, Type, Vector
 
 if TYPE_CHECKING:
     from .ir.shader import ExternInfo, Shader
-
-STANDARD_GROUPS = ("frame", "view", "rig", "material", "draw")
-"""The groups that exist in every shader, in the order of their bindings."""
-
-SHARED_GROUPS = ("frame", "view", "rig")
-"""The groups whose blocks serve many materials."""
 
 
 def blocks_of(shader: Shader, derived: Sequence[Parameter]) -> tuple[Block, ...]:
@@ -103,21 +98,6 @@ def _fillers(start: int, end: int) -> Iterator[tuple[Type, int]]:
         filler: Type = Array(Vector("float", 4), rows) if rows else FLOAT
         yield filler, start
         start += byte_size(filler)
-
-
-def block_name(group: str, derived: bool, taken: Set[str] = frozenset()) -> str:
-    """The suggested identifier of a group's block: ``Material``, ``MaterialDerived``.
-
-    What is derived from a shared group differs between materials: ``DerivedFromRig`` belongs to one
-    material, and not to the rig as ``Rig`` does. The groups ``wind`` and ``Wind`` would have the
-    same one, so the second is ``WindGroup``.
-    """
-    name = group[:1].upper() + group[1:]
-    if derived:
-        name = f"DerivedFrom{name}" if group in SHARED_GROUPS else f"{name}Derived"
-    while name in taken:
-        name += "Group"
-    return name
 
 
 @lru_cache(maxsize=256)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
+from ..documents.digests import layout_digest
 from ..documents.values import BlockMember, BlockRow, LayoutRow, StructMember, StructRow
 from ..ir.leaves import Parameter
 from ..ir.node import Node
@@ -58,22 +59,6 @@ def _layout_id(
     """A digest of where everything lies and, of derived values, of how they are computed."""
     lies = [(member.name, member.type, member.offset) for member in members]
     return layout_digest(lies, structs, *computed)
-
-
-def layout_digest(*facts: object) -> str:
-    """A digest of all that a layout says, as 16 hexadecimal digits."""
-    return f"{_fnv_1a(repr(facts)):016x}"
-
-
-def _fnv_1a(text: str) -> int:
-    """A hash of 64 bits (Fowler, Noll and Vo, http://www.isthe.com/chongo/tech/comp/fnv).
-
-    Python's better ones take several milliseconds to import.
-    """
-    found = 0xCBF29CE484222325
-    for byte in text.encode():
-        found = (found ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
-    return found
 
 
 def _member_rows(block: Block) -> Iterator[BlockMember]:

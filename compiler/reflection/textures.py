@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 
 from ..documents.drawing import SamplerRow, SamplerState, TextureLayout, TextureRow
 from ..ir.default_textures import OF_SAMPLES
 from ..ir.leaves import Texture
 from ..ir.program import Program
 from ..ir.shader import TextureInfo
+from ..ir.texture_bindings import SamplerType, SampleType, sample_type, sampler_type
 from ..ir.types import TextureType
-
-SamplerType = Literal["filtering", "non-filtering", "comparison"]
-SampleType = Literal["float", "unfilterable-float", "depth", "sint", "uint"]
 
 
 class TextureRows:
@@ -72,28 +70,6 @@ class TextureRows:
         return sample_type(texture, is_filtered=self._has_sampler(texture))
 
 
-def sampler_type(texture: Texture) -> SamplerType:
-    """GPUSamplerBindingType of the sampler that a texture declares."""
-    if _type(texture).sample == "depth":
-        return "comparison"
-    return "filtering" if _filters(texture) else "non-filtering"
-
-
-def sample_type(texture: Texture, *, is_filtered: bool) -> SampleType:
-    """GPUTextureSampleType; a texture that nothing filters may have an unfilterable format.
-
-    ``is_filtered`` is True if a sampler reads the texture, whatever it does.
-    """
-    match _type(texture).sample:
-        case "int":
-            return "sint"
-        case "float":
-            filters = is_filtered and bool(texture.state) and _filters(texture)
-            return "float" if filters else "unfilterable-float"
-        case other:
-            return other
-
-
 def _type(texture: Texture) -> TextureType:
     assert isinstance(texture.type, TextureType)
     return texture.type
@@ -104,8 +80,3 @@ def _state(texture: Texture) -> SamplerState:
     if "anisotropy" in state:
         state["anisotropy"] = int(state["anisotropy"])
     return SamplerState(**{"compare": None, **state})
-
-
-def _filters(texture: Texture) -> bool:
-    state = dict(texture.state)
-    return "linear" in (state["filter"], state["mip"])

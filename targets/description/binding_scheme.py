@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from ...compiler.layout import SHARED_GROUPS
+from ...compiler.ir.groups import SHARED_GROUPS
 from ...support.frozen import EMPTY, frozen
 
 BindingKind = Literal["block", "buffer", "written", "image", "texture", "sampler"]

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...compiler.documents.backends import EntryRow, GroupLayoutRow, PushConstantsRow
+from ...compiler.documents.digests import layout_digest
 from ...compiler.ir.leaves import Texture
 from ...compiler.ir.program import Program
-from ...compiler.reflection.bytes import layout_digest
-from ...compiler.reflection.textures import sample_type, sampler_type
+from ...compiler.ir.texture_bindings import sample_type, sampler_type
 from ..description.profile import Profile
 from ..legalise.bindings import Bindings, BindingSlot, Bound
 

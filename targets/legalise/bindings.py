@@ -17,10 +17,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from ...compiler.ir.groups import SHARED_GROUPS, STANDARD_GROUPS, block_name
 from ...compiler.ir.leaves import Buffer, Texture
 from ...compiler.ir.program import Program
 from ...compiler.ir.shader import BufferInfo, Shader, TextureInfo
-from ...compiler.layout import SHARED_GROUPS, STANDARD_GROUPS, block_name
 from ...support.frozen import frozen
 from ..description.binding_scheme import OF_MATERIALS, BindingKind
 from ..description.profile import Profile

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from itertools import count
 from random import Random
 
+from burnish.compiler.ir.groups import STANDARD_GROUPS
 from burnish.compiler.ir.types import Array, Scalar, ScalarKind, Struct, Type, Vector
-from burnish.compiler.layout import STANDARD_GROUPS
 
 from ..layout.declarations import ELEMENTS, KINDS
 from .declarations import (

@@ -73,12 +73,12 @@ def test_json(block: Block) -> None:
     """A quoted row stands in the example's reflection, where it may have more keys."""
     quoted = json.loads(block.text)
     example = block.value("from") or "plastic"
-    (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", ("glsl",)).materials
+    (material,) = burnish.compile(EXAMPLES / f"{example}.burnish", ("wgsl",)).materials
     reflection = to_json(material.reflection)
     rows = [
         row for key in ("parameters", "derived", "promises", "blocks") for row in reflection[key]
     ]
-    rows.append(reflection["draw"])
+    rows += [reflection["draw"], *reflection["backends"]["wgsl:webgpu"]["layouts"]]
     assert any(quoted.items() <= row.items() for row in rows)
 
 

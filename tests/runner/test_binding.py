@@ -79,7 +79,7 @@ def test_where_places_are_numbers() -> None:
     assert BlockSlot(Place("Material", 2, 0), 16) in made.blocks
     assert made.textures == (
         TextureSlot(
-            Place("albedo", 2, 1), Place("albedo_sampler", 2, 2), "nearest", "linear", "mirror"
+            Place("albedo", 2, 5), Place("albedo_sampler", 2, 6), "nearest", "linear", "mirror"
         ),
     )
     assert made.targets == (
@@ -104,7 +104,7 @@ def test_where_places_are_names() -> None:
 def test_where_places_are_numbers_without_groups() -> None:
     """Each kind is numbered on its own, and a texture has its sampler with it."""
     made = pipeline(reflection(), ROUTES["llvmpipe:gl450"], CODES)
-    assert [slot.place.binding for slot in made.blocks] == [0, 1, 2]
+    assert [slot.place.binding for slot in made.blocks] == [1, 3, 8]
     (texture,) = made.textures
     assert (texture.texture, texture.sampler) == (Place("albedo", 0, 0), None)
     assert made.host_uniforms == ()

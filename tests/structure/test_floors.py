@@ -104,6 +104,7 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
+    "targets.binding_schemes": "frozen diagnostics inputs ir syntax description",
     "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb units ir documents promises "
@@ -126,7 +127,8 @@ FLOORS: dict[str, str] = {
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.compiling": (
         "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection "
-        "frontend description emit legalise availability selection graphs compiled specialising"
+        "frontend description emit legalise availability selection binding_schemes graphs compiled "
+        "specialising"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (

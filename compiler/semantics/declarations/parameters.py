@@ -12,6 +12,7 @@ from ...diagnostics import rules
 from ...diagnostics.fixes import fix_it
 from ...diagnostics.nearest import nearest, respelt
 from ...diagnostics.source import Span
+from ...ir.groups import STANDARD_GROUPS
 from ...ir.leaves import Attribute, Parameter, behind
 from ...ir.meaning import ANGLE, Meaning
 from ...ir.node import Node
@@ -37,7 +38,6 @@ from ...ir.types import (
     Vector,
     scalar_kind,
 )
-from ...layout import STANDARD_GROUPS
 from ...syntax import ast
 from ...syntax.quoting import quoted
 from ..inheritance.inherited import leaf_definitions
