@@ -33,27 +33,46 @@ from stat import S_ISDIR, S_ISREG
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Self
+    from typing import Protocol, Self
+
+    class Guard(Protocol):
+        """Protects files of others; ``ownership.py`` has the one of ``burnish compile``."""
+
+        def objection(self, name: str, head: bytes) -> str | None:
+            """The reason why a file with this beginning must not be replaced; else ``None``."""
+
+        def settle(self) -> None:
+            """Take note that all new files are in place; other processes still wait."""
+
 
 PATIENCE = 10.0
 """The seconds to wait for another process, which needs far less to rename its files."""
 TEMPORARY = ".burnish-"
 """The beginning of random names."""
+HEAD = 4096
+"""The bytes at the beginning of a file by which a guard recognises it."""
 
 _ANCHORED = os.open in os.supports_dir_fd
 """True if names can be relative to an open folder, as everywhere but on Windows."""
 
 
-def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
+class ForeignFileError(FileExistsError):
+    """A file that must not be replaced has the name of a new one."""
+
+
+def replace_all(folder: str, contents: Mapping[str, bytes], guard: Guard | None = None) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
     The folder is made if need be. A link that has one of the names is replaced, not followed. The
-    error's ``filename`` is the path that could not be written: the folder, or a file in it.
+    error's ``filename`` is the path that could not be written: the folder, or a file in it. It is a
+    ``ForeignFileError`` where the ``guard`` has an objection to replacing a file.
     """
-    replace_tree(folder, {(name,): content for name, content in contents.items()})
+    replace_tree(folder, {(name,): content for name, content in contents.items()}, guard)
 
 
-def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None:
+def replace_tree(
+    folder: str, contents: Mapping[tuple[str, ...], bytes], guard: Guard | None = None
+) -> None:
     """Do the same for a folder with folders in it: each content has the names on the way to it.
 
     Folders are made if need be, and taken away again if anything goes wrong. Links to folders are
@@ -72,7 +91,7 @@ def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None
         for (*way, name), content in contents.items():
             place = tree.folder(tuple(way))
             with _told(join(place.path, name)):
-                file = _File(place, name, content)
+                file = _File(place, name, content, guard)
                 used.callback(file.clear)
                 file.prepare()
             files.append(file)
@@ -80,6 +99,8 @@ def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None
             tree.root.lock()
         _put_in_place(files)
         tree.keep()
+        if guard is not None:
+            guard.settle()
 
 
 def _insist_on_name(name: str) -> None:
@@ -227,14 +248,17 @@ class _File:
     has another one. If the old file has the new content already, neither happens.
     """
 
-    def __init__(self, folder: _Folder, name: str, content: bytes) -> None:
+    def __init__(self, folder: _Folder, name: str, content: bytes, guard: Guard | None) -> None:
         self.name = name
         self.path = join(folder.path, name)
         self._folder = folder
         self._content = content
+        self._guard = guard
         self._new, self._old = (f"{TEMPORARY}{os.urandom(16).hex()}" for _ in range(2))
-        self._same: os.stat_result | None = None
-        """The status of the old file if it has the new content."""
+        self._seen: os.stat_result | None = None
+        """The status of the old file when it was looked at."""
+        self._stays = False
+        """True if the old file has the new content."""
         self._is_made = False
         """True once the random names are this file's own."""
         self._is_begun = False
@@ -243,13 +267,14 @@ class _File:
     def prepare(self) -> None:
         """Write the new content under its random name, unless the old file has it already.
 
-        Raises ``IsADirectoryError`` if a folder has the name.
+        Raises ``OSError`` if a folder or a file of somebody else has the name.
         """
-        status = self._folder.status(self.name)
-        if status is not None and S_ISDIR(status.st_mode):
-            raise IsADirectoryError(errno.EISDIR, "it is a folder")
-        if status is not None and self._is_same(status):
-            self._same = status
+        self._seen = self._folder.status(self.name)
+        self._stays = self._seen is not None and self._is_same(self._seen)
+        if self._stays:
+            return
+        self._heed(self._seen)
+        if self._is_made:
             return
         descriptor = self._folder.create(self._new)
         self._is_made = True
@@ -258,10 +283,9 @@ class _File:
 
     def put_in_place(self) -> None:
         """Let the name refer to the new content."""
-        if self._same is not None and not _is_untouched(self._same, self._folder.status(self.name)):
-            self._same = None  # Another process has been here since.
-            self.prepare()
-        if self._same is not None:
+        if not _is_untouched(self._seen, self._folder.status(self.name)):
+            self.prepare()  # Another process has been here since.
+        if self._stays:
             return
         self._is_begun = True
         with suppress(FileNotFoundError):
@@ -282,6 +306,17 @@ class _File:
         for name in (self._new, self._old) if self._is_made else ():
             with suppress(OSError):
                 self._folder.delete(name)
+
+    def _heed(self, status: os.stat_result | None) -> None:
+        """Raise ``OSError`` if what has the name must not be replaced."""
+        if status is not None and S_ISDIR(status.st_mode):
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        if status is None or self._guard is None or not S_ISREG(status.st_mode):
+            return
+        head = self._folder.content(self.name, HEAD) or b""
+        objection = self._guard.objection(self.name, head)
+        if objection is not None:
+            raise ForeignFileError(errno.EEXIST, objection)
 
     def _is_same(self, status: os.stat_result) -> bool:
         """True if a file may stay: an own one with the new content, and with this name only.
@@ -334,9 +369,11 @@ def _put_in_place(files: Sequence[_File]) -> None:
         raise
 
 
-def _is_untouched(before: os.stat_result, now: os.stat_result | None) -> bool:
+def _is_untouched(before: os.stat_result | None, now: os.stat_result | None) -> bool:
     """True if a name stands for the same file as before, which nobody has written to since."""
-    return now is not None and all(
+    if before is None or now is None:
+        return before is now
+    return all(
         getattr(before, field) == getattr(now, field)
         for field in ("st_dev", "st_ino", "st_size", "st_mtime_ns", "st_ctime_ns")
     )
@@ -347,6 +384,8 @@ def _told(path: str) -> Iterator[None]:
     """Let errors name the path that people know, not the one of the system call."""
     try:
         yield
+    except ForeignFileError as error:
+        raise ForeignFileError(error.errno, error.strerror, path) from error
     except OSError as error:
         raise OSError(error.errno, error.strerror, path) from error
 
