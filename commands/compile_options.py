@@ -33,7 +33,7 @@ class Option:
     is_path: bool = False
     required: bool = False
     choices: tuple[str, ...] = ()
-    """The values that there are, if not any text is one."""
+    """The values that there are, the default first, if not any text is one."""
 
 
 TARGET = Option(
@@ -114,6 +114,14 @@ DEPFILE_TARGET = Option(
 LIST_OUTPUTS = Option(
     "list_outputs", ("--list-outputs",), "Print the paths of all outputs, and write none of them."
 )
+FORMAT = Option(
+    "form",
+    ("--format",),
+    "How messages are told: as texts for people, one line for each, one JSON document (`burnish "
+    "schema answer`), or a log in SARIF 2.1.0.",
+    metavar="FORM",
+    choices=("text", "line", "json", "sarif"),
+)
 FORCE = Option(
     "force", ("--force",), "Overwrite files that another source, or another program, has made."
 )
@@ -126,7 +134,8 @@ CACHE = Option(
 
 OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORCE, CACHE,
+    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORMAT, FORCE,
+    CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -157,6 +166,7 @@ class CompileRequest:
     depfile: str | None = None
     depfile_target: str | None = None
     list_outputs: bool = False
+    form: str = "text"
     force: bool = False
     cache: bool = True
 
@@ -168,7 +178,13 @@ class CompileRequest:
     def of_one(self, file: Path) -> CompileRequest:
         """What is asked of one file, without what is said of the outputs of all together."""
         return changed(
-            self, files=(file,), depfile=None, depfile_target=None, list_outputs=False, force=False
+            self,
+            files=(file,),
+            depfile=None,
+            depfile_target=None,
+            list_outputs=False,
+            form="text",
+            force=False,
         )
 
     @property
@@ -181,6 +197,8 @@ class CompileRequest:
         if self.list_outputs and (self.why or self.depfile is not None):
             other = "--why" if self.why else "--depfile"
             return f"--list-outputs prints nothing else, and writes nothing: not with {other}"
+        if self.prints and self.form in ("json", "sarif"):
+            return f"--format {self.form} prints a document: it goes with a folder, not with -o -"
         if self.depfile == STDOUT:
             return "--depfile is a file: what is printed are the shaders"
         if self.depfile is not None and self.prints and self.depfile_target is None:
