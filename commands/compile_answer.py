@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 from ..compiler.documents.answer import CompileAnswer, OutputRow
 from ..compiler.inputs import Inputs
@@ -30,11 +31,14 @@ def _outputs(request: CompileRequest, found: Sequence[Compiled]) -> Iterator[Out
     """A row for each output, in the order in which they are put in place."""
     owners = owners_of(request.files, found)
     source_of = {name: source for source, names in owners.items() for name in names}
-    plans = {name for each in found for name in each.plans}
-    reflections = {name for each in found for name in each.reflections}
+    kind_of: dict[str, Literal["module", "reflection", "plan"]] = {}
+    for each in found:
+        kind_of |= dict.fromkeys(each.modules, "module")
+        kind_of |= dict.fromkeys(each.reflections, "reflection")
+        kind_of |= dict.fromkeys(each.plans, "plan")
     for name in written_of(request.files, found):
         yield OutputRow(
             path=os.path.join(request.output, name),  # noqa: PTH118
-            kind="plan" if name in plans else "reflection" if name in reflections else "text",
+            kind=kind_of.get(name, "text"),
             source=source_of[name],
         )

@@ -34,6 +34,8 @@ class Option:
     required: bool = False
     choices: tuple[str, ...] = ()
     """The values that there are, the default first, if not any text is one."""
+    default: str | None = None
+    """The value of an option that is not given."""
 
 
 TARGET = Option(
@@ -50,6 +52,19 @@ OUTPUT = Option(
     "The folder for the files; created if needed. `-` prints the shaders instead.",
     metavar="FOLDER",
     required=True,
+)
+SHADERS = "shaders"
+MODULES = ("spirv", "dxil")
+EMIT = Option(
+    "emit",
+    ("--emit",),
+    "What to write: `shaders`, and with `spirv` or `dxil` also what drivers take: SPIR-V of the "
+    "GLSL for Vulkan, or DXIL of the HLSL. These need glslang, or DXC: see `burnish doctor`.",
+    metavar="KIND,…",
+    default=SHADERS,
+)
+OPTIMIZE = Option(
+    "optimize", ("--optimize",), "With `--emit spirv`: let spirv-opt make the modules shorter."
 )
 MATERIAL = Option(
     "material",
@@ -133,9 +148,9 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORMAT, FORCE,
-    CACHE,
+    TARGET, OUTPUT, EMIT, OPTIMIZE, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE,
+    FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORMAT,
+    FORCE, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -150,6 +165,9 @@ class CompileRequest:
     targets: tuple[str, ...] = ()
     """The targets as they were given, each perhaps several with commas; empty for the default
     ones."""
+    emit: str = SHADERS
+    """Words, with commas: ``shaders``, and the formats of modules."""
+    optimize: bool = False
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None
@@ -188,8 +206,26 @@ class CompileRequest:
         )
 
     @property
+    def uses_tools(self) -> bool:
+        """True if other programs are needed, each of which runs in several processes itself."""
+        return self.validate or bool(self.modules)
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The formats of modules that are asked for."""
+        words = self.emit.split(",")
+        return tuple(name for name in MODULES if name in words)
+
+    @property
     def contradiction(self) -> str | None:
         """What is wrong with options that go with each other; ``None`` if nothing is."""
+        for word in self.emit.split(","):
+            if word not in (SHADERS, *MODULES):
+                return f"--emit takes {SHADERS}, {' and '.join(MODULES)}, not '{word}'"
+        if self.modules and self.prints:
+            return "--emit makes files of bytes: it goes with a folder, not with -o -"
+        if self.optimize and "spirv" not in self.modules:
+            return "--optimize is for SPIR-V: it goes with --emit spirv"
         if self.why and self.prints:
             return "--why prints reasons: it goes with a folder, not with -o -"
         if self.list_outputs and self.prints:

@@ -45,6 +45,7 @@ def option(row: Option) -> Callable[[FC], FC]:
         )  # fmt: skip
     return click.option(
         *row.names, row.field, metavar=row.metavar, required=row.required, multiple=row.many,
+        default=row.default, show_default=row.default is not None,
         type=click.Path(path_type=Path) if row.is_path else None, help=row.help,
     )  # fmt: skip
 

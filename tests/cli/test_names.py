@@ -151,7 +151,7 @@ HARMFUL = {
 
 def sizes(toolchain: Toolchain, source: str) -> list[int]:
     """The number of instructions of each text for which the checker makes SPIR-V."""
-    verdicts = toolchain.check(jobs(source), keep_spirv=True)
+    verdicts = toolchain.check(jobs(source), keep_modules=True)
     assert_accepted(verdicts)
     return [count_instructions(verdict.spirv) for verdict in verdicts if verdict.spirv]
 
