@@ -37,12 +37,14 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
         burnish compile materials/*.burnish --bindings engine.toml -o build/
+        burnish compile plastic.burnish --target glsl --emit spirv --optimize -o build/
+        burnish compile materials/*.burnish -o build/
         burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
     """
     each_once(chosen["values"])
     request = CompileRequest(**chosen)
-    if request.why and request.prints:
-        raise click.UsageError("--why prints reasons: it goes with a folder, not with -o -")
+    if request.contradiction is not None:
+        raise click.UsageError(request.contradiction)
     context = click.get_current_context()
     if watch:
         from .watch import watch as repeat

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ..support.frozen import frozen
+from ..support.frozen import changed, frozen
 from .results import STDOUT
 
 
@@ -32,6 +32,10 @@ class Option:
     """True if the option may be given several times; all values count."""
     is_path: bool = False
     required: bool = False
+    choices: tuple[str, ...] = ()
+    """The values that there are, the default first, if not any text is one."""
+    default: str | None = None
+    """The value of an option that is not given."""
 
 
 TARGET = Option(
@@ -48,6 +52,19 @@ OUTPUT = Option(
     "The folder for the files; created if needed. `-` prints the shaders instead.",
     metavar="FOLDER",
     required=True,
+)
+SHADERS = "shaders"
+MODULES = ("spirv", "dxil")
+EMIT = Option(
+    "emit",
+    ("--emit",),
+    "What to write: `shaders`, and with `spirv` or `dxil` also what drivers take: SPIR-V of the "
+    "GLSL for Vulkan, or DXIL of the HLSL. These need glslang, or DXC: see `burnish doctor`.",
+    metavar="KIND,…",
+    default=SHADERS,
+)
+OPTIMIZE = Option(
+    "optimize", ("--optimize",), "With `--emit spirv`: let spirv-opt make the modules shorter."
 )
 MATERIAL = Option(
     "material",
@@ -105,6 +122,32 @@ NATIVE_STAGES = Option(
     ("--native-stages",),
     "Use the stages that a target has for primitives, instead of drawing each as an instance.",
 )
+DEPFILE = Option(
+    "depfile",
+    ("--depfile",),
+    "A file to write for Make and Ninja: the outputs depend on all files that were read.",
+    metavar="FILE",
+)
+DEPFILE_TARGET = Option(
+    "depfile_target",
+    ("--depfile-target",),
+    "What depends on them in --depfile, such as a stamp, instead of the outputs.",
+    metavar="NAME",
+)
+LIST_OUTPUTS = Option(
+    "list_outputs", ("--list-outputs",), "Print the paths of all outputs, and write none of them."
+)
+FORMAT = Option(
+    "form",
+    ("--format",),
+    "How messages are told: as texts for people, one line for each, one JSON document (`burnish "
+    "schema answer`), or a log in SARIF 2.1.0.",
+    metavar="FORM",
+    choices=("text", "line", "json", "sarif"),
+)
+FORCE = Option(
+    "force", ("--force",), "Overwrite files that another source, or another program, has made."
+)
 CACHE = Option(
     "cache",
     ("--cache",),
@@ -113,8 +156,9 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES, CACHE,
+    TARGET, OUTPUT, EMIT, OPTIMIZE, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE,
+    FLIP_Y, LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS,
+    FORMAT, FORCE, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -129,6 +173,9 @@ class CompileRequest:
     targets: tuple[str, ...] = ()
     """The targets as they were given, each perhaps several with commas; empty for the default
     ones."""
+    emit: str = SHADERS
+    """Words, with commas: ``shaders``, and the formats of modules."""
+    optimize: bool = False
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None
@@ -143,12 +190,67 @@ class CompileRequest:
     hoist: bool = True
     bindings: Path | None = None
     native_stages: bool = False
+    depfile: str | None = None
+    depfile_target: str | None = None
+    list_outputs: bool = False
+    form: str = "text"
+    force: bool = False
     cache: bool = True
 
     @property
     def prints(self) -> bool:
         """True if the shaders are printed instead of written."""
         return self.output == STDOUT
+
+    def of_one(self, file: Path) -> CompileRequest:
+        """What is asked of one file, without what is said of the outputs of all together."""
+        return changed(
+            self,
+            files=(file,),
+            depfile=None,
+            depfile_target=None,
+            list_outputs=False,
+            form="text",
+            force=False,
+        )
+
+    @property
+    def uses_tools(self) -> bool:
+        """True if other programs are needed, each of which runs in several processes itself."""
+        return self.validate or bool(self.modules)
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The formats of modules that are asked for."""
+        words = self.emit.split(",")
+        return tuple(name for name in MODULES if name in words)
+
+    @property
+    def contradiction(self) -> str | None:
+        """What is wrong with options that go with each other; ``None`` if nothing is."""
+        for word in self.emit.split(","):
+            if word not in (SHADERS, *MODULES):
+                return f"--emit takes {SHADERS}, {' and '.join(MODULES)}, not '{word}'"
+        if self.modules and self.prints:
+            return "--emit makes files of bytes: it goes with a folder, not with -o -"
+        if self.optimize and "spirv" not in self.modules:
+            return "--optimize is for SPIR-V: it goes with --emit spirv"
+        if self.why and self.prints:
+            return "--why prints reasons: it goes with a folder, not with -o -"
+        if self.list_outputs and self.prints:
+            return "--list-outputs names files: it goes with a folder, not with -o -"
+        if self.list_outputs and (self.why or self.depfile is not None):
+            other = "--why" if self.why else "--depfile"
+            return f"--list-outputs prints nothing else, and writes nothing: not with {other}"
+        if self.prints and self.form in ("json", "sarif"):
+            return f"--format {self.form} prints a document: it goes with a folder, not with -o -"
+        if self.depfile == STDOUT:
+            return "--depfile is a file: what is printed are the shaders"
+        if self.depfile is not None and self.prints and self.depfile_target is None:
+            return "--depfile with -o - has no outputs to speak of: say what, by --depfile-target"
+        if self.depfile is None and self.depfile_target is not None:
+            return "--depfile-target is a name in the file of --depfile, which is not given"
+        return None
 
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
@@ -178,6 +280,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
                 if value.startswith("-") and value != "-":
                     return None
             row = _VALUES[name]
+            if row.choices and value not in row.choices:
+                return None
             given = Path(value) if row.is_path else value
             chosen[row.field] = (*chosen.get(row.field, ()), given) if row.many else given
         elif word and not word.startswith("-"):
@@ -191,9 +295,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
         return None
     if not _are_named_once(chosen.get("values", ())):
         return None
-    if chosen.get("why") and chosen["output"] == STDOUT:
-        return None
-    return CompileRequest(**chosen)
+    request = CompileRequest(**chosen)
+    return request if request.contradiction is None else None
 
 
 def _may_be_read(path: Path) -> bool:

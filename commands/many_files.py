@@ -12,7 +12,6 @@ import pickle
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..support.frozen import changed
 from .compile_options import CompileRequest
 from .compiled_files import Compiled, compiled
 from .kept_files import KeptFiles
@@ -33,7 +32,7 @@ def compiled_files(request: CompileRequest, question: Question | None) -> Iterat
 
     ``question`` is the command line if what they become may be kept, and taken from earlier ones.
     """
-    requests = [changed(request, files=(file,)) for file in request.files]
+    requests = [request.of_one(file) for file in request.files]
     kept = None if question is None else KeptFiles(question)
     known = {} if kept is None else {each: kept.find(each) for each in requests}
     wanted = [each for each in requests if known.get(each) is None]
@@ -57,7 +56,7 @@ def _made(requests: Sequence[CompileRequest], kept: KeptFiles | None) -> Iterato
     from ..compiler.watching import is_watched
 
     count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))
-    if count < 2 or requests[0].validate or is_watched():
+    if count < 2 or requests[0].uses_tools or is_watched():
         return (compiled_and_kept(request, kept) for request in requests)
     return _made_in_processes(requests, kept, count)
 

@@ -111,6 +111,20 @@ class FileRow:
 
 
 @frozen(kw_only=True)
+class ModuleRow:
+    """One stage's text, compiled for drivers that take no texts."""
+
+    stage: str
+    """The stage, such as ``vertex``."""
+    file: str
+    """File name, relative to this document."""
+    format: Literal["spirv", "dxil"]
+    """What the file holds: SPIR-V, as Vulkan takes it, or DXIL, as Direct3D 12 does."""
+    entry_point: str
+    """Entry point in the file."""
+
+
+@frozen(kw_only=True)
 class SourceMapRow:
     """The text in Burnish that each statement of an emitted file computes, or is there for."""
 
@@ -186,3 +200,5 @@ class BackendRow:
     """
     push_constants: PushConstantsRow | None = None
     """The block that has no binding, since it is push constants, if there is one."""
+    modules: tuple[ModuleRow, ...] | None = None
+    """The texts compiled for drivers; left out where none was asked for."""

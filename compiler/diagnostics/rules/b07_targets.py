@@ -54,3 +54,15 @@ OCCUPIED = error(
     "A binding number is used once in a group. Blocks have numbers that follow from the groups of "
     "parameters, so that all materials agree; textures and buffers take what is free.",
 )
+NO_TEXT_OF_MODULE = error(
+    "B0710",
+    "`--emit {format}` compiles texts of {profile}, which is not among the targets",
+    "SPIR-V is made of the GLSL for Vulkan, and DXIL of HLSL: name the target as well, or leave "
+    "`--target` out. A reflection has the bindings of a module where it has those of the text.",
+)
+NOT_OPTIMISED = error(
+    "B0711",
+    "the SPIR-V of `{file}` cannot be optimized: {reason}",
+    "`--optimize` needs spirv-opt of SPIRV-Tools; `burnish doctor` says how to install it. Nothing "
+    "was written.",
+)
