@@ -89,6 +89,7 @@ FLOORS: dict[str, str] = {
     "compiler.passes": (
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
+    "compiler.tracing": "",
     "compiler.equivalence": "frozen stdlib diagnostics ir reference",
     "compiler.reflection": (
         "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
@@ -104,7 +105,9 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
-    "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
+    "targets.web_host.serving": (
+        "frozen stdlib precomputed constraints ir documents reference tracing"
+    ),
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb units ir documents promises "
         "reference installing reflection budget closing toolchain serving"
