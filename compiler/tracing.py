@@ -30,12 +30,12 @@ class Expression:
     """A number or a truth: an operation and its operands."""
 
     op: str
-    """The operation; ``constant`` and ``input`` have none, but a value."""
+    """The operation; ``constant`` and ``input`` have no operands, but a value."""
     operands: tuple[Expression, ...]
     kind: Kind
     is_natural: bool = False
     value: Any = None
-    """The number, the truth, or what the input is."""
+    """The number, the truth, what the input is, or what else the operation has to know."""
 
     def __add__(self, other: Any) -> Expression:
         return self if is_number(other, 0) else self._joined("add", other)
@@ -145,10 +145,19 @@ _KNOWN: dict[tuple[Any, ...], Expression] = {}
 """Equal expressions are one, so that what several others need is computed once."""
 
 
-def made(op: str, *operands: Any, kind: Kind = "float", is_natural: bool = False) -> Expression:
-    """The expression of an operation with its operands."""
+def made(
+    op: str,
+    *operands: Any,
+    kind: Kind = "float",
+    is_natural: bool = False,
+    value: Hashable = None,
+) -> Expression:
+    """The expression of an operation with its operands.
+
+    ``value`` is what an operation needs to know besides, such as which parameter it reads.
+    """
     found = tuple(map(wrapped, operands))
-    return _only(Expression(op, found, kind, is_natural))
+    return _only(Expression(op, found, kind, is_natural, value))
 
 
 def given(value: Hashable, kind: Kind = "float", *, is_natural: bool = False) -> Expression:
