@@ -204,15 +204,14 @@ def _statements(
     for field, members in tables:
         inner = schedule.inner(roots_of(lanes for _, _, lanes in members))
         _set(inner, members, "i")
-        body = tuple(inner.statements)
-        schedule.statements.append(Each(index="i", count=field.capacity, body=body))
-    return tuple(schedule.statements)
+        schedule.add(Each(index="i", count=field.capacity, body=inner.statements))
+    return schedule.statements
 
 
 def _set(schedule: Schedule, values: Sequence[tuple[Place, Field, Value]], index: str) -> None:
     for place, field, lanes in values:
         found = schedule.lanes(lanes)
-        schedule.statements.append(Set(place=place, field=field, index=index, lanes=found))
+        schedule.add(Set(place=place, field=field, index=index, lanes=found))
 
 
 def _pascal(group: str) -> str:

@@ -37,7 +37,7 @@ def about_field(field: Field) -> str:
 
 def _parts(field: Field) -> Iterator[str]:
     if field.doc:
-        yield field.doc.strip().rstrip(".")
+        yield " ".join(field.doc.split()).rstrip(".")
     if field.computed:
         return
     if field.choices:

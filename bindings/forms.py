@@ -40,14 +40,18 @@ def infix(operator: str, level: int, operands: int | None = None) -> Form:
 
 def prefix(operator: str, level: int) -> Form:
     """An operator before its operand."""
-    return Form(f"{operator}{{0}}", level, (level,))
+    return Form(f"{operator}{{0}}", level, (level + 1,))
 
 
-def calls(functions: Mapping[str, str], operands: Mapping[str, int] | None = None) -> dict[str, Form]:
+def calls(
+    functions: Mapping[str, str], operands: Mapping[str, int] | None = None
+) -> dict[str, Form]:
     """Functions by operation."""
     counts = operands or {}
     return {
-        op: Form(f"{name}({', '.join(f'{{{n}}}' for n in range(counts.get(op, _ARITY.get(op, 1))))})")
+        op: Form(
+            f"{name}({', '.join(f'{{{n}}}' for n in range(counts.get(op, _ARITY.get(op, 1))))})"
+        )
         for op, name in functions.items()
     }
 

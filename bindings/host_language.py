@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..support.frozen import frozen
+from .folding import Style
 from .model import Binding
 from .naming import Case
 from .printer import Printer
@@ -32,6 +33,8 @@ class HostLanguage:
     """Makes the printer of code."""
     texts: Callable[[Binding, Spelling], Mapping[str, Any]]
     """Makes what the skeleton reads besides the binding: functions and texts by name."""
+    style: Style
+    """How long lines are broken."""
     reserved: frozenset[str]
     """The words that are no names, with those of the skeleton."""
     type_case: Case

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable
 
 Case = Callable[[list[str]], str]
 
+
 def words(name: str) -> list[str]:
     """The words of a name, in small letters: ``torch.axis``, ``objectToWorld``."""
     return [word.lower() for part in re.split(r"[\W_]+", name) for word in _words(part)]

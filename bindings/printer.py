@@ -102,7 +102,9 @@ class Printer(ABC):
 
     def _converted(self, each: Expression, level: int, kind: Kind) -> str:
         if each.op == "constant":
-            return self.text(type(each)("constant", (), kind, each.is_natural, _as(each, kind)), level)
+            return self.text(
+                type(each)("constant", (), kind, each.is_natural, _as(each, kind)), level
+            )
         form = self.CONVERSIONS.get((each.kind, kind))
         if form is None:
             return self.text(each, level)

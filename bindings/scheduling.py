@@ -57,12 +57,22 @@ class Schedule:
     """The statements that compute expressions, and the names that these have got."""
 
     def __init__(self, names: Names, hints: Mapping[int, str], roots: Iterable[Expression]) -> None:
-        self.statements: list[Statement] = []
+        self._loads: list[Statement] = []
+        self._others: list[Statement] = []
         self._names, self._hints = names, hints
         self._uses = _uses(roots)
         self._known: dict[int, Expression] = {}
         """What stands for each expression: a name, or the expression with names in it."""
         self._weights: dict[int, int] = {}
+
+    @property
+    def statements(self) -> tuple[Statement, ...]:
+        """All statements: what is read several times is read first, in the order of its places."""
+        return (*sorted(self._loads, key=_place), *self._others)
+
+    def add(self, statement: Statement) -> None:
+        """Add a statement behind those that compute what it needs."""
+        self._others.append(statement)
 
     def inner(self, roots: Iterable[Expression]) -> Schedule:
         """The schedule of a loop's body, which may use the names around it."""
@@ -107,11 +117,16 @@ class Schedule:
             each.op, *operands, kind=each.kind, is_natural=each.is_natural, value=each.value
         )
         self._weights[id(each)] = max(weight, 1)
+        if value.op == "neg" and value.operands[0].op == "neg":
+            return value.operands[0].operands[0]
+        if value.op == "neg" and not value.operands[0].operands:
+            return value
         if self._uses[id(each)] < 2 and (is_root or weight <= _MOST):
             return value
         self._weights[id(each)] = 1
         name = self._names.new(self._wish(each))
-        self.statements.append(Let(name=name, value=value))
+        is_load = each.op == "load" and not each.operands
+        (self._loads if is_load else self._others).append(Let(name=name, value=value))
         return given(name, each.kind, is_natural=each.is_natural)
 
     def _wish(self, each: Expression) -> str:
@@ -130,14 +145,21 @@ class Schedule:
         for state, name in zip(loop.states, lanes, strict=True):
             inner._known[id(state)] = given(name, state.kind, is_natural=state.is_natural)
         following = inner.lanes(loop.following)
-        self.statements.append(
+        self.add(
             Fold(
                 index=index, count=count, bound=loop.bound,
                 states=tuple(zip(lanes, start, strict=True)),
-                body=tuple(inner.statements), following=following,
+                body=inner.statements, following=following,
             )
         )  # fmt: skip
         return given(tuple(lanes), "int")
+
+
+def _place(statement: Statement) -> tuple[str, ...]:
+    """The place that a statement reads, as a key for sorting."""
+    assert isinstance(statement, Let)
+    place: Place = statement.value.value
+    return place.block, *map(str, place.way), *map(str, place.part)
 
 
 def _word(place: Place) -> str:

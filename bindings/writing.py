@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 from ..compiler.documents.writing import to_json
 from .fields import Numbers, Pad, Structure
+from .folding import folded
 from .host_language import HostLanguage
 from .model import Binding, Block
 from .printer import single
@@ -15,6 +17,9 @@ from .spelling import Spelling
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+
+
+_PLACEHOLDER = re.compile(r"@(\d+)@")
 
 
 def written(binding: Binding, language: HostLanguage) -> str:
@@ -32,14 +37,26 @@ def written(binding: Binding, language: HostLanguage) -> str:
         (each, tuple(printer.statements(each.statements, printer.INDENT)))
         for each in binding.helpers
     ]
+    embedded: list[str] = []
     template = _environment().from_string(language.skeleton.read_text("utf-8"))
     text = template.render(
         binding=binding, spelling=spelling, derivations=derivations, helpers=helpers,
         used=printer.used, printer=printer, kinds=_kinds(binding), uses=_Uses(binding),
         deriving=deriving, to_json=to_json, single=single, is_pad=_is_pad,
-        is_structure=_is_structure, headline=_headline(binding), **language.texts(binding, spelling),
+        is_structure=_is_structure, embedded=partial(_placeholder, embedded), headline=_headline(binding), **language.texts(binding, spelling),
     )  # fmt: skip
-    return text.rstrip("\n") + "\n"
+    return _embedded(folded(text, language.style), embedded).rstrip("\n") + "\n"
+
+
+def _placeholder(embedded: list[str], text: str) -> str:
+    """A word in place of an embedded text, as its lines stay as they are."""
+    embedded.append(text)
+    return f"@{len(embedded) - 1}@"
+
+
+def _embedded(text: str, embedded: list[str]) -> str:
+    """The text with embedded ones in place of their words."""
+    return _PLACEHOLDER.sub(lambda found: embedded[int(found[1])], text) if embedded else text
 
 
 def deriving(block: Block) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..folding import Style
 from ..host_language import HostLanguage
 from ..naming import pascal, snake
 from .printer import CppPrinter
@@ -34,6 +35,7 @@ LANGUAGE = HostLanguage(
     skeleton=Path(__file__).with_name("binding.hpp.j2"),
     printer=CppPrinter,
     texts=texts,
+    style=Style(comments=("///", "//")),
     reserved=frozenset((*_KEYWORDS.split(), *_OF_SKELETON.split())),
     type_case=pascal,
     function_case=snake,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -37,6 +37,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "string": _string,
         "bound_row": parts.bound_row,
         "text_row": _text_row,
+        "partial": partial,
         "input_row": _input_row,
         "target_row": _target_row,
         "state_row": _state_row,
@@ -119,11 +120,17 @@ class _Parts:
         return f"{{{', '.join(parts)}}}"
 
     def asserts(self, structure: Structure) -> Iterator[str]:
-        """The conditions that the compiler checks: the size, and where each member lies."""
+        """The assertions that the compiler checks: the size, and where each member lies."""
         name = self._spelling.type(structure.name)
-        yield f"sizeof({name}) == {structure.size}"
-        for field in structure.fields:
-            yield f"offsetof({name}, {self._spelling.member(field.word)}) == {field.offset}"
+        found = f"sizeof({name}) == {structure.size}"
+        for field in structure.fields[1:]:
+            next_ = f"offsetof({name}, {self._spelling.member(field.word)}) == {field.offset}"
+            if len(found) + len(next_) > _WIDTH - len("static_assert( && );"):
+                yield f"static_assert({found});"
+                found = next_
+            else:
+                found = f"{found} && {next_}"
+        yield f"static_assert({found});"
 
     def faults(self, structure: Structure, way: str = "", host: str = "") -> Iterator[str]:
         """The statements that look for values that are out of their ranges."""
@@ -134,7 +141,9 @@ class _Parts:
     def _faults_of(self, field: Field, place: str, name: str, way: str) -> Iterator[str]:
         if field.capacity:
             # Elements beyond the count are read by nobody.
-            last = f"{way}{self._spelling.member(field.counter)}" if field.counter else field.capacity
+            last = (
+                f"{way}{self._spelling.member(field.counter)}" if field.counter else field.capacity
+            )
             inner = list(self._faults_of_value(field, f"{place}[i]", f"{name}[…]"))
             if inner:
                 yield f"for (int i = 0; i < {last}; ++i) {{"
@@ -147,17 +156,15 @@ class _Parts:
         if isinstance(field.type, Structure):
             yield from self.faults(field.type, f"{place}.", f"{name}.")
             return
-        lanes = [place] if field.type.lanes == 1 else [f"{place}.{x}" for x in "xyzw"[: field.type.lanes]]
+        lanes = [f"{place}.{lane}" for lane in "xyzw"[: field.type.lanes]]
         if field.range is not None and not field.type.columns:
-            low, high = (_number(field.type, bound) for bound in field.range)
             shown = " to ".join(f"{bound:g}" for bound in field.range)
             message = _string(f"`{name}` is declared in {shown}")
-            for lane in lanes:
-                low_test = "" if field.type.kind == "uint" and field.range[0] == 0 else f"{lane} >= {low} && "
-                yield f"if (!({low_test}{lane} <= {high})) return {message};"
+            for lane in lanes if len(lanes) > 1 else [place]:
+                yield f"if (!({_is_inside(field, lane)})) return {message};"
         if field.is_unit:
-            square = " + ".join(f"{lane} * {lane}" for lane in lanes)
-            yield f"if (!(std::abs({square} - 1.0f) <= 2e-3f)) return {_string(f'`{name}` has to be of length 1')};"
+            message = _string(f"`{name}` has to be of length 1")
+            yield f"if (!has_length_one({place})) return {message};"
 
     def bound_row(self, row: Bound) -> str:
         """A row of the table of bindings."""
@@ -167,6 +174,15 @@ class _Parts:
             f"{{{_string(row.name)}, Kind::{row.kind}, {_or_none(row.group)}, {_or_none(row.binding)}, "
             f"{stages}, {size}, {_string(row.identifier)}}}"
         )
+
+
+def _is_inside(field: Field, lane: str) -> str:
+    """The condition that a lane is in its range; numbers without a sign are not below 0."""
+    assert isinstance(field.type, Numbers) and field.range is not None
+    low, high = (_number(field.type, bound) for bound in field.range)
+    if field.type.kind == "uint" and field.range[0] == 0:
+        return f"{lane} <= {high}"
+    return f"{lane} >= {low} && {lane} <= {high}"
 
 
 def _is_scalar(type_: Numbers | Structure) -> bool:
@@ -196,8 +212,8 @@ def _plain(name: str) -> str:
     return snake(words(in_ascii(name)))
 
 
-def _text_row(row: Text) -> str:
-    text = "nullptr" if row.text is None else _raw(row.text)
+def _text_row(embedded: Callable[[str], str], row: Text) -> str:
+    text = "nullptr" if row.text is None else embedded(_raw(row.text))
     return f"{{{_string(row.stage)}, {_string(row.file)}, {_string(row.entry_point)}, {text}}}"
 
 
@@ -267,4 +283,3 @@ def _state_row(material: Material) -> str:
 
 def _layout_rows(material: Material) -> list[str]:
     return [_string(row.layout_id) for row in material.reflection.blocks]
-

@@ -6,6 +6,7 @@ import builtins
 import keyword
 from pathlib import Path
 
+from ..folding import Style
 from ..host_language import HostLanguage
 from ..naming import pascal, screaming, snake
 from .printer import PythonPrinter
@@ -26,6 +27,7 @@ LANGUAGE = HostLanguage(
     skeleton=Path(__file__).with_name("binding.py.j2"),
     printer=PythonPrinter,
     texts=texts,
+    style=Style(comments=("#",), docstrings=True, in_parentheses=True, last_comma=True),
     reserved=frozenset((*keyword.kwlist, *dir(builtins), *_OF_SKELETON)),
     type_case=pascal,
     function_case=snake,

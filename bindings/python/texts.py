@@ -33,12 +33,15 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "block_doc": partial(about_block, binding),
         "sources_text": sources,
         "string": _string,
+        "stages": lambda names: (
+            "(" + "".join(f"{_string(name)}, " for name in names).rstrip(" ") + ")"
+        ),
         "layout_ids": _layout_ids,
         "format_size": _format_size,
         "texture_row": _texture_row,
         "target_row": _target_row,
         "topology": lambda material: _string(to_json(material.reflection.draw)["topology"]),
-        "embedded": _embedded,
+        "quoted": _quoted,
         "literal": _literal,
         "has_webgpu": any(each.name == "wgsl:webgpu" for each in profiles),
     }
@@ -138,6 +141,6 @@ def _literal(value: Any) -> str:
     return _string(value) if isinstance(value, str) else repr(value)
 
 
-def _embedded(text: str) -> str:
+def _quoted(text: str) -> str:
     """A text in triple quotes."""
     return '"""\\\n' + text.replace("\\", "\\\\").replace('"""', '\\"""') + '"""'
