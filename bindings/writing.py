@@ -24,8 +24,7 @@ _PLACEHOLDER = re.compile(r"@(\d+)@")
 
 def written(binding: Binding, language: HostLanguage) -> str:
     """The text of a binding in one language."""
-    spelling = Spelling(language)
-    _spell(binding, spelling)
+    spelling = spelling_of(binding, language)
     printer = language.printer()
     printer.spelling = spelling
     derivations = {
@@ -71,8 +70,9 @@ def _headline(binding: Binding) -> str:
     return f"{shown}: what a host sets, computes and binds."
 
 
-def _spell(binding: Binding, spelling: Spelling) -> None:
-    """Give the names of the whole text, before variables get theirs."""
+def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
+    """The names of a binding; those of the whole text are given before variables get theirs."""
+    spelling = Spelling(language)
     for structure in binding.structures:
         spelling.type(structure.name)
     for block in binding.blocks:
@@ -83,6 +83,7 @@ def _spell(binding: Binding, spelling: Spelling) -> None:
         spelling.function(helper.name)
     for material in binding.materials:
         spelling.constant(material.name)
+    return spelling
 
 
 def _is_pad(part: object) -> bool:
