@@ -88,9 +88,7 @@ class Blocks:
             structure=structure, plain_name=row.name, group=row.group, layout_id=row.layout_id
         )
 
-    def _field(
-        self, row: ParameterRow, word: str, offset: int, words: Mapping[str | None, str]
-    ) -> Field:
+    def _field(self, row: ParameterRow, word: str, offset: int, words: Mapping[str, str]) -> Field:
         arrays = (each for each in self._reflection.parameters if each.count == row.name)
         counted = next(arrays, None)
         counts = "" if counted is None else words.get(counted.name, "")

@@ -27,8 +27,8 @@ from ..compiler.documents.steps import (
 )
 from ..compiler.reference.functions import LaneKind, evaluate, is_lanewise
 from ..compiler.tracing import Expression, Tracing, given, made, wrapped
-from .helpers import Helpers
 from .fields import Field, Numbers, Structure
+from .helpers import Helpers
 from .representations import kind_of, lanes_of
 from .statements import Place
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterator
+from itertools import pairwise
 
 from ..support.frozen import frozen
 
@@ -103,7 +104,7 @@ def _operands(text: str, margin: str, style: Style, first: str) -> Iterator[str]
     found = _operators(text)
     weakest = min(strength for _, strength in found)
     places = [0, *(at + 1 for at, strength in found if strength == weakest), len(text)]
-    for number, (start, end) in enumerate(zip(places, places[1:], strict=False)):
+    for number, (start, end) in enumerate(pairwise(places)):
         indent = margin if number == 0 else margin + first
         yield from _operand(text[start:end].rstrip(), indent, style)
 
@@ -111,7 +112,7 @@ def _operands(text: str, margin: str, style: Style, first: str) -> Iterator[str]
 def _operand(text: str, margin: str, style: Style) -> Iterator[str]:
     if len(margin) + len(text) <= WIDTH or (style.in_parentheses and not _last_brackets(text)):
         yield f"{margin}{text}"
-    elif _operators(text[2:]) and not style.in_parentheses:
+    elif _operators(text) and not style.in_parentheses:
         yield from _operands(text, margin, style, first=style.indent)
     else:
         yield from _statement(text, margin, style)

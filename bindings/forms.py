@@ -1,4 +1,4 @@
-"""How a language spells operations: forms with their binding strength, so that few parentheses stand.
+"""How a language spells operations: forms that know which parentheses they need.
 
 A language has a row for each operation of ``compiler/tracing``. ``C_LIKE`` has those that are the
 same in the languages that have C's operators.
@@ -90,15 +90,17 @@ C_LIKE: Mapping[str, Form] = {
 
 def operand_kinds(each: Expression) -> tuple[Kind, ...]:
     """The kinds that an operation wants its operands to have."""
-    given = tuple(operand.kind for operand in each.operands)
+    given: tuple[Kind, ...] = tuple(operand.kind for operand in each.operands)
+    own: Kind = each.kind
+    count = len(given)
     match each.op:
         case "where":
-            return "bool", each.kind, each.kind
+            return "bool", own, own
         case "lt" | "le" | "gt" | "ge" | "eq" | "ne":
             common: Kind = given[0] if given[0] == given[1] else "float"
             return common, common
         case "logical_and" | "logical_or" | "logical_not":
-            return ("bool",) * len(given)
+            return _same("bool", count)
         case "ldexp":
             return "float", "int"
         case "call":
@@ -107,10 +109,14 @@ def operand_kinds(each: Expression) -> tuple[Kind, ...]:
         case "exponent" | "int64":
             return ("int",) if given == ("bool",) else ("float",)
         case "load" | "texture_size":
-            return ("int",) * len(given)
+            return _same("int", count)
         case "float64":
             return given
         case "add" | "sub" | "mul" | "neg" | "abs" | "minimum" | "maximum":
-            return (each.kind,) * len(given)
+            return _same(own, count)
         case _:
-            return (each.kind if each.kind == "int" else "float",) * len(given)
+            return _same(own if own == "int" else "float", count)
+
+
+def _same(kind: Kind, count: int) -> tuple[Kind, ...]:
+    return (kind,) * count

@@ -1,8 +1,8 @@
 """Spells the names of Burnish in the manner of a host's language.
 
-Names of materials, lights and parameters are a user's own: they may be words of the host's language,
-differ in their capitals alone, or have letters that it does not take. Each comes out as a name that
-is allowed and that no other has.
+Names of materials, lights and parameters are a user's own: they may be words of the host's
+language, differ in their capitals alone, or have letters that it does not take. Each comes out as a
+name that is allowed and that no other has.
 """
 
 from __future__ import annotations

@@ -77,7 +77,7 @@ class Printer(ABC):
     # -- what all have in common -------------------------------------------------------------------
 
     def text(self, each: Expression, level: int = 0, kind: Kind | None = None) -> str:
-        """An expression as one of a kind; in parentheses if it holds together less than ``level``."""
+        """An expression as one of a kind; in parentheses if it is weaker than ``level``."""
         if kind is not None and kind != each.kind:
             return self._converted(each, level, kind)
         if each.op == "constant":
@@ -184,8 +184,8 @@ class Printer(ABC):
             return
         for name, value in zip(new, fold.following, strict=True):
             yield self.INDENT + self.let(name, value)
-        for name, value in zip(names, new, strict=True):
-            yield self.INDENT + self.change(name, value)
+        for name, changed in zip(names, new, strict=True):
+            yield self.INDENT + self.change(name, changed)
 
 
 def _as(each: Expression, kind: Kind) -> Any:

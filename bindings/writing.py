@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..compiler.documents.writing import to_json
 from .fields import Numbers, Pad, Structure
@@ -42,7 +42,9 @@ def written(binding: Binding, language: HostLanguage) -> str:
         binding=binding, spelling=spelling, derivations=derivations, helpers=helpers,
         used=printer.used, printer=printer, kinds=_kinds(binding), uses=_Uses(binding),
         deriving=deriving, to_json=to_json, single=single, is_pad=_is_pad,
-        is_structure=_is_structure, embedded=partial(_placeholder, embedded), headline=_headline(binding), **language.texts(binding, spelling),
+        is_structure=_is_structure,
+        embedded=partial(_placeholder, embedded), headline=_headline(binding),
+        **language.texts(binding, spelling),
     )  # fmt: skip
     return _embedded(folded(text, language.style), embedded).rstrip("\n") + "\n"
 
@@ -128,8 +130,7 @@ class _Uses:
 def _environment() -> Environment:
     from jinja2 import Environment, StrictUndefined
 
-    found: Any = Environment(
+    return Environment(
         autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
         keep_trailing_newline=True,
     )  # fmt: skip
-    return found

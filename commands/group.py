@@ -20,6 +20,7 @@ COMMANDS = (
     "graph",
     "import",
     "export",
+    "bind",
     "render",
     "view",
     "conform",

@@ -1,1 +1,1 @@
-"""Bindings in C++17: a header with a structure for each block, whose offsets the compiler checks."""
+"""Bindings in C++17: a header with structures whose offsets the compiler checks."""

@@ -171,8 +171,8 @@ class _Parts:
         size = f"sizeof({self._spelling.type(row.name)})" if row.kind == "uniform" else "0"
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return (
-            f"{{{_string(row.name)}, Kind::{row.kind}, {_or_none(row.group)}, {_or_none(row.binding)}, "
-            f"{stages}, {size}, {_string(row.identifier)}}}"
+            f"{{{_string(row.name)}, Kind::{row.kind}, {_or_none(row.group)}, "
+            f"{_or_none(row.binding)}, {stages}, {size}, {_string(row.identifier)}}}"
         )
 
 
@@ -233,7 +233,8 @@ def _texture_row(material: Material, row: Any) -> str:
     texel = ", ".join(_float(lane) for lane in row.default_texel)
     state = next((each for each in material.reflection.samplers if each.texture == row.name), None)
     return (
-        f"{{{_string(row.name)}, {_string(layout['viewDimension'])}, {_string(layout['sampleType'])}, "
+        f"{{{_string(row.name)}, {_string(layout['viewDimension'])}, "
+        f"{_string(layout['sampleType'])}, "
         f"{_string(row.intent)}, {{{texel}}}, {_string(layout['sampler'])}, {_sampler(state)}}}"
     )
 
@@ -257,7 +258,8 @@ def _sampler(row: Any) -> str:
 def _input_row(row: Any) -> str:
     format_ = "none" if row.format is None else row.format
     per_instance = "true" if row.step == "instance" else "false"
-    return f"{{{_string(row.name)}, {_or_none(row.location)}, VertexFormat::{format_}, {per_instance}}}"
+    place = f"{_string(row.name)}, {_or_none(row.location)}"
+    return f"{{{place}, VertexFormat::{format_}, {per_instance}}}"
 
 
 def _target_row(row: Any) -> str:

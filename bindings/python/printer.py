@@ -12,7 +12,7 @@ from typing import ClassVar
 from ...compiler.tracing import Expression, Kind
 from ..fields import Field
 from ..forms import CHOICE, PRODUCT, SUM, UNARY, WHOLE, Form, calls, infix, prefix
-from ..printer import Printer, power_of_two, single
+from ..printer import Printer, power_of_two
 from ..statements import Set
 
 _OR, _AND, _NOT, _ORDER, _BITS = 10, 15, 18, 20, 30
@@ -92,7 +92,7 @@ class PythonPrinter(Printer):
             return f"2.0**{exponent}"
         return repr(value)
 
-    def read(self, place: str, each: Expression) -> str:
+    def read(self, place: str, each: Expression) -> str:  # noqa: ARG002
         """The number at a place, which has its kind already."""
         return place
 
@@ -137,6 +137,3 @@ class PythonPrinter(Printer):
     def returned(self, value: str) -> str:
         """The statement that returns a number."""
         return f"return {value}"
-
-
-__all__ = ["PythonPrinter", "single"]

@@ -20,7 +20,7 @@ _KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
 _PREFIXES = {"float": "", "int": "i", "uint": "u"}
 
 
-def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
+def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
     profiles = (profile for material in binding.materials for profile in material.profiles)
     return {

@@ -67,7 +67,7 @@ def _filled(block: Block, values: dict[str, Any]) -> Any:
 
 
 def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones() -> None:
-    filled: dict[tuple[str, int, str], dict[str, Any]] = {}
+    filled: dict[tuple[str, int, str], Any] = {}
     wrong = []
     for sample in samples():
         key = sample.material, sample.seed, sample.block.plain_name
@@ -84,13 +84,13 @@ def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones() -> None
 
 
 def test_blocks_begin_with_their_defaults() -> None:
-    assert not [
-        block.name for block, expected in defaults() if bytes(_block(block)) != expected
-    ]
+    assert not [block.name for block, expected in defaults() if bytes(_block(block)) != expected]
 
 
 def test_mypy_accepts_the_binding_of_all_examples(tmp_path: Path) -> None:
     (tmp_path / "examples_binding.py").write_text(_text(), "utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--no-incremental", "examples_binding.py"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(
+        command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False
+    )
     assert done.returncode == 0, done.stdout
