@@ -5,9 +5,12 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from . import __name__ as package
-from .host_language import HostLanguage
+
+if TYPE_CHECKING:
+    from .host_language import HostLanguage
 
 
 @cache

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import click
 
+from ..bindings.registry import names
 from .compile_options import MATERIAL, SET, TARGET, name_and_value
 from .console import show
 from .options import (
@@ -42,8 +43,8 @@ class BindRequest(NamedTuple):
 @click.command()
 @click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
 @click.option(
-    "--lang", "language", required=True, metavar="LANGUAGE",
-    help="The language of the host: `python` or `cpp`.",
+    "--lang", "language", required=True, type=click.Choice(names()),
+    help="The language of the host.",
 )  # fmt: skip
 @click.option(
     "-o", "--output", metavar="FILE", default=STDOUT, show_default=True,
@@ -96,7 +97,7 @@ def _text(request: BindRequest) -> str:
     from ..targets.selection import DEFAULT
 
     targets = [name for names in request.targets for name in names.split(",")] or DEFAULT
-    _insist_on_names(request)
+    _insist_on_namespace(request)
     return api.bind(
         request.files, request.language, targets, material=request.material, rig=request.rig,
         pass_=request.pass_, search_path=request.search_path,
@@ -105,16 +106,12 @@ def _text(request: BindRequest) -> str:
     )  # fmt: skip
 
 
-def _insist_on_names(request: BindRequest) -> None:
-    """Raise ``BadParameter`` for a language or a namespace that there is not."""
+def _insist_on_namespace(request: BindRequest) -> None:
+    """Raise ``BadParameter`` for a namespace that there cannot be."""
     from ..api import binding as api
 
     try:
-        language = api.host_language(request.language)
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--lang") from None
-    try:
-        api.namespace_of(request.namespace, language, ("",))
+        api.namespace_of(request.namespace, api.host_language(request.language), ("",))
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="--namespace") from None
 

@@ -118,6 +118,8 @@ FLOORS: dict[str, str] = {
         "toolchain"
     ),
     "targets.web_view": "documents runner",
+    # What hosts set, compute and bind, in their own languages.
+    "bindings": "frozen ir packing documents reference tracing",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -136,6 +138,7 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
         "selection runner compiled remembered compiling sameness"
     ),
+    "api.binding": ("frozen arguments selection bindings compiled entry_points"),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
     "materialx": "opening depth garbage stdlib diagnostics syntax library_trees library runner",
@@ -151,7 +154,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points frame_sameness materialx"
+        "entry_points binding frame_sameness materialx"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
