@@ -15,9 +15,8 @@ from typing import Any
 from ..support.frozen import frozen
 from .folding import Style
 from .model import Binding
-from .naming import Case
 from .printer import Printer
-from .spelling import Spelling
+from .spelling import Manner, Spelling
 
 
 @frozen(eq=False, kw_only=True)
@@ -35,14 +34,7 @@ class HostLanguage:
     """Makes what the skeleton reads besides the binding: functions and texts by name."""
     style: Style
     """How long lines are broken."""
-    reserved: frozenset[str]
-    """The words that are no names, with those of the skeleton."""
-    type_case: Case
-    function_case: Case
-    value_case: Case
-    """The manner of fields and variables."""
-    constant_case: Case
-    only_ascii: bool = False
-    """True if not all compilers take letters beyond ASCII in names."""
+    manner: Manner
+    """How names are spelled."""
     has_namespace: bool = False
     """True if all names stand in a namespace, or begin with one, which a user may choose."""

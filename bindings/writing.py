@@ -74,7 +74,7 @@ def _headline(binding: Binding) -> str:
 
 def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
     """The names of a binding; those of the whole text are given before variables get theirs."""
-    spelling = Spelling(language)
+    spelling = Spelling(language.manner)
     for structure in binding.structures:
         spelling.type(structure.name)
     for block in binding.blocks:

@@ -7,6 +7,7 @@ from pathlib import Path
 from ..folding import Style
 from ..host_language import HostLanguage
 from ..naming import pascal, snake
+from ..spelling import Manner
 from .printer import CppPrinter
 from .texts import texts
 
@@ -36,11 +37,13 @@ LANGUAGE = HostLanguage(
     printer=CppPrinter,
     texts=texts,
     style=Style(comments=("///", "//")),
-    reserved=frozenset((*_KEYWORDS.split(), *_OF_SKELETON.split())),
-    type_case=pascal,
-    function_case=snake,
-    value_case=snake,
-    constant_case=snake,
-    only_ascii=True,
+    manner=Manner(
+        reserved=frozenset((*_KEYWORDS.split(), *_OF_SKELETON.split())),
+        type_case=pascal,
+        function_case=snake,
+        value_case=snake,
+        constant_case=snake,
+        only_ascii=True,
+    ),
     has_namespace=True,
 )

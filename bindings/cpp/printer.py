@@ -76,10 +76,13 @@ class CppPrinter(Printer):
         return f"std::min<std::int64_t>({self.text(count, kind='int')}, {bound})"
 
     def read(self, place: str, each: Expression) -> str:
-        """The number at a place; where it is a uint, it stands for a bool."""
+        """The number at a place; where it is a uint, it stands for a bool.
+
+        Floats are made doubles here, as C++ computes with floats otherwise.
+        """
         if each.kind == "bool":
             return f"({place} != 0)"
-        return place if each.kind == "float" else f"std::int64_t{{{place}}}"
+        return f"{_TYPES[each.kind]}{{{place}}}"
 
     def part(self, place: str, part: tuple[int, ...]) -> str:
         """A lane of a vector, or of a column."""
@@ -92,7 +95,10 @@ class CppPrinter(Printer):
 
     def let(self, name: str, value: Expression) -> str:
         """The statement that gives a number a name."""
-        return f"const {_TYPES[value.kind]} {name} = {self.text(value)};"
+        text = self.text(value)
+        if value.op == "load" and value.kind != "bool":
+            text = text.removeprefix(f"{_TYPES[value.kind]}{{").removesuffix("}")
+        return f"const {_TYPES[value.kind]} {name} = {text};"
 
     def set(self, place: str, statement: Set) -> Iterator[str]:
         """The statements that store a value: one for each column of a matrix."""

@@ -9,6 +9,7 @@ from pathlib import Path
 from ..folding import Style
 from ..host_language import HostLanguage
 from ..naming import pascal, screaming, snake
+from ..spelling import Manner
 from .printer import PythonPrinter
 from .texts import texts
 
@@ -28,9 +29,11 @@ LANGUAGE = HostLanguage(
     printer=PythonPrinter,
     texts=texts,
     style=Style(comments=("#",), docstrings=True, in_parentheses=True, last_comma=True),
-    reserved=frozenset((*keyword.kwlist, *dir(builtins), *_OF_SKELETON)),
-    type_case=pascal,
-    function_case=snake,
-    value_case=snake,
-    constant_case=screaming,
+    manner=Manner(
+        reserved=frozenset((*keyword.kwlist, *dir(builtins), *_OF_SKELETON)),
+        type_case=pascal,
+        function_case=snake,
+        value_case=snake,
+        constant_case=screaming,
+    ),
 )

@@ -154,7 +154,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points binding frame_sameness materialx"
+        "entry_points binding frame_sameness materialx bindings"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
@@ -229,6 +229,7 @@ def test_no_floor_imports_what_is_out_of_reach(floor: str, forbidden: tuple[str,
 
 def test_the_package_itself_is_only_a_door_to_the_library() -> None:
     assert modules()[PACKAGE] == {
+        "burnish.api.binding",
         "burnish.api.entry_points",
         "burnish.compiler.diagnostics.diagnostic",
     }
