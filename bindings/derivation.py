@@ -120,7 +120,7 @@ class Values:
         """The value of a builtin."""
         of_matrices = any(isinstance(lanes[0], tuple) for lanes in operands)
         if of_matrices or not is_lanewise(function):
-            found = evaluate(function, operands, Tracing(), kind)
+            found = _expressions(evaluate(function, operands, Tracing(), kind))
         else:
             width = max(map(len, operands))
             rows = [lanes * width if len(lanes) == 1 else lanes for lanes in operands]
@@ -281,6 +281,13 @@ def _chosen(condition: Expression, then: Value, otherwise: Value) -> Value:
     if isinstance(then, tuple):
         return tuple(_chosen(condition, *each) for each in zip(then, otherwise, strict=True))
     return Tracing.where(condition, then, otherwise)
+
+
+def _expressions(value: Any) -> Value:
+    """The lanes of a value as expressions, those that are plain numbers among them."""
+    if isinstance(value, tuple):
+        return tuple(map(_expressions, value))
+    return wrapped(value)
 
 
 def _constant(value: Any, kind: LaneKind) -> Value:

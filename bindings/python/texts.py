@@ -50,7 +50,8 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
 def _kind_name(kind: Numbers) -> str:
     """The name of a type of numbers: ``f32``, ``vec3``, ``mat3``."""
     if kind.columns:
-        return f"mat{kind.columns}"
+        is_square = kind.columns == kind.lanes
+        return f"mat{kind.columns}" if is_square else f"mat{kind.columns}x{kind.lanes}"
     if kind.lanes == 1:
         return "flag" if kind.truth else _KINDS[kind.kind]
     padded = "_padded" if kind.stored_lanes != kind.lanes else ""

@@ -19,12 +19,14 @@ from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
+from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
 from .kit import Sample, defaults, difference, everything, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
 _FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-O0")
 _HEAD = """\
+#include "builtins.hpp"
 #include "examples.hpp"
 #include <cstdio>
 #include <cstdlib>
@@ -53,20 +55,20 @@ def _spelling() -> Spelling:
     return spelling_of(everything(), registry.load("cpp"))
 
 
-def _reads(field: Field, place: str) -> Iterator[str]:
+def _reads(field: Field, place: str, spelling: Spelling) -> Iterator[str]:
     """The statements that read a field, or what is at its place."""
     if field.capacity:
         yield f"for (int i = 0; i < {field.capacity}; ++i) {{"
-        yield from _reads_value(field.type, f"{place}[i]")
+        yield from _reads_value(field.type, f"{place}[i]", spelling)
         yield "}"
     else:
-        yield from _reads_value(field.type, place)
+        yield from _reads_value(field.type, place, spelling)
 
 
-def _reads_value(type_: Numbers | Structure, place: str) -> Iterator[str]:
+def _reads_value(type_: Numbers | Structure, place: str, spelling: Spelling) -> Iterator[str]:
     if isinstance(type_, Structure):
         for field in type_.fields:
-            yield from _reads(field, f"{place}.{_spelling().member(field.word)}")
+            yield from _reads(field, f"{place}.{spelling.member(field.word)}", spelling)
         return
     read = "next_float()" if type_.kind == "float" else "next_whole()"
     stored = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t"}[type_.kind]
@@ -76,17 +78,22 @@ def _reads_value(type_: Numbers | Structure, place: str) -> Iterator[str]:
         yield from (f"{whole}{lane} = static_cast<{stored}>({read});" for lane in lanes)
 
 
-def _reader(block: Block) -> str:
-    name = _spelling().type(block.name)
-    lines = [f"static {name} read_{name}() {{", f"{name} block;"]
+def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
+    name = spelling.type(block.name)
+    lines = [f"static {namespace}{name} read_{name}() {{", f"{namespace}{name} block;"]
     for field in block.structure.fields:
-        lines += _reads(field, f"block.{_spelling().member(field.word)}")
+        lines += _reads(field, f"block.{spelling.member(field.word)}", spelling)
     return "\n".join([*lines, "return block;", "}", ""])
 
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [_reader(each) for each in everything().blocks if each.derivation is None]
+    readers = [
+        _reader(each, _spelling()) for each in everything().blocks if each.derivation is None
+    ]
+    binding, _ = every_builtin()
+    spelling = spelling_of(binding, registry.load("cpp"))
+    readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))
     turns: list[str] = []
     known: dict[tuple[str, int, str], str] = {}
     for number, sample in enumerate(samples()):
@@ -99,6 +106,8 @@ def _program() -> str:
             function = _spelling().function(deriving(sample.block))
             turns.append(f"tell({function}({', '.join(sources)}));")
     turns += [f"tell({_spelling().type(block.name)}{{}});" for block, _ in defaults()]
+    turn = "tell(burnish::builtins::derive_results(read_Operands()));"
+    turns += [turn] * ROUNDS
     return _HEAD + "".join(readers) + "int main() {\n" + "\n".join(turns) + "\n}\n"
 
 
@@ -112,7 +121,8 @@ def _numbers(value: Any) -> Iterator[str]:
 
 def _input() -> str:
     given = (sample for sample in samples() if sample.block.derivation is None)
-    return "\n".join(number for each in given for number in _numbers(tuple(each.values.values())))
+    values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
+    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
 
 
 @pytest.fixture(scope="module")
@@ -121,6 +131,8 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     folder = tmp_path_factory.mktemp("cpp")
     header = written(everything(), registry.load("cpp"))
     (folder / "examples.hpp").write_text(header, "utf-8")
+    builtins = written(every_builtin()[0], registry.load("cpp"))
+    (folder / "builtins.hpp").write_text(builtins, "utf-8")
     (folder / "main.cpp").write_text(_program(), "utf-8")
     _run(["g++", *_FLAGS, "main.cpp", "-o", "main"], folder)
     lines = _run([str(folder / "main")], folder, _input()).splitlines()
@@ -145,5 +157,17 @@ def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: lis
 
 
 def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
-    found = zip(defaults(), told[len(samples()) :], strict=True)
+    found = zip(defaults(), told[len(samples()) : -ROUNDS], strict=True)
     assert not [block.name for (block, expected), bytes_ in found if bytes_ != expected]
+
+
+def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
+    wrong = []
+    for seed, block in enumerate(told[-ROUNDS:]):
+        values = operands(seed)
+        for row in every_builtin()[1]:
+            pair = expected(row, values), stored(row, block)
+            if not all(is_close(*each) for each in zip(*pair, strict=True)):
+                given = [values[field.word] for field, _ in row.operands]
+                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
+    assert not wrong, "\n".join(wrong[:20])

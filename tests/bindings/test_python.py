@@ -17,6 +17,7 @@ from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
+from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
 from .kit import defaults, difference, everything, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
@@ -94,3 +95,25 @@ def test_mypy_accepts_the_binding_of_all_examples(tmp_path: Path) -> None:
         command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False
     )
     assert done.returncode == 0, done.stdout
+
+
+def test_builtins_mean_what_they_do_in_the_reference() -> None:
+    binding, rows = every_builtin()
+    module = ModuleType("builtins_binding")
+    text = written(binding, registry.load("python"))
+    exec(compile(text, "builtins_binding.py", "exec"), module.__dict__)
+    spelling = spelling_of(binding, registry.load("python"))
+    wrong = []
+    for seed in range(ROUNDS):
+        values = operands(seed)
+        block = module.Operands()
+        for row in rows:
+            for field, _ in row.operands:
+                setattr(block, spelling.member(field.word), _host(field, values[field.word]))
+        found = bytes(module.derive_results(block))
+        for row in rows:
+            pair = expected(row, values), stored(row, found)
+            if not all(is_close(*each) for each in zip(*pair, strict=True)):
+                given = [values[field.word] for field, _ in row.operands]
+                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
+    assert not wrong, "\n".join(wrong[:20])
