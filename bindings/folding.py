@@ -69,21 +69,22 @@ def _docstring(text: str, margin: str) -> Iterator[str]:
     yield f'{margin}"""'
 
 
-def _statement(text: str, margin: str, style: Style) -> Iterator[str]:
-    """A statement, a part of a list or an operand, over as many lines as it takes."""
+def _statement(text: str, margin: str, style: Style, *, inside: bool = False) -> Iterator[str]:
+    """A statement, or ``inside`` of brackets a part of a list, over as many lines as it takes."""
     if len(margin) + len(text) <= WIDTH:
         yield f"{margin}{text}"
         return
     operators = _operators(text)
     brackets = _last_brackets(text)
     assigned = _assigned(text)
-    if operators and (not style.in_parentheses or assigned is not None):
-        if style.in_parentheses and assigned is not None:
+    if operators and (inside or not style.in_parentheses or assigned is not None):
+        if style.in_parentheses and not inside and assigned is not None:
             yield f"{margin}{text[:assigned]}("
             yield from _operands(text[assigned:], margin + style.indent, style, first="")
             yield f"{margin})"
             return
-        yield from _operands(text, margin, style, first=style.indent)
+        first = "" if inside and style.in_parentheses else style.indent
+        yield from _operands(text, margin, style, first)
         return
     if brackets is None:
         yield f"{margin}{text}"
@@ -95,7 +96,7 @@ def _statement(text: str, margin: str, style: Style) -> Iterator[str]:
     for number, part in enumerate(parts):
         is_last = number == len(parts) - 1
         comma = "," if not is_last or (style.last_comma and len(parts) > 1) else ""
-        yield from _statement(part + comma, inner, style)
+        yield from _statement(part + comma, inner, style, inside=True)
     yield f"{margin}{text[end:]}"
 
 
@@ -110,12 +111,12 @@ def _operands(text: str, margin: str, style: Style, first: str) -> Iterator[str]
 
 
 def _operand(text: str, margin: str, style: Style) -> Iterator[str]:
-    if len(margin) + len(text) <= WIDTH or (style.in_parentheses and not _last_brackets(text)):
+    if len(margin) + len(text) <= WIDTH:
         yield f"{margin}{text}"
-    elif _operators(text) and not style.in_parentheses:
+    elif _operators(text):
         yield from _operands(text, margin, style, first=style.indent)
     else:
-        yield from _statement(text, margin, style)
+        yield from _statement(text, margin, style, inside=True)
 
 
 def _assigned(text: str) -> int | None:

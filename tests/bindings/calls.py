@@ -37,7 +37,7 @@ def every_builtin() -> tuple[Binding, tuple[Called, ...]]:
     helpers = Helpers()
     fields: list[Field] = []
     results: list[Field] = []
-    rows = []
+    rows: list[Called] = []
     for row in COMPUTING:
         for overload in overloads(row):
             operands = tuple(
@@ -49,17 +49,17 @@ def every_builtin() -> tuple[Binding, tuple[Called, ...]]:
     values = Values({field.name: ("Operands", field) for field in fields}, helpers, {})
     plain = []
     for each in rows:
-        operands = [values.parameter(field.name) for field, _ in each.operands]
-        found = values.applied(each.function, each.kind, operands)
+        given = [values.parameter(field.name) for field, _ in each.operands]
+        found = values.applied(each.function, each.kind, given)
         plain.append((Place(block="Results", way=(each.result.word,)), each.result, found))
-    given = Structure(name="Operands", size=_end(fields), fields=tuple(fields))
+    taken = Structure(name="Operands", size=_end(fields), fields=tuple(fields))
     computed = Structure(name="Results", size=_end(results), fields=tuple(results))
     derivation = Derivation(
         sources=(Source(plain_name="Operands", name="Operands"),),
         statements=_statements(plain, (), {}),
     )
     blocks = (
-        Block(structure=given, plain_name="Operands", group="draw", layout_id="1"),
+        Block(structure=taken, plain_name="Operands", group="draw", layout_id="1"),
         Block(
             structure=computed, plain_name="Results", group="draw", layout_id="2",
             derivation=derivation,
@@ -75,8 +75,9 @@ def every_builtin() -> tuple[Binding, tuple[Called, ...]]:
 def _field(word: str, shape: Shape, fields: list[Field], *, computed: bool = False) -> Field:
     truth = shape.kind == "bool"
     stored = 4 if shape.columns else shape.width
+    kind: Any = "uint" if truth else shape.kind
     type_ = Numbers(
-        kind="uint" if truth else shape.kind, truth=truth, lanes=shape.width,
+        kind=kind, truth=truth, lanes=shape.width,
         columns=shape.columns, stored_lanes=stored,
     )  # fmt: skip
     field = Field(name=word, word=word, type=type_, offset=_end(fields), computed=computed)
