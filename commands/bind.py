@@ -119,7 +119,7 @@ def _insist_on_namespace(request: BindRequest) -> None:
 def _deliver(output: str, text: str) -> None:
     """Print a text, or write it to a file that does not have it already."""
     if output == STDOUT:
-        deliver(output, text.removesuffix("\n"))
+        deliver(output, text)
         return
     path = Path(output)
     if path.is_symlink() or not path.is_file() or path.read_bytes() != text.encode():
