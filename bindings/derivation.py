@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ..compiler.documents.representations import kind_of, lanes_of
 from ..compiler.documents.steps import (
     BoundStep,
     CallStep,
@@ -29,7 +30,6 @@ from ..compiler.reference.functions import LaneKind, evaluate, is_lanewise
 from ..compiler.tracing import Expression, Tracing, given, made, wrapped
 from .fields import Field, Numbers, Structure
 from .helpers import Helpers
-from .representations import kind_of, lanes_of
 from .statements import Place
 
 Value = Any

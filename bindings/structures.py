@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from ..compiler.documents.representations import kind_of
 from ..compiler.documents.values import DerivedRow, LayoutRow, MemberRow, ParameterRow
 from .fields import Field, Numbers, Structure
-from .representations import kind_of
 
 _ROW = 16
 """Bytes in which a column and an element of three lanes have one that is not read."""
