@@ -2,8 +2,8 @@
 // Placed: fragment shader, by Burnish.
 // Placed by constants: the numbers are computed, and only the read is left.
 
-layout(set = 2, binding = 0) uniform texture2D detail;
-layout(set = 2, binding = 1) uniform sampler detail_sampler;
+layout(set = 2, binding = 5) uniform texture2D detail;
+layout(set = 2, binding = 6) uniform sampler detail_sampler;
 
 layout(location = 0) in vec2 v_uv;
 
