@@ -93,12 +93,13 @@ export class Pipelines {
       throw new Error(`WebGPU cannot draw the edges of triangles, as ${material} asks`);
     }
     const vertices = await this.#stage(material, vertex);
-    const fragments = await this.#stage(material, fragment);
+    // A pass that writes depths only needs no fragments.
+    const fragments = fragment && (await this.#stage(material, fragment));
     const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
     const render = await gpu.createRenderPipelineAsync({
       layout,
       vertex: { ...vertices, buffers: webgpu.buffers },
-      fragment: { ...fragments, targets },
+      ...(fragments && { fragment: { ...fragments, targets } }),
       primitive: webgpu.primitive,
       multisample: {
         count: state.samples,
