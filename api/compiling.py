@@ -43,6 +43,7 @@ from ..targets.legalise.limits import demands, excesses
 from ..targets.selection import full_name, select_targets
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, SpansOfText
+from .shared_texts import shared_texts
 
 if TYPE_CHECKING:
     from ..compiler.ir.frame import Frame, FrameShader
@@ -125,6 +126,9 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
         _warn_of_demands(shader, staged, printed, report)
         made.append(_printed(shader, staged, printed, asked.emit, to_textures=frames is not None))
+    if frames and not asked.emit.line_directives:
+        # With directives, a text says which material each line is of.
+        made = shared_texts(made)
     if frames:
         programs = {each.shader.name: each.staged.program for each in made}
         check_filtering(frames, lambda shader: programs[shader.name], report)
@@ -327,7 +331,7 @@ def _output(
     """The record of a text. Its source map is found when asked for, unless the text shows it."""
     target, profile = legal.language, legal.profile
     default = profile is target.profiles[0]
-    name = graphs.shader.name
+    name = file.owner or graphs.shader.name
     parts = (name, file.suffix) if default else (name, profile.name, file.suffix)
     if options.line_directives and target.line_directive:
         spans = graphs.spans(full_name(target, profile), file.stage)
