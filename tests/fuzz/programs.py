@@ -125,6 +125,9 @@ class _Program:
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
         passes = [self._any_pass(usable, materials)] if writer.maybe(0.3) else []
+        if any(drawn.name for drawn in passes) and writer.maybe(0.3):
+            form = "material Random{} by Drawn {}"
+            materials[-1] = replace(materials[-1], form=form)
         rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         frames = [
             frame(writer, drawn, [*materials, drawn])
