@@ -55,7 +55,7 @@ UNSEEN = warning(
     "B0509",
     "nothing reads `{name}`, as `{pass_}` has no target",
     "A pass without targets writes depths and stencil values only. One that shows something has a "
-    "target, `target color : rgba8 = vec4(color, alpha)`, or inherits that of `Forward`.",
+    "target, `target color : rgba8 = vec4(color, alpha)`, or extends a pass that has one.",
 )
 
 # Kernels
