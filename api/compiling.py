@@ -44,6 +44,7 @@ from ..targets.legalise.limits import demands, excesses
 from ..targets.selection import full_name, select_targets
 from .compiled import CompiledFrame, CompiledMaterial, CompileResult, OutputFile
 from .graphs import KeptGraphs, PlaceOfGraphs, ResultGraphs, ShaderGraphs, SpansOfText
+from .shared_texts import shared_texts
 
 if TYPE_CHECKING:
     from ..compiler.ir.frame import Frame, FrameShader
@@ -141,6 +142,9 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
         _warn_of_demands(shader, staged, printed, report)
         made.append(_printed(shader, staged, printed, asked.emit, to_textures=frames is not None))
+    if frames and not asked.emit.line_directives:
+        # With directives, a text says which material each line is of.
+        made = shared_texts(made)
     if frames:
         programs = {each.shader.name: each.staged.program for each in made}
         check_filtering(frames, lambda shader: programs[shader.name], report)
@@ -292,13 +296,15 @@ def _material(
 ) -> CompiledMaterial:
     """The record of a shader, from whose graphs it has the texts."""
     name = graphs.shader.name
-    stem = ".".join((name, *variant)) if graphs.shader.pass_name else name
+    parts = tuple(variant) if graphs.shader.pass_name else ()
     files = tuple(
-        _output(graphs, legal, file, stem, options, place) for legal, file in graphs.files()
+        _output(graphs, legal, file, ".".join((file.owner or name, *parts)), options, place)
+        for legal, file in graphs.files()
     )
     profiles = [profile for _target, profile in chosen]
     guards = (g for g in graphs.staged.guards if any(keeps(profile, g) for profile in profiles))
     reasons = {name: "; ".join(each.message for each in told) for name, told in lacking.items()}
+    stem = ".".join((name, *parts))
     return CompiledMaterial(name, stem, files, reasons, tuple(guards), place)
 
 

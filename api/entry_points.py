@@ -190,6 +190,8 @@ class Declared:
     kernels: tuple[str, ...]
     rigs: tuple[str, ...]
     passes: tuple[str, ...]
+    ties: Mapping[str, str]
+    """The pass of each material that names one, or inherits one: ``material Leaf by Cutout``."""
 
 
 def declared(source: str | Path, *, search_path: Sequence[str | Path] = ()) -> Declared:
@@ -199,7 +201,8 @@ def declared(source: str | Path, *, search_path: Sequence[str | Path] = ()) -> D
     if module is None or report.failed:
         raise CompileError(report.diagnostics)
     kinds = ("frame", "material", "kernel", "rig", "pass")
-    return Declared(*(frontend.declared(module, kind) for kind in kinds))
+    frames, materials, kernels, rigs, passes = (frontend.declared(module, kind) for kind in kinds)
+    return Declared(frames, materials, kernels, rigs, passes, frontend.ties(module))
 
 
 def variants(
@@ -207,8 +210,9 @@ def variants(
 ) -> tuple[tuple[str | None, str | None], ...]:
     """Pairs of a rig's and a pass's name for ``compile``: all with which a file can be drawn.
 
-    They are the file's own, or ``None`` for the library's. Raises ``CompileError`` if the file
-    cannot be read.
+    They are the file's own, or ``None``: for the library's rig, and for the pass of each material,
+    which is the library's where the material names none. A pass that a material names makes no
+    further pair. Raises ``CompileError`` if the file cannot be read.
     """
     report = Report()
     frontend, module = _opened(source, search_path, report)

@@ -171,7 +171,8 @@ def _remarks_on_passes(request: CompileRequest, result: CompileResult) -> Iterat
         return  # A pipe cannot be read again.
     if b"pass" not in file.read_bytes():
         return  # To parse a file again takes longer than to look for the word.
-    passes = api.declared(file, search_path=request.search_path).passes
+    declared = api.declared(file, search_path=request.search_path)
+    passes = [name for name in declared.passes if name not in declared.ties.values()]
     if passes:
         ways = " or ".join(f"`--pass {name}`" for name in passes)
         yield f"the library's pass Forward draws; {ways} takes one of {file.name}\n"

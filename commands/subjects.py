@@ -171,7 +171,8 @@ def _compiled(request: RenderRequest, profiles: Sequence[str]) -> tuple[Frames, 
         return _stored(request, profiles), []
     variants = api.variants(request.file, search_path=request.search_path)
     rigs = [request.rig] if request.rig else list(dict.fromkeys(rig for rig, _ in variants))
-    passes = [request.pass_] if request.pass_ else _own_passes(variants)
+    ties = api.declared(request.file, search_path=request.search_path).ties
+    passes = [request.pass_] if request.pass_ else _own_passes(variants, has_ties=bool(ties))
     if api.has_frames(request.file, material=request.material, search_path=request.search_path):
         passes = passes[:1]  # A frame says by itself which passes it draws.
     results = [
@@ -186,7 +187,8 @@ def _compiled(request: RenderRequest, profiles: Sequence[str]) -> tuple[Frames, 
     for shader in (each for result in results for each in result.materials):
         check_work(shader.shader)
     of_rigs = [(f"rig {rig}",) if len(rigs) > 1 else () for rig in rigs]
-    of_passes = [(f"pass {pass_}",) if len(passes) > 1 else () for pass_ in passes]
+    titles = ["own pass" if pass_ is None else f"pass {pass_}" for pass_ in passes]
+    of_passes = [(title,) if len(passes) > 1 else () for title in titles]
     further = [(*of_rig, *of_pass) for of_rig, of_pass in product(of_rigs, of_passes)]
     frames = _titled([result.frames for result in results], further)
     return [*frames], [] if frames else _titled([each.materials for each in results], further)
@@ -211,10 +213,15 @@ def _stored(request: RenderRequest, profiles: Sequence[str]) -> Frames:
     return [((frame.name,), frame)]
 
 
-def _own_passes(variants: Iterable[tuple[str | None, str | None]]) -> list[str | None]:
-    """The passes that a file declares; the library's if it declares none."""
-    passes = dict.fromkeys(pass_ for _, pass_ in variants)
-    return [pass_ for pass_ in passes if pass_ is not None] or [None]
+def _own_passes(
+    variants: Iterable[tuple[str | None, str | None]], *, has_ties: bool
+) -> list[str | None]:
+    """The passes that a file declares, or ``None`` for the pass of each material.
+
+    The latter is drawn with where a material names its pass, or the file declares none.
+    """
+    passes = list(dict.fromkeys(pass_ for _, pass_ in variants))
+    return [pass_ for pass_ in passes if pass_ is not None or has_ties] or [None]
 
 
 def _all_of_file(

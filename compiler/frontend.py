@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +16,7 @@ from .ir.shader import Shader
 from .library import FOLDER, standard_library
 from .opening import Opening
 from .semantics.inheritance.flattening import Records, records_of
+from .semantics.inheritance.ties import Tie, draws_as, tie_of
 from .semantics.names.modules import Module, Symbol
 from .semantics.names.standard_library import StandardLibrary
 from .semantics.shading.assembly import Parts, Setting, set_up
@@ -89,9 +90,10 @@ class Frontend:
         parts = self._parts(module, material, rig, pass_)
         if parts is None:
             return []
-        rig_symbol, pass_symbol, materials = parts
+        rig_symbol, named, materials = parts
+        pass_symbol = named or self._forward()
         reached: set[Symbol] = set()
-        found = list(self._elaborated(module, rig_symbol, pass_symbol, materials, reached))
+        found = list(self._elaborated(module, rig_symbol, named, materials, reached))
         settings = [setting for setting, _shader in found]
         if material is None:
             rigs = dict.fromkeys([rig_symbol, *self._rigs_of(module)])
@@ -127,28 +129,41 @@ class Frontend:
 
     def _parts(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None
-    ) -> tuple[Symbol, Symbol, list[Symbol]] | None:
-        """The rig, the pass and the materials that are asked for; ``None`` if one is unknown."""
+    ) -> tuple[Symbol, Symbol | None, list[Symbol]] | None:
+        """The rig, the pass and the materials that are asked for; ``None`` if one is unknown.
+
+        The pass is ``None`` where none is named: then each material has its own.
+        """
         materials = self._materials(module, material)
         rig_symbol = self._rig(module, rig)
         pass_symbol = self._pass(module, pass_)
         if rig_symbol is None or pass_symbol is None:
             return None
-        return rig_symbol, pass_symbol, materials
+        return rig_symbol, None if pass_ is None else pass_symbol, materials
 
     def _elaborated(
         self,
         module: Module,
         rig: Symbol,
-        pass_: Symbol,
+        named: Symbol | None,
         materials: Iterable[Symbol],
         reached: set[Symbol],
     ) -> Iterator[tuple[Setting, Shader | None]]:
-        """Yields materials put together, each with its shader; ``None`` where errors are found."""
+        """Yields materials put together, each with its shader; ``None`` where errors are found.
+
+        Without a ``named`` pass, each is drawn by the one that it is tied to, or by the library's.
+        """
         for material in materials:
             if not has_room(material, self._records, self._report):
                 return
-            parts = Parts(material, rig, pass_, module)
+            tie = tie_of(material, self._records, self._report)
+            own = self._forward() if tie is None else tie.pass_
+            if tie is not None and named is not None and not draws_as(named, tie, self._records):
+                self._report.add(
+                    rules.OTHER_PASS, tie.name.span,
+                    name=material.name, tied=own.name, pass_=named.name,
+                )  # fmt: skip
+            parts = Parts(material, rig, named or own, module)
             setting = set_up(parts, self._report.apart(), self._records)
             shader = elaborate(setting, reached)
             self._report.extend(setting.ctx.report.since(0))
@@ -214,11 +229,23 @@ class Frontend:
     def variants(self, module: Module) -> Iterator[tuple[str | None, str | None]]:
         """Names of a rig and a pass under which the module's materials can be drawn.
 
-        Each of its own rigs, with each of its own passes and the library's (``None``).
+        Each of its own rigs, with the pass of each material (``None``), and with each of its passes
+        that is no material's.
         """
         rigs: list[str | None] = [symbol.name for symbol in _rigs(module)]
-        passes = (symbol.name for symbol in records_of(module, "pass", abstract=False))
-        yield from product(rigs or (None,), (None, *passes))
+        passes = records_of(module, "pass", abstract=False)
+        tied = {tie.pass_ for tie in self._ties(module).values()}
+        free = (symbol.name for symbol in passes if symbol not in tied)
+        yield from product(rigs or (None,), (None, *free))
+
+    def ties(self, module: Module) -> Mapping[str, str]:
+        """The names of the passes to which the module's materials are tied."""
+        return {name: tie.pass_.name for name, tie in self._ties(module).items()}
+
+    def _ties(self, module: Module) -> Mapping[str, Tie]:
+        materials = records_of(module, "material", abstract=False)
+        found = ((m.name, tie_of(m, self._records, self._report.apart())) for m in materials)
+        return {name: tie for name, tie in found if tie is not None}
 
     def told_apart_by(self, module: Module, rig: str | None, pass_: str | None) -> tuple[str, ...]:
         """The names of the pass and the rig, each only if it draws because it was named.
@@ -248,7 +275,7 @@ class Frontend:
         if rigs and (lights := rigs[0]) is not None:
             frames = self._frames(module, _wanted_frames(module, None), lights, reached)
         if drawn:
-            self._check_unused(module, drawn, (), reached)
+            self._check_unused(module, drawn, (), reached, by_ties=pass_ is None)
         self._kernels(module, records_of(module, "kernel", abstract=False))
         return frames
 
@@ -258,10 +285,12 @@ class Frontend:
         drawn: list[tuple[Symbol, Symbol]],
         settings: Iterable[Setting],
         reached: set[Symbol],
+        *,
+        by_ties: bool = True,
     ) -> None:
         """Checks declarations that have not been reached, if possible with the pairs in ``drawn``.
 
-        These are rigs and passes.
+        These are rigs and passes. ``by_ties`` is that of ``CandidateContexts``.
         """
         prelude = self._library.prelude
         materials = _materials_of(module)
@@ -273,6 +302,7 @@ class Frontend:
             rigs=tuple(dict.fromkeys(rigs)),
             passes=tuple(dict.fromkeys([*(pass_ for _, pass_ in drawn), self._forward()])),
             drawn=tuple(drawn),
+            by_ties=by_ties,
         )
         known = NOTHING_KNOWN if is_watched() else KNOWN_RIGHT
         unused = UnusedDeclarations(

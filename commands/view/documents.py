@@ -247,7 +247,8 @@ class Documents:
         subject = _first(subject, *names)
         rig = choice.rig if choice.rig in declared.rigs else None
         pass_ = choice.pass_ if choice.pass_ in declared.passes else None
-        own = declared.passes if subject in declared.materials and not declared.frames else ()
+        is_free = subject in declared.materials and subject not in declared.ties
+        own = declared.passes if is_free and not declared.frames else ()
         return Choice(
             None,
             subject,

@@ -50,7 +50,7 @@ def notes_of(first: Shader, second: Shader) -> Iterator[str]:
         if _in_both(ours, theirs) is not None:
             ends = [f"{low:g}..{high:g}" for low, high in (ours, theirs)]
             yield f"`{name}` is in {ends[0]} in A and in {ends[1]} in B: both ranges count"
-    if first.targets != second.targets:
+    if (first.targets, first.layers) != (second.targets, second.layers):
         yield "the formats or the blending of the render targets differ, which is not compared"
 
 

@@ -189,11 +189,6 @@ class RenderTarget:
     format: str
     blend: Blend = REPLACES
     """The blending that the hardware does behind the shader."""
-    layers: int = 0
-    """The number of layers; 0 where it is a single picture and no array of them.
-
-    All targets of a shader have equally many.
-    """
     mask: Mask = "rgba"
     """The lanes that are written, of those that the format has."""
     clear: tuple[float, float, float, float] | None = None
@@ -359,6 +354,8 @@ class Shader:
     """The stages that it may need, in pipeline order."""
     expansion: Expansion | None = None
     """The expansion of each primitive of the mesh, whichever stage does it."""
+    layers: int = 0
+    """The number of layers of each render target, and of the depths; 0 for single pictures."""
     layer: Parameter | None = None
     """The parameter that says for which layer a draw is.
 
@@ -432,11 +429,6 @@ class Shader:
         if self.chain[0] != VERTEX:
             return None
         return next((info.leaf for info in self.buffers if info.of_mesh), None)
-
-    @property
-    def layers(self) -> int:
-        """The number of layers of each render target; 0 where they are single pictures."""
-        return max((r.state.layers for r in self.results if r.state is not None), default=0)
 
     def results_of(self, kind: str) -> tuple[Result, ...]:
         """The results of one kind, in order."""

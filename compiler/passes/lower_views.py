@@ -31,7 +31,9 @@ def lower_views(shader: Shader) -> Shader:
     name = unused_name(VIEW_OF_DRAW, shader.parameters)
     number = Parameter(name, INT, "draw", fact=Fact(0.0, float(last), kind="int"))
     doc = "The number of the view that is drawn, and of its layer of the render targets"
-    span = next(result.span for result in shader.results if result.span is not None)
+    # A pass without targets has no result with a span.
+    spans = (*(result.span for result in shader.results), *shader.notes.spans.values())
+    span = next(span for span in spans if span is not None)
     info = ParameterInfo(number, str(INT), doc, span, range=(0.0, float(last)), default=0)
     return changed(
         _with_numbers(shader, shader.graph.node("parameter", INT, (), number)),

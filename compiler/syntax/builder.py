@@ -88,12 +88,13 @@ class Builder:
         kind: ast.RecordKind,
         name: Name,
         bases: tuple[Name, ...],
+        by: Name | None,
         blend: Name | None,
         *members: ast.Member,
     ) -> ast.Record:
         base = bases[0] if bases else None
-        doc, mixins = self.doc(span), bases[1:]
-        return ast.Record(span, doc, kind, name, abstract is not None, base, blend, members, mixins)
+        doc, mixins, is_abstract = self.doc(span), bases[1:], abstract is not None
+        return ast.Record(span, doc, kind, name, is_abstract, base, blend, members, mixins, by)
 
     def bases(self, _: Span, base: Name | None, *mixins: Name) -> tuple[Name, ...]:
         return () if base is None else (base, *mixins)

@@ -15,7 +15,9 @@ _RECORD = "a {} is `{} Name : Base + Mixin {{ … }}`, where the base and the mi
 
 DECLARATIONS: Mapping[str, str] = MappingProxyType(
     {
-        **{kind: _RECORD.format(kind, kind) for kind in ("material", "light", "kernel", "frame")},
+        **{kind: _RECORD.format(kind, kind) for kind in ("light", "kernel", "frame")},
+        "material": "a material is `material Name : Base + Mixin by Pass { … }`, where the base, "
+        "the mixins and the pass are optional",
         "pass": "a pass is `pass Name : Base blend mode { … }`; the base and the mode are optional",
         "abstract": "a material for others to complete is `abstract material Name : Base { … }`",
         "mixin": "a mixin is `mixin Name { … }`, or `mixin Name for light { … }`, `… for pass`",

@@ -15,10 +15,10 @@ NESTING_LIMIT = 200
 
 TWO_WORDS = frozenset(("abstract", "extern"))
 """Words that a second word follows before the name: ``abstract material``, ``extern block``."""
-_AWAITS_NAME = frozenset(("blend", "for", "in", "per"))
+_AWAITS_NAME = frozenset(("blend", "by", "for", "in", "per"))
 _AWAITS_VALUE = frozenset(("from", "to", "while"))
 """Words of a loop's head; elsewhere they are names, and so may end an equation."""
-HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "for", "per", "at"))
+HEADER_ENDS = frozenset((":", "{", "(", "<", "blend", "by", "for", "per", "at"))
 _CLOSED_BY = {"(": ")", "[": "]", "{": "}"}
 _CLOSERS = frozenset(_CLOSED_BY.values())
 _CAN_END = frozenset(

@@ -123,7 +123,7 @@ def series_of(
     )
     cases = tuple(Case(name, state) for name, state in zip(DRAWN_CASES, states, strict=True))
     yield Series(exact=is_drawn(reflection), cases=cases)
-    if is_drawn(reflection) and shows_less(reflection):
+    if reflection.targets and shows_less(reflection):
         state = _stretched(given, seed, BACKDROP, size)
         state = replace(state, blend_constant=BLEND_CONSTANT)
         yield Series(exact=False, cases=(Case("declared", state),))

@@ -28,7 +28,7 @@ from ..runner.capturing import Vertices, captured_by, give_elements
 from ..runner.drivers.pipeline import Pipeline
 from ..runner.frames.states import Outcome, draw_states
 from ..runner.instances.shapes import stored_as
-from ..runner.kernels import drawable, is_drawn, is_over_buffers
+from ..runner.kernels import drawable, is_drawn, is_over_buffers, pictures_of
 from ..runner.reference import Program, geometry_for, remembered, texels_of, values_for
 from ..runner.reference_kernels import place_of
 from ..runner.routes import Route
@@ -107,13 +107,13 @@ def _as_it_is(shader: Shader) -> Shader:
 
 
 def _compared_pixels(got: Outcome, said: Said) -> Compared:
-    formats = [result.state.format for result in said.source.shader.results if result.state]
+    formats = [format_ for _, format_ in pictures_of(said.state.instance.reflection)]
     return Compared.of(got.pictures, said.allowed(), said.meant(), formats, said.possible)
 
 
 def _targets(found: Expected, reflection: Reflection, _width: int) -> CasePictures:
-    rows = reflection.targets
-    return CasePictures.of_formats([row.name for row in rows], [row.format for row in rows], found)
+    names, stored = zip(*pictures_of(reflection), strict=True)
+    return CasePictures.of_formats(names, stored, found)
 
 
 def as_drawn(shader: Shader) -> Shader:

@@ -249,6 +249,9 @@ class Profile:
     """The ways in which the targets of one pass may differ in blending."""
     blends_floats: bool = True
     """True if render targets of 32-bit floats can be blended."""
+    links_without_fragments: bool = True
+    """True if a pipeline can do without a fragment shader, where a pass writes depths only.
+    Elsewhere it gets one that does nothing."""
     fragment_depths: bool = True
     """True if fragments can have depths of their own."""
     borders: bool = True

@@ -6,7 +6,7 @@ passes and ``legalise`` have decided where each value is computed.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Stage, StageName
@@ -57,10 +57,15 @@ class EmittedFile:
     marks: Marks
     breaks: Breaks
     """The lines that were broken. The marks count lines as they were before."""
+    owner: str = ""
+    """The name for the file, if it is not the shader's: that of all shaders with this text."""
+    added: int = 0
+    """The number of lines above all statements that were added since; negative for fewer lines."""
 
     def origins(self) -> dict[int, Node]:
         """The value that each statement belongs to, by line of ``text``, counted from 1."""
-        return moved(self.marks.origins(), self.breaks)
+        found = moved(self.marks.origins(), self.breaks)
+        return {line + self.added: node for line, node in found.items()} if self.added else found
 
 
 @frozen
@@ -80,6 +85,13 @@ def emit(legal: Legal, options: EmitOptions | None = None) -> Emission:
     if options.single_file and not legal.profile.single_file:
         raise ValueError(f"{legal.language.name}:{legal.profile.name} has no single-file form")
     return _Emitter(legal, options).emission()
+
+
+def header_lines(name: str, doc: str, stages: Collection[StageName]) -> list[str]:
+    """The comments with which a text begins: whose it is, and what that is."""
+    kinds, plural = " and ".join(stages), "s" if len(stages) > 1 else ""
+    title = comment_line(f"{name}: {kinds} shader{plural}, by Burnish.", "//")
+    return [title, *comment_lines(doc, "//")]
 
 
 class _Emitter:
@@ -168,10 +180,7 @@ class _Emitter:
 
     def _header(self, stages: tuple[Stage, ...]) -> list[str]:
         shader = self._program.shader
-        kinds = " and ".join(stage.name for stage in stages)
-        plural = "s" if len(stages) > 1 else ""
-        title = comment_line(f"{shader.name}: {kinds} shader{plural}, by Burnish.", "//")
-        return [title, *comment_lines(shader.doc, "//")]
+        return header_lines(shader.name, shader.doc, [stage.name for stage in stages])
 
     def _host_uniforms(self, stage: Stage) -> list[str]:
         return [row.host_uniform for row in self._inputs(stage) if row.host_uniform]

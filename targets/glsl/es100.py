@@ -83,6 +83,7 @@ def es100(framebuffer: Framebuffer) -> Profile:
         skeleton=Path(__file__).parent / "es100.glsl.j2",
         explicit_bindings=False,
         draws_edges=False,
+        links_without_fragments=False,
         blending="alike",
         blends_floats=False,
         fragment_depths=False,

@@ -9,8 +9,11 @@ has nothing to do in a profile or a program returns its input.
 
 from __future__ import annotations
 
-from ...compiler.ir.program import Program
+from ...compiler.ir.program import Program, Stage
+from ...compiler.ir.stages import FRAGMENT
+from ...compiler.ir.statements import Region
 from ...compiler.passes.pipeline import Undecided
+from ...support.frozen import changed
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from .bindings import assign_bindings
@@ -27,6 +30,8 @@ def legalise(
     """``program`` as ``profile`` prints it; ``undecided`` if it has calls to decide about."""
     if undecided is not None:
         program = with_guards(program, undecided, profile)
+    if not profile.links_without_fragments:
+        program = _with_fragments(program)
     program, definitions = with_definitions(program, profile)
     return Legal(
         program,
@@ -37,3 +42,11 @@ def legalise(
         resource_arguments(program, language),
         frozenset() if profile.computed_indices else counted_places(program),
     )
+
+
+def _with_fragments(program: Program) -> Program:
+    """A program that draws, with a fragment stage that does nothing if it has none."""
+    if program.shader.chain[-1] != FRAGMENT or program.stages[-1].row == FRAGMENT:
+        return program
+    nothing = Stage(FRAGMENT, (), (), (), (), Region(()), ())
+    return changed(program, stages=(*program.stages, nothing))

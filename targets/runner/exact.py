@@ -1,5 +1,7 @@
 """Shows exactly what a material writes: its targets hold every number, and nothing is mixed.
 
+A pass without targets shows the depths of what it draws, also where it keeps stencil values only.
+
 ``conform`` compares such pictures, ``burnish render`` draws them, and so do tests.
 """
 
@@ -7,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
-from ...compiler.documents.drawing import TargetRow
+from ...compiler.documents.drawing import RenderStateRow, TargetRow
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.blending import REPLACES
 from ...compiler.ir.formats import TARGET_FORMATS
+from ...compiler.ir.render_state import RenderState
 from ...compiler.ir.shader import Result, Shader
 from ...compiler.ir.types import Type
 from ...support.frozen import changed
@@ -27,6 +30,8 @@ _FLOATS: Mapping[Type, str] = {
 
 _WHOLE: Any = {"samples": 1, "alpha_to_coverage": False}
 """The state by which each fragment is written to a whole pixel."""
+
+_State = TypeVar("_State", RenderState, RenderStateRow)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +73,7 @@ class Exact(Retargeted):
             changed(
                 reflection,
                 targets=tuple(map(_exact_row, reflection.targets)),
-                render_state=changed(reflection.render_state, **_WHOLE),
+                render_state=_exact_state(reflection.render_state, bool(reflection.targets)),
             ),
         )
 
@@ -85,7 +90,14 @@ class Exact(Retargeted):
 def exact_shader(shader: Shader) -> Shader:
     """The shader with targets that keep what it writes."""
     results = tuple(map(_exact_result, shader.results))
-    return changed(shader, results=results, render_state=changed(shader.render_state, **_WHOLE))
+    state = _exact_state(shader.render_state, bool(shader.targets))
+    return changed(shader, results=results, render_state=state)
+
+
+def _exact_state(state: _State, has_targets: bool) -> _State:
+    """The state by which each fragment is kept whole: in the targets, or else in the depths."""
+    whole: _State = changed(state, **_WHOLE)
+    return whole if has_targets else changed(whole, depth=changed(whole.depth, write=True))
 
 
 def exact_format(declared: str) -> str:

@@ -24,6 +24,9 @@ from .scene_state import CLEAR, Color, SceneState
 
 _WORD = struct.Struct("<I")
 
+DEPTHS = ("depth", "r32f")
+"""The name of the depths of a pass without targets, and the format that holds them."""
+
 
 class EmptyImageError(ValueError):
     """The images of a kernel have no texels."""
@@ -58,6 +61,16 @@ def is_over_buffers(reflection: Reflection) -> bool:
 def is_drawn(reflection: Reflection) -> bool:
     """True if pictures are drawn. Kernels over buffers, and captures, write elements instead."""
     return reflection.capture is None and not is_over_buffers(reflection)
+
+
+def pictures_of(reflection: Reflection) -> tuple[tuple[str, str], ...]:
+    """The name and the format of each picture that a single shader leaves.
+
+    They are its targets, or the images of a kernel. A pass without targets leaves its depths.
+    """
+    if reflection.targets or not is_drawn(reflection):
+        return tuple((row.name, row.format) for row in reflection.targets)
+    return (DEPTHS,)
 
 
 def dispatch_of(instance: Instance) -> Dispatch:

@@ -74,9 +74,9 @@ def variants() -> Iterator[Variant]:
     for path in EXAMPLES:
         declarations = parse(Source(path.name, path.read_text("utf-8")), Report()).declarations
         rigs: list[str | None] = [d.name.text for d in declarations if isinstance(d, ast.Rig)]
-        passes = [
-            d.name.text for d in declarations if isinstance(d, ast.Record) and d.kind == "pass"
-        ]
+        records = [d for d in declarations if isinstance(d, ast.Record)]
+        ties = {d.by.text for d in records if d.by is not None}
+        passes = [d.name.text for d in records if d.kind == "pass" and d.name.text not in ties]
         for rig in rigs or [None]:
             for pass_ in (None, *passes):
                 yield Variant(path, rig, pass_)

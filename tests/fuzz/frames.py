@@ -37,15 +37,17 @@ _NUMBERS = Scope((variable("amount", "float"), variable("float(many)", "float"))
 """The variables of which a frame computes numbers."""
 
 
-def render_states(writer: Writer, program: Sequence[Node]) -> list[Node]:
+def render_states(writer: Writer, program: Sequence[Node], *, is_deep: bool) -> list[Node]:
     """The faces that a program's pass draws, and its settings for depths and stencil values.
 
-    ``program`` is all that has a part in what the pass draws.
+    ``program`` is all that has a part in what the pass draws. One that ``is_deep`` has no targets:
+    its depths are looked at, so they are written, and there is one for each pixel.
     """
     found = []
     several = _COVERED if _has_alpha(program) else _SEVERAL
-    raster = {**_RASTER, **several} if _may_have_samples(program) else _RASTER
-    for kind, settings in (("raster", raster), ("depth", _DEPTH), ("stencil", _STENCIL)):
+    raster = {**_RASTER, **several} if _may_have_samples(program) and not is_deep else _RASTER
+    depth = {name: said for name, said in _DEPTH.items() if not (is_deep and name == "write")}
+    for kind, settings in (("raster", raster), ("depth", depth), ("stencil", _STENCIL)):
         if writer.maybe(0.2):
             chosen = [name for name in settings if writer.maybe(0.5)]
             said = ", ".join(f"{name} = {writer.chance.choice(settings[name])}" for name in chosen)
@@ -76,7 +78,7 @@ def _has_alpha(program: Sequence[Node]) -> bool:
 
 
 def frame(writer: Writer, drawn: Node, program: Sequence[Node]) -> Node:
-    """A frame that draws all models with the pass ``drawn``, and shows each of its targets.
+    """A frame that draws all models with the pass ``drawn``, and shows its targets or its depths.
 
     It declares the textures and buffers that parts of the ``program`` read, and computes some of
     the pass's parameters.
@@ -128,7 +130,8 @@ def _settings(writer: Writer, drawn: Node) -> Iterator[Node]:
 
 
 def _targets(drawn: Node) -> Iterator[str]:
-    yield "color"
+    """The names of what a pass leaves: without a base, it has no targets, and leaves depths."""
+    yield "color" if " : Forward" in drawn.form else "depth"
     yield from (node.name for _, node in walk(drawn) if node.role == "target")
 
 

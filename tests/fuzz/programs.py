@@ -125,6 +125,9 @@ class _Program:
         usable = (*callables, *(signature for signature, _ in terms))
         materials = list(self._materials(replace(outside, callables=usable)))
         passes = [self._any_pass(usable, materials)] if writer.maybe(0.3) else []
+        if any(drawn.name for drawn in passes) and writer.maybe(0.3):
+            form = "material Random{} by Drawn {}"
+            materials[-1] = replace(materials[-1], form=form)
         rigs = [declarations.rig(writer, own=own_light, any_number=self.has_buffers)]
         frames = [
             frame(writer, drawn, [*materials, drawn])
@@ -338,7 +341,7 @@ class _Program:
         return replace(listed("pass Drawn {{\n    {}\n}}", items, "\n    ", "pass"), optional=True)
 
     def _pass(self, callables: tuple[Signature, ...], materials: Sequence[Node]) -> Node:
-        """A pass with targets of several formats, blending and discarding."""
+        """A pass with targets of several formats, blending, discarding; or one of depths only."""
         writer = self.writer
         scope = Scope((variable("vec3(color)", "vec3"), variable("alpha", "float")), callables,
                       can=self._fragments({SURFACE, LIT, FRAGMENT, UNIFORM}))  # fmt: skip
@@ -354,9 +357,10 @@ class _Program:
         elif writer.maybe(0.15):
             items.append(Node("views of 2", role="views"))
             scope = scope.having(variable("view_index", "int"))
-        adds = writer.maybe(0.25)
+        is_deep = writer.maybe(0.12)
+        adds = not is_deep and writer.maybe(0.25)
         types = []
-        for number in range(writer.chance.randint(0, 2)):
+        for number in range(0 if is_deep else writer.chance.randint(0, 2)):
             type_ = writer.chance.choice([*FORMATS])
             types.append(type_)
             value = self._tamed(writer.expression(type_, scope, FUEL // 2))
@@ -370,7 +374,10 @@ class _Program:
         if writer.maybe(0.3):
             condition = writer.expression("bool", scope, FUEL // 2)
             items.append(Node("discard when {}", (condition,), role="discard", optional=True))
-        items += render_states(writer, [*materials, *items])
+        items += render_states(writer, [*materials, *items], is_deep=is_deep)
+        if is_deep:
+            form = "pass Drawn {{\n    {}\n}}"
+            return replace(listed(form, items, "\n    ", "pass"), optional=True, name="Drawn")
         blended = adds or writer.maybe(0.4)
         blend = f" blend {'add' if adds else self._blend('vec4')}" if blended else ""
         form = f"pass Drawn : Forward{blend} {{{{\n    {{}}\n}}}}"

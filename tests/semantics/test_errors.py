@@ -28,6 +28,7 @@ SECTIONS = ("B02", "B03", "B04", "B05", "B06", "B07", "B08")
 NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
     "unsupported": "about an option of the command line, in tests/cli",
+    "other_pass": "about an option of the command line, in tests/semantics/test_ties.py",
     "no_line_directives": "about an option of the command line, in tests/cli",
     "not_specialised": "about an option of the command line, in tests/cli",
     "too_large_to_draw": "what `burnish graph` says, in tests/cli",

@@ -130,9 +130,11 @@ FLOORS: dict[str, str] = {
     "api.remembered": "frozen locks watching compiled",
     "api.narrowed_values": "frozen stdlib ir runner",
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
+    "api.shared_texts": "frozen emit selection graphs",
     "api.compiling": (
         "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection "
-        "frontend description emit legalise availability selection binding_schemes graphs compiled "
+        "frontend description emit legalise availability selection binding_schemes graphs shared_texts "
+        "compiled "
         "specialising"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),

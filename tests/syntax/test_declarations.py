@@ -100,16 +100,24 @@ def test_one_mistake_in_a_header_is_told_once(text: str, message: str) -> None:
 
 
 def test_records() -> None:
-    text = "abstract material A {} light B : C {} pass D : E blend alpha {}"
+    text = "abstract material A {} light B : C {} pass D : E blend alpha {} material F : A by D {}"
     described = [
-        (r.kind, r.name.text, r.abstract, r.base and r.base.text, r.blend and r.blend.text)
+        (
+            r.kind,
+            r.name.text,
+            r.abstract,
+            r.base and r.base.text,
+            r.blend and r.blend.text,
+            r.by and r.by.text,
+        )
         for r in parsed(text).declarations
         if isinstance(r, ast.Record)
     ]
     assert described == [
-        ("material", "A", True, None, None),
-        ("light", "B", False, "C", None),
-        ("pass", "D", False, "E", "alpha"),
+        ("material", "A", True, None, None, None),
+        ("light", "B", False, "C", None, None),
+        ("pass", "D", False, "E", "alpha", None),
+        ("material", "F", False, "A", None, "D"),
     ]
 
 

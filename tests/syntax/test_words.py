@@ -29,6 +29,7 @@ FILES: dict[str, str] = {
     "a mixin for lights": "mixin W for light {}\nlight L : Light + W { to_light = normal }",
     "a light": "light W : Light { to_light = normal }\nrig R { a : W  b : W }\nrig W2 {}",
     "a pass": "pass W : Forward blend add {}\npass P : W {}",
+    "a pass of a material": "pass W : Forward {}\nmaterial M by W {}\nmaterial N : M by W {}",
     "a rig": "rig W {}",
     "a light of a rig": (
         "light L : Light { to_light = normal  param p : float }\n"

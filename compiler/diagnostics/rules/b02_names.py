@@ -94,3 +94,15 @@ CASE_OF_NAMES = warning(
     "`{name}` and `{first}` differ by letter case only",
     "Each material has files of its name, and Windows and macOS take these for the same files.",
 )
+NOT_A_PASS = error(
+    "B0216",
+    "`{name}` is not a pass",
+    "Behind `by` stands the pass that draws the material unless another one is asked for: "
+    "`material Leaf by Cutout { … }`.",
+)
+OTHER_PASS = warning(
+    "B0217",
+    "`{name}` is drawn by `{tied}`, and here by `{pass_}`",
+    "What its own pass does, such as to discard, is not done here. Leave `--pass` out, or derive "
+    "the other pass from the material's.",
+)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .row import error
+from .row import error, warning
 
 UNKNOWN_RATE = error(
     "B0501",
@@ -30,7 +30,8 @@ NO_CLIP_POSITION = error(
 NO_TARGET = error(
     "B0505",
     "`{name}` writes nothing",
-    "A pass has at least one target: `target color : rgba8 = vec4(color, alpha)`.",
+    "A pass has a target, `target color : rgba8 = vec4(color, alpha)`, or it writes depths or "
+    "stencil values, as it does unless `depth { write = false }` stands there.",
 )
 
 NO_ALPHA = error(
@@ -49,6 +50,12 @@ NO_DEPTH = error(
     "B0508",
     "a depth lies between 0 and 1, and this is {depth}",
     "0 is nearest, and 1 as far away as can be: `clear { depth = 1 }`.",
+)
+UNSEEN = warning(
+    "B0509",
+    "nothing reads `{name}`, as `{pass_}` has no target",
+    "A pass without targets writes depths and stencil values only. One that shows something has a "
+    "target, `target color : rgba8 = vec4(color, alpha)`, or extends a pass that has one.",
 )
 
 # Kernels

@@ -188,3 +188,10 @@ TWO_DEPTHS = error(
     "`step.depth` are the depths that a pass tests or writes. Give the target another name, such "
     "as `distance`, or leave depths alone: `depth { compare = always, write = false }`.",
 )
+NOT_BY_ITS_PASS = warning(
+    "B0830",
+    "no step draws `{name}` by `{tied}`",
+    "A frame names the pass of each step, also for materials that have a pass of their own. Draw "
+    "models with such a material by it, or by a pass that extends it: `models leaves : Leaf`, "
+    "`Cutout(leaves)`.",
+)

@@ -11,7 +11,7 @@ from .canvas import size_of as canvas_size
 from .copies import Places
 from .drawing import draw, draw_onto, written_by
 from .hulls import Hulls
-from .resolve import expected_on, samples_on
+from .resolve import depth_ends, expected_on, samples_on
 from .scene import Counted, Expected, Geometry, RasterRules, Stored, Texels, instanced
 from .stage_evaluation import PIXELS_AT_ONCE
 
@@ -28,6 +28,7 @@ __all__ = [
     "Stored",
     "Texels",
     "canvas_size",
+    "depth_ends",
     "draw",
     "draw_onto",
     "expected_on",

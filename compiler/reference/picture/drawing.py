@@ -27,7 +27,7 @@ from .lines import LineFaces
 from .narrowing import CasesOf, Colours, narrow
 from .placing import placing_of
 from .quads import Barycentric, Quads, depths_of, out_of_range, quads_of
-from .resolve import expected_on
+from .resolve import depths_on, expected_on
 from .scene import (
     LEVEL_EDGES,
     LINES,
@@ -87,7 +87,7 @@ def draw(
             depth=shader.render_state.depth.clear, blend_constant=blend_constant,
         )  # fmt: skip
         draw_onto(canvas, shader, values, textures, geometry, rules, errors)
-        return expected_on(canvas, rules)
+        return expected_on(canvas, rules) if written else depths_on(canvas, rules)
 
 
 def draw_onto(

@@ -50,6 +50,8 @@ def narrow(found: Colours, evaluated: CasesOf) -> None:
 
     Some of them are tried first, and show whether it pays.
     """
+    if not found.targets:
+        return
     wide = _any_wide(found)
     if np.count_nonzero(wide) <= max(FEW, FEW_OF * len(wide)):
         return

@@ -39,6 +39,45 @@ def expected_on(canvas: Canvas, rules: RasterRules, hulls: Hulls | None = None) 
     )
 
 
+def depths_on(canvas: Canvas, rules: RasterRules) -> Expected:
+    """The depths on a canvas as the only target: the picture of a pass that has no targets.
+
+    Each pixel has one sample, since nobody can read the depths of several.
+    """
+    assert rules.samples == 1, "a pixel has one depth"
+    shape = rules.height, rules.width
+    value, low, high = (
+        np.stack([end, *np.broadcast_to([[0.0], [0.0], [1.0]], (3, len(end)))], axis=-1)
+        for end in depth_ends(canvas)
+    )
+    undecided: Bools = (canvas.undecided | canvas.shaky).reshape(shape)
+    layers = canvas.layers.reshape(shape)
+    return Expected(
+        targets=(value.reshape(*shape, 4),),
+        covered=layers > 0,
+        undecided=undecided,
+        low=(low.reshape(*shape, 4),),
+        high=(high.reshape(*shape, 4),),
+        layers=layers,
+        counted=canvas.counted,
+    )
+
+
+def depth_ends(canvas: Canvas, hulls: Hulls | None = None) -> Ends:
+    """The depths of all samples with their ends, (3, samples), as an attachment can hold them.
+
+    Undecided samples may have all depths that their hulls contain.
+    """
+    value, off = canvas.depth, canvas.depth_off
+    low, high = value - off, value + off
+    if hulls is not None:
+        undecided = canvas.undecided | canvas.shaky
+        low = np.where(undecided, hulls.depth[0], low)
+        high = np.where(undecided, hulls.depth[1], high)
+    ends: Ends = np.clip(np.stack([value, low, high]), 0.0, 1.0)
+    return ends
+
+
 def samples_on(canvas: Canvas, target: int, hulls: Hulls | None = None) -> Ends:
     """The samples of one of the targets, (3, samples, 4).
 

@@ -10,7 +10,7 @@ from itertools import chain
 
 from ....support.frozen import frozen
 from ...diagnostics import rules
-from ...diagnostics.diagnostic import Report
+from ...diagnostics.diagnostic import Label, Report
 from ...ir.frame import Elements, Frame, FrameOutput, Models, Step, StepTexture
 from ...ir.shader import BufferInfo, TextureInfo
 from ...syntax import ast
@@ -21,6 +21,7 @@ from ..checking.unknown_names import unknown
 from ..declarations.parameters import Leaves, all_parameters, leaves_of, of_kind
 from ..inheritance.flattening import Records, root_of
 from ..inheritance.records import Record
+from ..inheritance.ties import draws_as, tie_of
 from ..lowering.outlining import lowered
 from ..names.modules import Module, Symbol
 from ..shading.host_names import Entry, names_taken
@@ -93,6 +94,7 @@ class _Checking:
         self._check_rest(are_whole=0 < len(outputs) == len(written))
         self._steps.settle_previous()
         ctx.deferred.report()
+        self._check_ties()
         if not written and not self._record.baseless and not ctx.report.unread_names:
             ctx.report.add(rules.NO_OUTPUT, declaration.name.span, name=self._symbol.name)
         self._around.reached.update(ctx.reached())
@@ -128,6 +130,23 @@ class _Checking:
         )  # fmt: skip
 
     # --- the draws of the frame, and their lights ---
+
+    def _check_ties(self) -> None:
+        """Warn of materials that no step draws by the pass to which they are tied."""
+        passes: dict[Symbol, list[Symbol]] = {}
+        for key in self._shaders.known:
+            if key.material is not None:
+                passes.setdefault(key.material, []).append(key.step)
+        records, report = self._around.records, self._ctx.report
+        for material, drawn_by in passes.items():
+            tie = tie_of(material, records, report)
+            if tie is None or any(draws_as(each, tie, records) for each in drawn_by):
+                continue
+            report.add(
+                rules.NOT_BY_ITS_PASS, self._symbol.declaration.name.span,
+                name=material.name, tied=tie.pass_.name,
+                labels=[Label(tie.name.span, "this is its pass")],
+            )  # fmt: skip
 
     def _single_lights(self) -> Iterator[tuple[str, EquationOwner]]:
         for entry, leaves in self._entries:

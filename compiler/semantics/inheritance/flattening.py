@@ -102,7 +102,7 @@ class Records:
             assert isinstance(declaration, ast.Record | ast.Mixin)
             seen: dict[object, tuple[ast.Name, ast.Member]] = {}
             if isinstance(declaration, ast.Record):
-                self._check_blend(declaration)
+                self._check_header(declaration)
             for member in declaration.members:
                 if not self._in_place(declaration, member):
                     continue
@@ -144,10 +144,13 @@ class Records:
             hint=hint or f"`{word}` belongs in {kind.places}",
         )  # fmt: skip
 
-    def _check_blend(self, declaration: ast.Record) -> None:
+    def _check_header(self, declaration: ast.Record) -> None:
         target = ast.MEMBERS["target"]
         if declaration.blend is not None and declaration.kind not in target.records:
             self._report_misplaced(target, "blend", declaration, declaration.blend.span)
+        if declaration.by is not None and declaration.kind != "material":
+            hint = "`by` belongs in the header of a material: `material Leaf by Cutout { … }`"
+            self._report_misplaced(target, "by", declaration, declaration.by.span, hint)
 
     def _first(
         self,

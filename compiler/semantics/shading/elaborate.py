@@ -78,9 +78,11 @@ def check_coverage(ctx: Context, drawn: Record) -> None:
     """Reports that a whole pass makes coverage of alpha, but has one sample or no alpha."""
     state = render_state_of(ctx, drawn)
     first = next((target.format for target, *_ in drawn.every(ast.Target)), None)
-    if not state.alpha_to_coverage or first is None:
+    if not state.alpha_to_coverage or drawn.baseless:
         return
-    if state.samples == 1:
+    if first is None:
+        reason = "it has no target"
+    elif state.samples == 1:
         reason = "it has one sample for each pixel"
     elif FORMATS.get(first.text, VEC4) != VEC4:
         reason = f"{first.text} has no alpha"
@@ -141,10 +143,10 @@ def results_of(setting: Setting) -> tuple[Result, ...]:
 def written_results(ctx: Context, passing: Instance) -> tuple[Result, ...]:
     """The results of the members of a pass; or of a mixin for passes, which is checked so."""
     check_samples(ctx, passing.record, render_state_of(ctx, passing.record))
-    layers, views = layer_count(ctx, passing.record), view_count(ctx, passing.record)
+    view_count(ctx, passing.record)  # Here it is checked, for mixins, too.
     return (
-        *layer_of(ctx, passing, layers),
-        *_targets(ctx, passing.record, passing, layers or views),
+        *layer_of(ctx, passing, layer_count(ctx, passing.record)),
+        *_targets(ctx, passing.record, passing),
         *_discard(ctx, passing.record, passing),
         *_own_depth(ctx, passing.record, passing),
         *captures_of(ctx, passing),
@@ -162,7 +164,8 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     check_rig(ctx, setting.surface)
     ctx.deferred.report()
     reached.update((parts.material, parts.rig, parts.pass_, *ctx.reached()))
-    if ctx.report.failed or not (delivers_vertices(results) and _writes_something(results)):
+    drawn = setting.passing.record
+    if ctx.report.failed or not (delivers_vertices(results) and _writes(ctx, drawn, results)):
         return None
     declaration = parts.material.declaration
     assert isinstance(declaration, ast.Record)
@@ -175,7 +178,7 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
     return Shader(
         name=setting.surface.record.name,
         doc=declaration.doc,
-        pass_name=setting.passing.record.name,
+        pass_name=drawn.name,
         rig_name=parts.rig.name,
         graph=graph,
         notes=notes,
@@ -188,10 +191,11 @@ def elaborate(setting: Setting, reached: set[Symbol]) -> Shader | None:
         expansion=next((step.expansion for step in steps if step.expansion is not None), None),
         tessellation=next((s.tessellation for s in steps if s.tessellation is not None), None),
         pattern=PatchPattern(*told) if told else None,
-        capture=capture_of(setting.passing.record, results),
+        capture=capture_of(drawn, results),
         buffers=of_kind(BufferInfo, leaves),
-        render_state=render_state_of(ctx, setting.passing.record),
-        views=view_count(ctx, setting.passing.record) or int(ctx.progress.reads_view),
+        render_state=render_state_of(ctx, drawn),
+        layers=layer_count(ctx, drawn) or view_count(ctx, drawn),
+        views=view_count(ctx, drawn) or int(ctx.progress.reads_view),
     )
 
 
@@ -206,13 +210,24 @@ def delivers_vertices(results: Iterable[Result]) -> bool:
     return any(result.kind in (CLIP_POSITION, CAPTURE) for result in results)
 
 
-def _writes_something(results: Iterable[Result]) -> bool:
-    """True if a pass has a target, or captures.
+def _writes(ctx: Context, drawn: Record, results: Iterable[Result]) -> bool:
+    """True if a pass has a target, captures, or writes depths or stencil values.
 
-    One that has neither lost its targets to a mistake elsewhere, such as a base that does not
+    One that does none of it lost its targets to a mistake elsewhere, such as a base that does not
     exist; this has been reported there.
     """
-    return any(result.kind in (TARGET, CAPTURE) for result in results)
+    if any(result.kind in (TARGET, CAPTURE) for result in results):
+        return True
+    return _writes_depths(ctx, drawn)
+
+
+def _writes_depths(ctx: Context, drawn: Record) -> bool:
+    """True if a pass is one without targets if it has none: it writes depths or stencil values.
+
+    Of a pass whose base does not exist nobody knows what it writes.
+    """
+    state = render_state_of(ctx, drawn)
+    return not drawn.baseless and (state.depth.write or state.stencil.writes)
 
 
 def _chain(setting: Setting) -> Chain:
@@ -252,15 +267,17 @@ def _made(ctx: Context, passing: Instance, surface: Instance) -> Iterator[Result
             ctx.report.add(rules.POINTS_NOT_CAPTURED, expansion.span, name=name)
 
 
-def _targets(ctx: Context, drawn: Record, passing: Instance, layers: int) -> Iterator[Result]:
+def _targets(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
     written = list(drawn.every(ast.Target))
     is_whole = isinstance(drawn.symbol.declaration, ast.Record) and not is_declared_abstract(drawn)
     is_empty = not written and not drawn.baseless and is_whole and not captures(drawn)
-    if is_empty and not ctx.report.unread_names:  # Unreadable text may have been a target.
+    if (
+        is_empty and not _writes_depths(ctx, drawn) and not ctx.report.unread_names
+    ):  # Unreadable text may have been a target.
         ctx.report.add(rules.NO_TARGET, drawn.symbol.declaration.name.span, name=drawn.name)
     cleared = clears_of(ctx, drawn).targets
     for row in written:
-        found = _target(ctx, drawn, passing, layers, *row)
+        found = _target(ctx, drawn, passing, *row)
         if found is not None and found.state is not None:
             yield changed(found, state=changed(found.state, clear=cleared.get(found.name)))
 
@@ -269,7 +286,6 @@ def _target(
     ctx: Context,
     drawn: Record,
     passing: Instance,
-    layers: int,
     target: ast.Target,
     owner: Symbol,
     level: int,
@@ -278,7 +294,7 @@ def _target(
     value = texel_value(ctx, target.format, target.value, pass_scope(owner, passing, level))
     if isinstance(value, Failure):
         return None
-    name, state = target.name.text, RenderTarget(target.format.text, blend, layers, mask)
+    name, state = target.name.text, RenderTarget(target.format.text, blend, mask)
     ctx.notes.names.setdefault(value.id, name)
     return Result(TARGET, FRAGMENT, value, name, target.doc, state, span=target.name.span)
 

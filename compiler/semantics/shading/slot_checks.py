@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from ....stdlib import COMPANIONS
 from ...diagnostics import rules
 from ...syntax import ast
@@ -19,6 +21,7 @@ from .unread_slots import NamedIn, warn_of_all, warn_of_unread
 def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     """Check every slot of a material and its pass; warn of those that look misspelt."""
     read = {name for name, _ in surface.values}
+    read_of_pass = {name for name, _ in passing.values}
     for instance in (surface, passing):
         made = instance
         while made.made is not None:
@@ -31,6 +34,7 @@ def check_slots(ctx: Context, surface: Instance, passing: Instance) -> None:
     # A parameter is read by slots that nothing reads, too.
     read |= surface.leaves.keys() & {name for name, _ in surface.values}
     _check_unread(ctx, surface, passing, read)
+    _check_unseen(ctx, passing.record, surface.record, read | read_of_pass)
 
 
 def check_overridden(ctx: Context, base: Instance, surface: Instance) -> None:
@@ -93,6 +97,28 @@ def _check_unread(ctx: Context, surface: Instance, passing: Instance, read: set[
         shared = record.definitions.keys()
         named = NamedIn(drawn.symbol.module)
         warn_of_unread(ctx, drawn, read, shared, beside=named, also=shared)
+
+
+def _check_unseen(ctx: Context, drawn: Record, record: Record, read: Collection[str]) -> None:
+    """Warn of a slot that a pass without targets sets in vain: its target was forgotten.
+
+    One that the material has, such as its colour, tells more than one that only leads there.
+    """
+    # What was unreadable, or is a base that does not exist, may have had a target.
+    is_whole = not (is_declared_abstract(drawn) or drawn.baseless or ctx.report.unread_names)
+    if not is_whole or any(True for kind in (ast.Target, ast.Capture) for _ in drawn.every(kind)):
+        return
+    nearest = (definitions[0] for definitions in drawn.definitions.values())
+    idle = [
+        each.member.name
+        for each in nearest
+        if isinstance(each.member, ast.Slot)
+        and each.member.value is not None
+        and not each.owner.module.is_standard
+        and each.member.name.text not in read
+    ]
+    for first in sorted(idle, key=lambda name: name.text not in record.definitions)[:1]:
+        ctx.report.add(rules.UNSEEN, first.span, name=first.text, pass_=drawn.name)
 
 
 def _draws(module: Module) -> bool:

@@ -18,6 +18,7 @@ from ...diagnostics.diagnostic import Report
 from ...diagnostics.source import Span
 from ...syntax import ast
 from ..inheritance.flattening import Records
+from ..inheritance.ties import tie_of
 from ..names.modules import Module, Symbol
 from ..types.generics import examples, of_unknown_family, uninferable
 from .assembly import (
@@ -78,6 +79,8 @@ class CandidateContexts:
     passes: tuple[Symbol, ...]
     drawn: tuple[tuple[Symbol, Symbol], ...]
     """Rigs and passes with one of which a concrete material has to agree."""
+    by_ties: bool = True
+    """True if materials that are tied to a pass have to agree with that one instead."""
 
     @property
     def every(self) -> Iterator[Symbol]:
@@ -278,8 +281,10 @@ class UnusedDeclarations:
         around = self._around
         match symbol.declaration:
             case ast.Record(kind="material", abstract=abstract):
-                offered = product(around.rigs, around.passes)
-                for rig, pass_ in offered if abstract else around.drawn:
+                pairs = product(around.rigs, around.passes) if abstract else around.drawn
+                tie = tie_of(symbol, self._records, self._report)
+                own = tie.pass_ if tie is not None and around.by_ties else None
+                for rig, pass_ in dict.fromkeys((rig, own or pass_) for rig, pass_ in pairs):
                     yield self._drawn(symbol, rig, pass_)
             case ast.Record(kind="pass"):
                 for material, rig in product(around.materials, around.rigs):

@@ -42,6 +42,8 @@ class Record(Late):
     members: tuple[Member, ...]
     mixins: tuple[Name, ...] = ()
     """``: Base + First + Second``, in the order written."""
+    by: Name | None = None
+    """The pass that draws a material: ``material Leaf by Cutout``."""
 
 
 @frozen(eq=False)

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ....compiler.budget import Tally, check
@@ -43,10 +43,16 @@ class JobParts:
     steps: list[FrameStep] = field(default_factory=list)
 
     def whole(self) -> FrameJob:
-        """The job."""
-        return FrameJob(
-            tuple(self.textures), tuple(self.buffers), self.pipelines, tuple(self.steps)
+        """The job. Of equal pipelines only the first one is drawn with, so that one is made."""
+        first = [self.pipelines.index(each) for each in self.pipelines]
+        steps = (
+            replace(
+                step,
+                draws=tuple(replace(each, pipeline=first[each.pipeline]) for each in step.draws),
+            )
+            for step in self.steps
         )
+        return FrameJob(tuple(self.textures), tuple(self.buffers), self.pipelines, tuple(steps))
 
 
 class JobResources:

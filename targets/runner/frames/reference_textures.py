@@ -28,6 +28,7 @@ from ....compiler.reference.picture import (
     RasterRules,
     Stored,
     Texels,
+    depth_ends,
     expected_on,
     formats,
     samples_on,
@@ -194,13 +195,8 @@ def store(
             ends = picture.targets[number], picture.low[number], picture.high[number]
             _keep(place_of(mean, layer), ends, picture.undecided, textures)
     if step.depth is not None:
-        value, off = canvas.depth, canvas.depth_off
-        low, high = (
-            np.where(undecided, *ends)
-            for ends in zip(hulls.depth, (value - off, value + off), strict=True)
-        )
         texture, at, level = place = place_of(step.depth, layer)
-        _keep(place, (value, low, high), undecided, textures)
+        _keep(place, depth_ends(canvas, hulls), undecided, textures)
         faces = textures[texture].faces[level]
         faces[at] = canvas.place.reshape(faces[at].shape)
         _keep_stencil(step.depth, layer, canvas, textures)
@@ -214,7 +210,7 @@ def _keep(
     drawn = textures[texture]
     has_depths = drawn.format.startswith(DEPTHS)
     for kept, end in zip(drawn.levels[level][:, at], ends, strict=True):
-        values = np.clip(end, 0.0, 1.0) if has_depths else formats.clamped(drawn.format, end)
+        values = end if has_depths else formats.clamped(drawn.format, end)
         kept[:] = values.reshape(kept.shape)
     drawn.undecided[level][at] = undecided.reshape(drawn.undecided[level][at].shape)
 

@@ -13,7 +13,7 @@ from ..binding import shows_less
 from ..cameras import USUAL, Viewpoint, looking
 from ..capturing import give_elements
 from ..exact import Exact
-from ..kernels import has_images
+from ..kernels import has_images, pictures_of
 from ..meshes import MESHES, farthest_first, lies
 from ..scene import Scene, with_inputs
 from ..scene_state import CLEAR, Color, set_up
@@ -34,17 +34,19 @@ def single_frame(
 ) -> SingleFrame:
     """The frame that shows a material on all models of the scene, or the results of a kernel.
 
-    The frame has an output for each render target, image or buffer. ``background`` is the clear
-    value of targets for which the pass has none. With several ``samples``, what shows light has
-    them, and targets of floats, unless the pass says by itself how many. Or else with ``exact``,
-    targets keep what the material writes, instead of rounding it to their formats, if the pass
-    shows no less than that. Raises ``PlanError`` for a pass that captures vertices by a stream
-    output, as it leaves nothing for a host.
+    The frame has an output for each render target, image or buffer, or one for the depths of a pass
+    without targets. ``background`` is the clear value of targets for which the pass has none. With
+    several ``samples``, what shows light has them, and targets of floats, unless the pass says by
+    itself how many. Or else with ``exact``, targets keep what the material writes, instead of
+    rounding it to their formats, if the pass shows no less than that. Raises ``PlanError`` for a
+    pass that captures vertices by a stream output, as it leaves nothing for a host.
     """
     reflection = subject.reflection
-    if not (reflection.targets or reflection.results):
+    if not (pictures_of(reflection) or reflection.results):
         raise PlanError(f"{subject.name} draws no picture")
-    if samples > 1 and can_be_smooth(reflection):
+    if not (reflection.targets or reflection.results):
+        subject = Exact.of(subject)
+    elif samples > 1 and can_be_smooth(reflection):
         subject = Smooth.of(subject, samples)
     elif exact and not (has_images(reflection) or shows_less(reflection)):
         subject = Exact.of(subject)

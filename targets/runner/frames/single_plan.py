@@ -40,6 +40,7 @@ from ....compiler.documents.steps import ComposedStep, ConstantStep, ParameterSt
 from ....compiler.documents.values import LayoutRow, ParameterRow
 from ....compiler.reflection.plan import VERSION
 from ....support.frozen import changed
+from ..kernels import DEPTHS
 from ..scene import declared_as
 from ..scene_state import CLEAR, Color
 from .scenery import WHOLE
@@ -50,7 +51,7 @@ SIZE = f"{STEP}.size"
 """The parameter with the size of the picture. A material may have a ``size`` of its own."""
 
 _DEPTH = "depth buffer"
-"""The name of the depth attachment, which no target can have."""
+"""The name of the depth attachment beside targets, which none of them can have."""
 _PLACE = PlaceRow(file="", line=1, column=1, length=0)
 """The place of all rows: nobody has written the plan."""
 
@@ -87,6 +88,8 @@ class _Planning:
         self._add_outputs()
         step = self._run() if self._is_kernel else self._draw()
         use: TextureUse = "image" if self._is_kernel else "target"
+        if self._shows_depths:
+            use = "depth"
         pictures = [row.texture for row in self._outputs if row.texture is not None]
         end = WaitingRow(
             barriers=tuple(_barrier(texture, use, "sampled") for texture in pictures),
@@ -126,28 +129,45 @@ class _Planning:
 
     def _add_outputs(self) -> None:
         """Add an output for each render target or image, and for each buffer that is written."""
-        layers = self._reflection.draw.layers
+        use: TextureUse = "image" if self._is_kernel else "target"
         for number, target in enumerate(self._reflection.targets):
-            self._textures.append(
-                FrameTextureRow(
-                    format=target.format,
-                    dimension="2d" if layers is None else "2d_array",
-                    size=SizeRow(
-                        value=None if self._is_kernel else 0,
-                        extent_of=STEP if self._is_kernel else None,
-                        level=0,
-                    ),
-                    layers=1 if layers is None else layers.count,
-                    levels=1,
-                    samples=1,
-                    uses=("image" if self._is_kernel else "target", "sampled"),
-                    kept=False,
-                    results=(_result(target.name),),
-                )
-            )
+            self._textures.append(self._texture(target.name, target.format, use))
             self._add_output(target.name, target.doc, number)
+        if self._shows_depths:
+            name, _ = DEPTHS
+            self._textures.append(self._texture(name, self._depth_format, "depth"))
+            self._add_output(name, "", 0)
         for buffer in self._reflection.results:
             self._add_output(buffer.name, buffer.doc, None)
+
+    @property
+    def _shows_depths(self) -> bool:
+        """True if the picture are the depths: that of a pass without targets."""
+        return not (self._reflection.targets or self._reflection.results)
+
+    @property
+    def _depth_format(self) -> str:
+        has_stencil = self._reflection.render_state.stencil is not None
+        return "depth32f_stencil8" if has_stencil else "depth32f"
+
+    def _texture(self, name: str, format_: str, use: TextureUse) -> FrameTextureRow:
+        """A texture that becomes an output."""
+        layers = self._reflection.draw.layers
+        return FrameTextureRow(
+            format=format_,
+            dimension="2d" if layers is None else "2d_array",
+            size=SizeRow(
+                value=None if self._is_kernel else 0,
+                extent_of=STEP if self._is_kernel else None,
+                level=0,
+            ),
+            layers=1 if layers is None else layers.count,
+            levels=1,
+            samples=1,
+            uses=(use, "sampled"),
+            kept=False,
+            results=(_result(name),),
+        )
 
     def _add_output(self, name: str, doc: str, texture: int | None) -> None:
         self._add_result(_result(name), texture, doc)
@@ -179,7 +199,7 @@ class _Planning:
     # --- the step --------------------------------------------------------------------------------
 
     def _draw(self) -> DrawStep:
-        targets = [self._target(number) for number in range(len(self._outputs))]
+        targets = [self._target(number) for number in range(len(self._reflection.targets))]
         depth = self._depth()
         barriers = [
             _barrier(place.texture, "undefined", "target")
@@ -229,19 +249,21 @@ class _Planning:
         has_stencil = state.stencil is not None
         if not state.depth.is_used and not has_stencil:
             return None
+        clear = self._constant([state.depth.clear])
+        stencil = StencilLoad(load="clear", store=False, clear=0) if has_stencil else None
+        if self._shows_depths:
+            return self._attachment(DEPTHS[0], 0, clear, store=True, stencil=stencil)
         result = _result(_DEPTH)
         texture = self._add_texture(
             changed(
                 self._textures[0],
-                format="depth32f_stencil8" if has_stencil else "depth32f",
+                format=self._depth_format,
                 samples=state.samples,
                 uses=("depth",),
                 results=(result,),
             )
         )
         self._add_result(result, texture if state.samples == 1 else None)
-        clear = self._constant([state.depth.clear])
-        stencil = StencilLoad(load="clear", store=False, clear=0) if has_stencil else None
         return self._attachment(_DEPTH, texture, clear, store=False, stencil=stencil)
 
     def _add_texture(self, row: FrameTextureRow) -> int:

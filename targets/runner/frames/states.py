@@ -16,6 +16,7 @@ import numpy as np
 from ....support.frozen import changed
 from ..drivers.frame_job import Found, FrameJob
 from ..drivers.pipeline import Pipeline
+from ..kernels import pictures_of
 from ..routes import Route
 from ..runner import Runner
 from ..scene_state import CLEAR, SceneState
@@ -81,7 +82,7 @@ def outcomes(job: FrameJob, found: Found, states: Sequence[SceneState]) -> Itera
     for state in states:
         reflection, counts = state.instance.reflection, state.instance.result_counts()
         yield Outcome(
-            tuple(np.concatenate(next(pictures)) for _ in reflection.targets),
+            tuple(np.concatenate(next(pictures)) for _ in pictures_of(reflection)),
             {
                 row.name: next(buffers)[: counts[row.name] * row.stride]
                 for row in reflection.results

@@ -33,23 +33,33 @@ const NO_FRAGMENTS = { text: "#version 300 es\nvoid main() {}\n" };
  * @returns {Program[]}
  */
 export function linked({ gl }, shaders) {
-  const started = shaders.map((shader) => start(gl, shader));
+  /** Equal texts are compiled once. @type {Map<string, WebGLShader>} */
+  const compiledOf = new Map();
+  const started = shaders.map((shader) => start(gl, shader, compiledOf));
   return shaders.map((shader, at) => finished(gl, shader, started[at]));
 }
 
 /**
  * @param {Gl} gl
  * @param {PackagedShader} shader
+ * @param {Map<string, WebGLShader>} compiledOf
  * @returns {WebGLProgram}
  */
-function start(gl, { reflection, texts }) {
+function start(gl, { reflection, texts }, compiledOf) {
   const { vertex, fragment = reflection.capture && NO_FRAGMENTS } = texts[PROFILE] ?? {};
   if (!vertex || !fragment) {
     throw new Error(`WebGL 2 cannot draw ${reflection.material}: there is no text for ${PROFILE}`);
   }
   const program = gl.createProgram();
-  gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, vertex.text));
-  gl.attachShader(program, compiled(gl, gl.FRAGMENT_SHADER, fragment.text));
+  const stages = /** @type {const} */ ([
+    [gl.VERTEX_SHADER, vertex.text],
+    [gl.FRAGMENT_SHADER, fragment.text],
+  ]);
+  for (const [kind, text] of stages) {
+    const shader = compiledOf.get(text) ?? compiled(gl, kind, text);
+    compiledOf.set(text, shader);
+    gl.attachShader(program, shader);
+  }
   const { capture, backends } = reflection;
   if (capture) {
     const { captures } = backends[PROFILE];

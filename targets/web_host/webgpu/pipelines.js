@@ -31,6 +31,12 @@ export class Pipelines {
   /** @type {Map<string, Pipeline>} */
   #made = new Map();
 
+  /** Equal pipelines of several shaders are made once. @type {Map<string, Promise<Pipeline>>} */
+  #alike = new Map();
+
+  /** So are the modules of equal texts. @type {Map<string, Promise<GPUShaderModule>>} */
+  #modules = new Map();
+
   #device;
 
   /**
@@ -52,7 +58,7 @@ export class Pipelines {
     if (lacking) throw new Error(`${lacking} has no text for ${PROFILE}`);
     await Promise.all(
       pipelines.map(async ({ shader, ...formats }) => {
-        found.#made.set(keyOf(shader, formats), await found.#make(shaders[shader], formats));
+        found.#made.set(keyOf(shader, formats), await found.#alikeOf(shaders[shader], formats));
       }),
     );
     device.check();
@@ -67,6 +73,19 @@ export class Pipelines {
    */
   get(shader, targets, depth) {
     return present(this.#made.get(keyOf(shader, { targets, depth })));
+  }
+
+  /**
+   * @param {PackagedShader} shader
+   * @param {Formats} formats
+   * @returns {Promise<Pipeline>}
+   */
+  #alikeOf(shader, formats) {
+    const { texts, webgpu, reflection: { render_state: state } } = shader;
+    const key = JSON.stringify([texts[PROFILE], webgpu, state, formats]);
+    const made = this.#alike.get(key) ?? this.#make(shader, formats);
+    this.#alike.set(key, made);
+    return made;
   }
 
   /**
@@ -93,12 +112,13 @@ export class Pipelines {
       throw new Error(`WebGPU cannot draw the edges of triangles, as ${material} asks`);
     }
     const vertices = await this.#stage(material, vertex);
-    const fragments = await this.#stage(material, fragment);
+    // A pass that writes depths only needs no fragments.
+    const fragments = fragment && (await this.#stage(material, fragment));
     const targets = formats.targets.map((format, at) => ({ ...webgpu.targets[at], format }));
     const render = await gpu.createRenderPipelineAsync({
       layout,
       vertex: { ...vertices, buffers: webgpu.buffers },
-      fragment: { ...fragments, targets },
+      ...(fragments && { fragment: { ...fragments, targets } }),
       primitive: webgpu.primitive,
       multisample: {
         count: state.samples,
@@ -114,6 +134,17 @@ export class Pipelines {
    * @param {ShaderTextRow} row
    */
   async #stage(material, { text, entry }) {
+    const module = this.#modules.get(text) ?? this.#module(material, text);
+    this.#modules.set(text, module);
+    return { module: await module, entryPoint: entry };
+  }
+
+  /**
+   * @param {string} material
+   * @param {string} text
+   * @returns {Promise<GPUShaderModule>}
+   */
+  async #module(material, text) {
     const module = this.#device.gpu.createShaderModule({ code: text });
     const { messages } = await module.getCompilationInfo();
     const wrong = messages
@@ -122,7 +153,7 @@ export class Pipelines {
     if (wrong.length) {
       throw new Error(`the browser refuses a text of ${material}:${wrong.join("")}`);
     }
-    return { module, entryPoint: entry };
+    return module;
   }
 }
 

@@ -44,6 +44,13 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> MadePipel
         device.create_bind_group_layout(entries=layout_entries(group, DRAWN)) for group in groups
     ]
     modules = {name: device.create_shader_module(code=code.text) for name, code in stages.items()}
+    fragment = None
+    if "fragment" in stages:
+        fragment = {
+            "module": modules["fragment"],
+            "entry_point": stages["fragment"].entry,
+            "targets": [_target(gpu, target) for target in pipeline.targets],
+        }
     handle = device.create_render_pipeline(
         layout=device.create_pipeline_layout(bind_group_layouts=layouts),
         vertex={
@@ -51,11 +58,7 @@ def make_pipeline(gpu: Gpu, pipeline: Pipeline, depths: str | None) -> MadePipel
             "entry_point": stages["vertex"].entry,
             "buffers": [buffer_layout(buffer) for buffer in buffers],
         },
-        fragment={
-            "module": modules["fragment"],
-            "entry_point": stages["fragment"].entry,
-            "targets": [_target(gpu, target) for target in pipeline.targets],
-        },
+        fragment=fragment,
         primitive=primitive(pipeline),
         multisample={
             "count": pipeline.samples,
