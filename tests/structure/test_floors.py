@@ -133,9 +133,8 @@ FLOORS: dict[str, str] = {
     "api.shared_texts": "frozen emit selection graphs",
     "api.compiling": (
         "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection "
-        "frontend description emit legalise availability selection binding_schemes graphs shared_texts "
-        "compiled "
-        "specialising"
+        "frontend description emit legalise availability selection binding_schemes graphs "
+        "shared_texts compiled specialising"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
