@@ -1,0 +1,128 @@
+"""Writes a graph for Ninja, which runs the actions of a build that are out of date.
+
+``burnish build --ninja`` calls ``graph``. Ninja compares dates of files, so every output is named:
+it sees that one is missing, and other rules can use it. What a file imports, Ninja reads from the
+list of dependencies (``--depfile``) that each compile leaves.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterable, Mapping, Sequence
+from subprocess import list2cmdline
+
+from ...support.frozen import frozen
+from .actions import Action, BuildError
+
+POOL = "burnish"
+_NOT_IN_PATHS = "\n\r\0|"
+"""Characters that no path can have in a graph for Ninja."""
+
+_HEAD = """\
+# Written by `burnish build --ninja`, for Ninja 1.10 or newer. Changes are lost when it is written
+# again, which Ninja has done as soon as one of the sources has changed.
+ninja_required_version = 1.10
+
+# Compiles that run at once, so that there is memory for all of them.
+pool {pool}
+  depth = {depth}
+
+# Outputs that would become the same keep their date, and nothing behind them is run (restat).
+rule burnish_compile
+  command = $run
+  description = burnish $out_folder
+  depfile = $depfile
+  deps = gcc
+  restat = 1
+  pool = {pool}
+
+rule burnish_build
+  command = {again}
+  description = burnish build --ninja
+  generator = 1
+  restat = 1
+"""
+
+
+@frozen
+class Graph:
+    """Everything that a graph says besides its actions."""
+
+    path: str
+    """The file of the graph itself."""
+    called: tuple[str, ...]
+    """The words by which Burnish is called."""
+    again: tuple[str, ...]
+    """The arguments that write the graph again."""
+    program: str
+    """A file that changes whenever Burnish itself does."""
+    depth: int
+    """The number of actions that may run at once."""
+
+
+def graph(actions: Sequence[Action], outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
+    """The text of a graph. ``outputs`` has the names of what each action makes, by its name.
+
+    Raises ``BuildError`` for names that Ninja cannot have.
+    """
+    again = _command([*about.called, *about.again])
+    head = _HEAD.format(pool=POOL, depth=about.depth, again=again)
+    sources = sorted({path for action in actions for path in action.inputs})
+    return "\n".join([
+        head,
+        *(_statement(action, sorted(outputs[action.name]), about) for action in actions),
+        f"build {_path(about.path)}: burnish_build{_implicit([*sources, about.program])}\n",
+        "# A source may be deleted or renamed: then this graph is written again without it.",
+        *(f"build {_path(source)}: phony" for source in sources),
+        "",
+    ])  # fmt: skip
+
+
+def _statement(action: Action, names: Iterable[str], about: Graph) -> str:
+    """The statement that builds all outputs of one action."""
+    folder = action.request.output
+    made = " $\n    ".join(_path(f"{folder}/{name}") for name in names)
+    files = " ".join(_path(each.as_posix()) for each in action.request.files)
+    depfile = f"{folder}.d"
+    run = _command([*about.called, *action.words(), f"--depfile={depfile}"])
+    return (
+        f"build {made}: burnish_compile {files}{_implicit([about.program])}\n"
+        f"  run = {run}\n"
+        f"  depfile = {_value(depfile)}\n"
+        f"  out_folder = {_value(folder)}\n"
+    )
+
+
+def _implicit(paths: Sequence[str]) -> str:
+    return " | " + " ".join(map(_path, paths)) if paths else ""
+
+
+def _path(path: str) -> str:
+    """A path in a statement. Raises ``BuildError`` if Ninja cannot have it there."""
+    _insist_on_sayable(path)
+    for sign in "$ :":
+        path = path.replace(sign, f"${sign}")
+    return path
+
+
+def _value(text: str) -> str:
+    """A text as the value of a variable. Raises ``BuildError`` if Ninja cannot have it there."""
+    _insist_on_sayable(text)
+    return text.replace("$", "$$")
+
+
+def _command(words: Sequence[str]) -> str:
+    """A command line as the value of a variable, for the shell of this system."""
+    line = list2cmdline(words) if os.name == "nt" else shlex.join(words)
+    if any(sign in line for sign in "\n\r\0"):
+        _insist_on_sayable(line)
+    return line.replace("$", "$$")
+
+
+def _insist_on_sayable(text: str) -> None:
+    for sign in _NOT_IN_PATHS:
+        if sign in text:
+            raise BuildError(
+                f"a graph for Ninja cannot have {sign!r} in a name, as `{text}` has: rename it"
+            )
