@@ -6,6 +6,7 @@ agree on subjects by the name of the file and the label, as what is compiled is 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -230,9 +231,24 @@ def contents_of(file: Path, forms: Forms) -> Contents:
 
 
 def _digest_of(inputs: Iterable[Inputs]) -> str:
-    """A digest of all that compiles have read, and of the paths where they have looked in vain."""
+    """A digest of all that compiles have read, and of the paths where they have looked in vain.
+
+    It is the same on another machine of a farm, which has the files elsewhere.
+    """
+    from ..compiler.library import FOLDER
     from ..targets.runner.store import digest
 
+    here, library = os.path.realpath(os.curdir), os.path.realpath(FOLDER)
+
+    def named(path: str) -> str:
+        return os.path.relpath(path, library if path.startswith(library) else here)
+
     return digest(
-        *(repr((sorted(each.contents.items()), sorted(each.links.items()))) for each in inputs)
-    )
+        *(
+            repr((
+                sorted((named(path), content) for path, content in each.contents.items()),
+                sorted((asked, named(real)) for asked, real in each.links.items()),
+            ))
+            for each in inputs
+        )
+    )  # fmt: skip
