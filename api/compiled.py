@@ -44,7 +44,8 @@ class OutputFile:
 
     name: str
     """The name of the file: ``Plastic.frag.wgsl``; if the profile is not the target's default,
-    ``Plastic.gl330.frag.glsl``."""
+    ``Plastic.gl330.frag.glsl``; under a pass and a rig of several,
+    ``Plastic.Fog.Night.frag.wgsl``."""
     target: str
     profile: str
     stage: FileStage
@@ -65,6 +66,9 @@ class CompiledMaterial:
     """The results of compiling one material."""
 
     name: str
+    stem: str
+    """The beginning of its files' names: its own name, and those of a pass and a rig that were
+    named, unless they would draw it in any case. That of the reflection is ``STEM.json``."""
     files: tuple[OutputFile, ...]
     lacking: Mapping[str, str]
     """For each profile without texts, the feature that it lacks and the material needs."""
@@ -189,6 +193,8 @@ class CompiledFrame:
     """The results of compiling one frame."""
 
     name: str
+    stem: str
+    """The beginning of its plan's file: ``STEM.plan.json``; it may name a rig, as in materials."""
     shaders: tuple[CompiledMaterial, ...]
     """The shaders, in the order of the plan's ``shaders``: one for each pass with each material and
     its lights, and one for each kernel."""
@@ -223,7 +229,8 @@ class CompiledFrame:
         from ..compiler.planning.plan import plan
         from ..compiler.reflection.plan import plan_document
 
-        return plan_document(plan(self.frame, shares=shares))
+        found = plan(self.frame, shares=shares)
+        return plan_document(found, [f"{shader.stem}.json" for shader in self.shaders])
 
 
 @frozen

@@ -77,12 +77,14 @@ def result_of(asked: Asked) -> CompileResult:
     again = partial(_made_again, asked, inputs, _digest(found.graphs))
     kept = KeptGraphs(again, found.graphs, stay=asked.keep_graphs)
     materials = [
-        _material(each, reasons, found.chosen, asked.emit, PlaceOfGraphs(kept, number))
+        _material(
+            each, reasons, found.chosen, asked.emit, PlaceOfGraphs(kept, number), found.variant
+        )
         for number, (each, reasons) in enumerate(
             zip(found.graphs.shaders, found.lacking, strict=True)
         )
     ]
-    frames = _frames(found.graphs.frames, materials, kept)
+    frames = _frames(found.graphs.frames, materials, found.variant, kept)
     return CompileResult(tuple(materials), report.diagnostics, inputs, tuple(frames))
 
 
@@ -94,6 +96,8 @@ class _Computed:
     lacking: tuple[Mapping[str, Sequence[Diagnostic]], ...]
     """What each shader needs and profiles lack."""
     chosen: Sequence[tuple[Language, Profile]]
+    variant: tuple[str, ...]
+    """The names of the pass and the rig that tell files apart from those of others."""
 
 
 def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
@@ -102,6 +106,7 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     frontend = Frontend(report, asked.search_path, inputs)
     module = opened(asked.source, frontend)
     frames: list[Frame] | None = None
+    variant: tuple[str, ...] = ()
     if module is None:
         shaders = []
     elif frontend.has_frames(module, asked.material):
@@ -113,6 +118,8 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         shaders, frames = _specialised(shaders, frames, asked, report)
     if report.failed:
         raise CompileError(report.diagnostics)
+    if module is not None:
+        variant = frontend.told_apart_by(module, asked.rig, asked.pass_ if frames is None else None)
     if asked.emit.line_directives:
         _warn_of_targets_without_lines(chosen, report)
     made, lacking = [], []
@@ -130,7 +137,8 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         check_filtering(frames, lambda shader: programs[shader.name], report)
     if report.failed:
         raise CompileError(report.diagnostics)
-    return _Computed(ResultGraphs(tuple(made), tuple(frames or ())), tuple(lacking), chosen)
+    graphs = ResultGraphs(tuple(made), tuple(frames or ()))
+    return _Computed(graphs, tuple(lacking), chosen, variant)
 
 
 def _specialised(
@@ -204,13 +212,16 @@ def check_filtering(
 
 
 def _frames(
-    frames: Iterable[Frame], compiled: Iterable[CompiledMaterial], kept: KeptGraphs
+    frames: Iterable[Frame],
+    compiled: Iterable[CompiledMaterial],
+    variant: Iterable[str],
+    kept: KeptGraphs,
 ) -> Iterator[CompiledFrame]:
     """The records of frames, with their shaders, which were compiled in the same order."""
     shaders = iter(compiled)
     for number, frame in enumerate(frames):
         own = tuple(islice(shaders, len(frame.shaders)))
-        yield CompiledFrame(frame.name, own, kept, number)
+        yield CompiledFrame(frame.name, ".".join((frame.name, *variant)), own, kept, number)
 
 
 def _printed(
@@ -246,13 +257,18 @@ def _material(
     chosen: Iterable[tuple[Language, Profile]],
     options: EmitOptions,
     place: PlaceOfGraphs,
+    variant: Iterable[str] = (),
 ) -> CompiledMaterial:
     """The record of a shader, from whose graphs it has the texts."""
-    files = tuple(_output(graphs, legal, file, options, place) for legal, file in graphs.files())
+    name = graphs.shader.name
+    stem = ".".join((name, *variant)) if graphs.shader.pass_name else name
+    files = tuple(
+        _output(graphs, legal, file, stem, options, place) for legal, file in graphs.files()
+    )
     profiles = [profile for _target, profile in chosen]
-    found = (g for g in graphs.staged.guards if any(keeps(profile, g) for profile in profiles))
+    guards = (g for g in graphs.staged.guards if any(keeps(profile, g) for profile in profiles))
     reasons = {name: "; ".join(each.message for each in told) for name, told in lacking.items()}
-    return CompiledMaterial(graphs.shader.name, files, reasons, tuple(found), place)
+    return CompiledMaterial(name, stem, files, reasons, tuple(guards), place)
 
 
 def _lacking(
@@ -321,14 +337,14 @@ def _output(
     graphs: ShaderGraphs,
     legal: Legal,
     file: EmittedFile,
+    stem: str,
     options: EmitOptions,
     place: PlaceOfGraphs,
 ) -> OutputFile:
     """The record of a text. Its source map is found when asked for, unless the text shows it."""
     target, profile = legal.language, legal.profile
     default = profile is target.profiles[0]
-    name = graphs.shader.name
-    parts = (name, file.suffix) if default else (name, profile.name, file.suffix)
+    parts = (stem, file.suffix) if default else (stem, profile.name, file.suffix)
     if options.line_directives and target.line_directive:
         spans = graphs.spans(full_name(target, profile), file.stage)
         shown = directed(file.text, spans, target.line_directive, ".".join(parts))

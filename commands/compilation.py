@@ -5,8 +5,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import os
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
@@ -14,6 +16,10 @@ from .compiled_files import Compiled, compiled
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
+from .written_files import owners_of, written_of
+
+if TYPE_CHECKING:
+    from ..compiler.inputs import Inputs
 
 
 def succeeds(request: CompileRequest, question: Question | None) -> bool:
@@ -30,16 +36,17 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     if len(inputs) < len(found):
         show(diagnostics)
         return False
+    first, *others = inputs
+    together = first.joined(others)
     try:
-        output = _output(request, found, rendered(diagnostics))
+        output = _output(request, found, together, rendered(diagnostics))
         _deliver(output)
     except CompileError as error:
         show((*diagnostics, *error.diagnostics))
         return False
     show(diagnostics)
     if question is not None:
-        first, *others = inputs
-        keep(question, output, first.joined(others))
+        keep(question, output, together)
     return True
 
 
@@ -61,61 +68,73 @@ def _with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:
             progress.tell(number / count)
 
 
-def _output(request: CompileRequest, found: Sequence[Compiled], warnings: str) -> Output:
+def _output(
+    request: CompileRequest, found: Sequence[Compiled], inputs: Inputs, warnings: str
+) -> Output:
     """The output of a command line: files in a folder, or shaders on standard output.
 
-    Raises ``CompileError`` if two files want to write one.
+    Raises ``CompileError`` if it would write one file twice.
     """
     if request.prints:
-        texts = [text for each in found for text in each.texts.items()]
-        headings = (f"// ======== {name}\n" if len(texts) > 1 else "" for name, _ in texts)
-        printed = (heading + text for heading, (_, text) in zip(headings, texts, strict=True))
-        return Output(STDOUT, {}, "".join(printed), warnings)
-    _insist_on_one_file_for_each(request.files, found)
+        depfile = _depfile(request, (), inputs)
+        return Output(STDOUT, {}, None, depfile, _printed(found), warnings)
+    contents = written_of(request.files, found)
+    paths = [os.path.join(request.output, name) for name in contents]  # noqa: PTH118
+    if request.list_outputs:
+        listed = "".join(f"{path}\n" for path in paths)
+        return Output(STDOUT, {}, printed=listed, warnings=warnings)
+    owners = None if request.force else owners_of(request.files, found)
     lines = [line for each in found for line in each.lines]
     lines += dict.fromkeys(remark for each in found for remark in each.remarks)
-    # Reflections are put in place behind the shaders, and plans last: whoever sees a new one finds
-    # what it describes.
-    written = (
-        *(each.texts for each in found),
-        *(each.reflections for each in found),
-        *(each.plans for each in found),
-    )
-    whole = {name: text for part in written for name, text in part.items()}
-    return Output(request.output, whole, "".join(lines), warnings)
+    depfile = _depfile(request, paths, inputs)
+    return Output(request.output, contents, owners, depfile, "".join(lines), warnings)
 
 
-def _insist_on_one_file_for_each(files: Sequence[Path], found: Sequence[Compiled]) -> None:
-    """Raise ``CompileError`` if what one file becomes would replace what another one becomes.
+def _printed(found: Sequence[Compiled]) -> str:
+    """All shaders, each below its name if there are several."""
+    texts = [text for each in found for text in each.texts.items()]
+    headings = (f"// ======== {name}\n" if len(texts) > 1 else "" for name, _ in texts)
+    return "".join(heading + text for heading, (_, text) in zip(headings, texts, strict=True))
 
-    Names that differ in capital letters only are one file on many disks.
+
+def _depfile(request: CompileRequest, paths: Sequence[str], inputs: Inputs) -> tuple[str, ...]:
+    """The path and the text of the file that ``--depfile`` asks for; empty without it.
+
+    Raises ``CompileError`` if a name cannot be written in it.
     """
-    from ..compiler.diagnostics import rules
-    from ..compiler.diagnostics.diagnostic import CompileError, Report
+    if request.depfile is None:
+        return ()
+    from .depfiles import NoNameError, depfile
+    from .output import obstacle, unwritable
 
-    report, owners = Report(), dict[str, Path]()
-    for file, each in zip(files, found, strict=True):
-        for name in _names(each):
-            owner = owners.setdefault(name.casefold(), file)
-            if owner != file:
-                report.add(rules.SAME_OUTPUT, None, name=name, first=owner, second=file)
-                break
-    if report.failed:
-        raise CompileError(report.diagnostics)
-
-
-def _names(found: Compiled) -> Iterator[str]:
-    parts: tuple[Mapping[str, str], ...] = (found.texts, found.reflections, found.plans)
-    for part in parts:
-        yield from part
+    path, target = Path(request.depfile), request.depfile_target
+    try:
+        text = depfile(paths if target is None else [target], request.files, inputs)
+    except NoNameError as error:
+        raise unwritable(path, str(error)) from error
+    place = os.path.realpath(path)
+    if place in inputs.contents:
+        raise unwritable(path, "it is one of the files that were read")
+    if place in map(os.path.realpath, paths):
+        raise unwritable(path, "it is one of the outputs")
+    reason = obstacle(path.parent, path.name)
+    if reason is not None:
+        raise unwritable(path, reason)
+    return request.depfile, text
 
 
 def _deliver(output: Output) -> None:
     """Write the files and print the texts, or raise ``CompileError``."""
-    from .output import unwritable, write_all
+    from .output import unwritable, write_all, write_file
 
     if output.folder != STDOUT:
-        write_all(Path(output.folder), output.texts)
+        write_all(Path(output.folder), output.texts, output.guard())
+    try:
+        if output.depfile:
+            path, text = output.depfile
+            write_file(Path(path), text.encode())
+    except OSError as error:
+        raise unwritable(Path(output.depfile[0]), error.strerror or str(error)) from error
     try:
         print_output(output.printed)
     except BrokenPipeError:

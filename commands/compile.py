@@ -41,8 +41,8 @@ def compile_(watch: bool, **chosen: Any) -> None:
     """
     each_once(chosen["values"])
     request = CompileRequest(**chosen)
-    if request.why and request.prints:
-        raise click.UsageError("--why prints reasons: it goes with a folder, not with -o -")
+    if request.contradiction is not None:
+        raise click.UsageError(request.contradiction)
     context = click.get_current_context()
     if watch:
         from .watch import watch as repeat

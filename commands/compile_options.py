@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ..support.frozen import frozen
+from ..support.frozen import changed, frozen
 from .results import STDOUT
 
 
@@ -32,6 +32,8 @@ class Option:
     """True if the option may be given several times; all values count."""
     is_path: bool = False
     required: bool = False
+    choices: tuple[str, ...] = ()
+    """The values that there are, if not any text is one."""
 
 
 TARGET = Option(
@@ -97,6 +99,24 @@ NATIVE_STAGES = Option(
     ("--native-stages",),
     "Use the stages that a target has for primitives, instead of drawing each as an instance.",
 )
+DEPFILE = Option(
+    "depfile",
+    ("--depfile",),
+    "A file to write for Make and Ninja: the outputs depend on all files that were read.",
+    metavar="FILE",
+)
+DEPFILE_TARGET = Option(
+    "depfile_target",
+    ("--depfile-target",),
+    "What depends on them in --depfile, such as a stamp, instead of the outputs.",
+    metavar="NAME",
+)
+LIST_OUTPUTS = Option(
+    "list_outputs", ("--list-outputs",), "Print the paths of all outputs, and write none of them."
+)
+FORCE = Option(
+    "force", ("--force",), "Overwrite files that another source, or another program, has made."
+)
 CACHE = Option(
     "cache",
     ("--cache",),
@@ -106,7 +126,7 @@ CACHE = Option(
 
 OPTIONS = (
     TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
+    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORCE, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -134,12 +154,40 @@ class CompileRequest:
     line_directives: bool = False
     hoist: bool = True
     native_stages: bool = False
+    depfile: str | None = None
+    depfile_target: str | None = None
+    list_outputs: bool = False
+    force: bool = False
     cache: bool = True
 
     @property
     def prints(self) -> bool:
         """True if the shaders are printed instead of written."""
         return self.output == STDOUT
+
+    def of_one(self, file: Path) -> CompileRequest:
+        """What is asked of one file, without what is said of the outputs of all together."""
+        return changed(
+            self, files=(file,), depfile=None, depfile_target=None, list_outputs=False, force=False
+        )
+
+    @property
+    def contradiction(self) -> str | None:
+        """What is wrong with options that go with each other; ``None`` if nothing is."""
+        if self.why and self.prints:
+            return "--why prints reasons: it goes with a folder, not with -o -"
+        if self.list_outputs and self.prints:
+            return "--list-outputs names files: it goes with a folder, not with -o -"
+        if self.list_outputs and (self.why or self.depfile is not None):
+            other = "--why" if self.why else "--depfile"
+            return f"--list-outputs prints nothing else, and writes nothing: not with {other}"
+        if self.depfile == STDOUT:
+            return "--depfile is a file: what is printed are the shaders"
+        if self.depfile is not None and self.prints and self.depfile_target is None:
+            return "--depfile with -o - has no outputs to speak of: say what, by --depfile-target"
+        if self.depfile is None and self.depfile_target is not None:
+            return "--depfile-target is a name in the file of --depfile, which is not given"
+        return None
 
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
@@ -169,6 +217,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
                 if value.startswith("-") and value != "-":
                     return None
             row = _VALUES[name]
+            if row.choices and value not in row.choices:
+                return None
             given = Path(value) if row.is_path else value
             chosen[row.field] = (*chosen.get(row.field, ()), given) if row.many else given
         elif word and not word.startswith("-"):
@@ -180,9 +230,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
         return None
     if not _are_named_once(chosen.get("values", ())):
         return None
-    if chosen.get("why") and chosen["output"] == STDOUT:
-        return None
-    return CompileRequest(**chosen)
+    request = CompileRequest(**chosen)
+    return request if request.contradiction is None else None
 
 
 def _may_be_read(path: Path) -> bool:

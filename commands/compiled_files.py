@@ -102,13 +102,13 @@ def _written(
     if request.prints:
         return Compiled(texts, {}, {}, (), (), warnings, result.inputs)
     for material in result.materials:
-        reflection = f"{material.name}.json"
+        reflection = f"{material.stem}.json"
         reflections[reflection] = to_text(material.reflection)
         shaders = f"{len(material.files)} shaders and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
         lines += _reasons(material) if request.why else ()
     for frame in result.frames:
-        plan = f"{frame.name}.plan.json"
+        plan = f"{frame.stem}.plan.json"
         plans[plan] = to_text(frame.plan)
         count = len(frame.plan.steps)
         steps = "1 step" if count == 1 else f"{count} steps"

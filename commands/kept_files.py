@@ -9,7 +9,7 @@ warnings have none, as these are told in the order of all files.
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..compiler.cache import load, prune, store_unpruned
 from ..compiler.inputs import Inputs
@@ -76,12 +76,12 @@ class KeptFiles:
         return [*self._words(request), *self._program]
 
 
-def _inputs(entry: dict[str, object]) -> Inputs:
+def _inputs(entry: dict[str, Any]) -> Inputs:
     """The inputs that an entry says of."""
     found = Inputs()
     sources, links, folders = entry["sources"], entry["links"], entry["folders"]
-    assert isinstance(sources, dict) and isinstance(links, dict) and isinstance(folders, list)
     found.contents = {path: None if v is None else v.encode() for path, v in sources.items()}
     found.links = links
     found.folders = folders
+    found.library = dict.fromkeys(entry["library"])
     return found

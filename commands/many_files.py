@@ -12,7 +12,6 @@ import pickle
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..support.frozen import changed
 from .compile_options import CompileRequest
 from .compiled_files import Compiled, compiled
 from .kept_files import KeptFiles
@@ -33,7 +32,7 @@ def compiled_files(request: CompileRequest, question: Question | None) -> Iterat
 
     ``question`` is the command line if what they become may be kept, and taken from earlier ones.
     """
-    requests = [changed(request, files=(file,)) for file in request.files]
+    requests = [request.of_one(file) for file in request.files]
     kept = None if question is None else KeptFiles(question)
     known = {} if kept is None else {each: kept.find(each) for each in requests}
     wanted = [each for each in requests if known.get(each) is None]

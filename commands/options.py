@@ -37,9 +37,10 @@ def option(row: Option) -> Callable[[FC], FC]:
         return click.option(flags, row.field, default=True, help=row.help, show_default=True)
     if not row.metavar:
         return click.option(*row.names, row.field, is_flag=True, help=row.help)
+    kind = click.Choice(row.choices) if row.choices else None
     return click.option(
-        *row.names, row.field, metavar=row.metavar, required=row.required, multiple=row.many,
-        type=click.Path(path_type=Path) if row.is_path else None, help=row.help,
+        *row.names, row.field, metavar=row.metavar or None, required=row.required,
+        multiple=row.many, type=click.Path(path_type=Path) if row.is_path else kind, help=row.help,
     )  # fmt: skip
 
 

@@ -7,11 +7,15 @@ import os
 import stat
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
-from .replacing import replace_all, replace_tree
+from .replacing import ForeignFileError, replace_all, replace_tree
 from .results import encoded
+
+if TYPE_CHECKING:
+    from .replacing import Guard
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
@@ -38,10 +42,14 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     return f"nobody but its owner may write into `{nearest}`"
 
 
-def write_all(folder: Path, texts: Mapping[str, str]) -> None:
+def write_all(folder: Path, texts: Mapping[str, str], guard: Guard | None = None) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
     try:
-        replace_all(str(folder), encoded(texts))
+        replace_all(str(folder), encoded(texts), guard)
+    except ForeignFileError as error:
+        report = Report()
+        report.add(rules.FOREIGN_OUTPUT, None, path=error.filename, reason=error.strerror)
+        raise CompileError(report.diagnostics) from error
     except OSError as error:
         raise unwritable(Path(error.filename), error.strerror or str(error)) from error
 

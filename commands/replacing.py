@@ -2,14 +2,16 @@
 
 ``output.py`` and ``results.py`` write everything with it that a command leaves in a folder. Such a
 folder may have come from anywhere, and may hold links and files of any name. So nothing that lies
-in it is read, believed, followed or deleted, and there is no record of what earlier processes did:
+in it is believed, followed or deleted, and there is no record in it of what earlier processes did:
 
-1. Each new file is written under a random name, such as ``.burnish-5f1c…``, which nobody else can
-   have made.
-2. Once all of them are complete, each old file gets a second name of that kind, and the new file is
+1. A file that has the wanted content already is left as it is, with its date: build systems run
+   again what depends on a file that is newer than before.
+2. Each other new file is written under a random name, such as ``.burnish-5f1c…``, which nobody else
+   can have made.
+3. Once all of them are complete, each old file gets a second name of that kind, and the new file is
    renamed over it. That takes microseconds. Processes that do this in the same folder take turns.
-3. If anything goes wrong on the way, the old files get their names back.
-4. The random names are deleted, each by itself.
+4. If anything goes wrong on the way, the old files get their names back.
+5. The random names are deleted, each by itself.
 
 The folder is opened once, and everything happens relative to its descriptor, so nobody can lead
 Burnish elsewhere by changing the folder's path meanwhile. A process that is killed takes nothing
@@ -27,31 +29,50 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from os.path import basename, join
-from stat import S_ISDIR
+from stat import S_ISDIR, S_ISREG
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Self
+    from typing import Protocol, Self
+
+    class Guard(Protocol):
+        """Protects files of others; ``ownership.py`` has the one of ``burnish compile``."""
+
+        def objection(self, name: str, head: bytes) -> str | None:
+            """The reason why a file with this beginning must not be replaced; else ``None``."""
+
+        def settle(self) -> None:
+            """Take note that all new files are in place; other processes still wait."""
+
 
 PATIENCE = 10.0
 """The seconds to wait for another process, which needs far less to rename its files."""
 TEMPORARY = ".burnish-"
 """The beginning of random names."""
+HEAD = 4096
+"""The bytes at the beginning of a file by which a guard recognises it."""
 
 _ANCHORED = os.open in os.supports_dir_fd
 """True if names can be relative to an open folder, as everywhere but on Windows."""
 
 
-def replace_all(folder: str, contents: Mapping[str, bytes]) -> None:
+class ForeignFileError(FileExistsError):
+    """A file that must not be replaced has the name of a new one."""
+
+
+def replace_all(folder: str, contents: Mapping[str, bytes], guard: Guard | None = None) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
     The folder is made if need be. A link that has one of the names is replaced, not followed. The
-    error's ``filename`` is the path that could not be written: the folder, or a file in it.
+    error's ``filename`` is the path that could not be written: the folder, or a file in it. It is a
+    ``ForeignFileError`` where the ``guard`` has an objection to replacing a file.
     """
-    replace_tree(folder, {(name,): content for name, content in contents.items()})
+    replace_tree(folder, {(name,): content for name, content in contents.items()}, guard)
 
 
-def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None:
+def replace_tree(
+    folder: str, contents: Mapping[tuple[str, ...], bytes], guard: Guard | None = None
+) -> None:
     """Do the same for a folder with folders in it: each content has the names on the way to it.
 
     Folders are made if need be, and taken away again if anything goes wrong. Links to folders are
@@ -70,14 +91,16 @@ def replace_tree(folder: str, contents: Mapping[tuple[str, ...], bytes]) -> None
         for (*way, name), content in contents.items():
             place = tree.folder(tuple(way))
             with _told(join(place.path, name)):
-                file = _File(place, name)
+                file = _File(place, name, content, guard)
                 used.callback(file.clear)
-                file.write(content)
+                file.prepare()
             files.append(file)
         with _told(folder):
             tree.root.lock()
         _put_in_place(files)
         tree.keep()
+        if guard is not None:
+            guard.settle()
 
 
 def _insist_on_name(name: str) -> None:
@@ -127,6 +150,17 @@ class _Folder:
         """Close the folder, which unlocks it as well."""
         if self._descriptor is not None:
             os.close(self._descriptor)
+
+    def content(self, name: str, most: int) -> bytes | None:
+        """Up to so many bytes of a file that is no link; ``None`` if it cannot be read."""
+        flags = os.O_RDONLY | getattr(os, "O_BINARY", 0)
+        careful = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+        try:
+            descriptor = os.open(self._at(name), flags | careful, dir_fd=self._descriptor)
+            with open(descriptor, "rb") as file:
+                return file.read(most) if S_ISREG(os.fstat(descriptor).st_mode) else None
+        except OSError:
+            return None
 
     def create(self, name: str) -> int:
         """The descriptor of a new file, to write to it; nothing else may have the name."""
@@ -211,33 +245,57 @@ class _File:
     """A file on its way into a folder.
 
     Until its name stands for the new content, this has a random name; from then on the old file
-    has another one.
+    has another one. If the old file has the new content already, neither happens.
     """
 
-    def __init__(self, folder: _Folder, name: str) -> None:
-        """Begin the new file, unless a folder has its name."""
+    def __init__(self, folder: _Folder, name: str, content: bytes, guard: Guard | None) -> None:
         self.name = name
         self.path = join(folder.path, name)
         self._folder = folder
+        self._content = content
+        self._guard = guard
         self._new, self._old = (f"{TEMPORARY}{os.urandom(16).hex()}" for _ in range(2))
-        status = folder.status(name)
-        if status is not None and S_ISDIR(status.st_mode):
-            raise IsADirectoryError(errno.EISDIR, "it is a folder")
-        self._descriptor = folder.create(self._new)
+        self._seen: os.stat_result | None = None
+        """The status of the old file when it was looked at."""
+        self._stays = False
+        """True if the old file has the new content."""
+        self._is_made = False
+        """True once the random names are this file's own."""
+        self._is_begun = False
+        """True once the name may stand for the new file."""
 
-    def write(self, content: bytes) -> None:
-        """Write the new content under its random name."""
-        with open(self._descriptor, "wb") as file:
-            file.write(content)
+    def prepare(self) -> None:
+        """Write the new content under its random name, unless the old file has it already.
+
+        Raises ``OSError`` if a folder or a file of somebody else has the name.
+        """
+        self._seen = self._folder.status(self.name)
+        self._stays = self._seen is not None and self._is_same(self._seen)
+        if self._stays:
+            return
+        self._heed(self._seen)
+        if self._is_made:
+            return
+        descriptor = self._folder.create(self._new)
+        self._is_made = True
+        with open(descriptor, "wb") as file:
+            file.write(self._content)
 
     def put_in_place(self) -> None:
         """Let the name refer to the new content."""
+        if not _is_untouched(self._seen, self._folder.status(self.name)):
+            self.prepare()  # Another process has been here since.
+        if self._stays:
+            return
+        self._is_begun = True
         with suppress(FileNotFoundError):
             self._set_aside()
         self._folder.rename(self._new, self.name)
 
     def take_back(self) -> None:
         """Let the name refer to the old content again, however far ``put_in_place`` came."""
+        if not self._is_begun:
+            return
         if self._folder.status(self._old) is not None:
             self._folder.rename(self._old, self.name)
         elif self._folder.status(self._new) is None:
@@ -245,9 +303,33 @@ class _File:
 
     def clear(self) -> None:
         """Delete the files that still have a random name."""
-        for name in (self._new, self._old):
+        for name in (self._new, self._old) if self._is_made else ():
             with suppress(OSError):
                 self._folder.delete(name)
+
+    def _heed(self, status: os.stat_result | None) -> None:
+        """Raise ``OSError`` if what has the name must not be replaced."""
+        if status is not None and S_ISDIR(status.st_mode):
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        if status is None or self._guard is None or not S_ISREG(status.st_mode):
+            return
+        head = self._folder.content(self.name, HEAD) or b""
+        objection = self._guard.objection(self.name, head)
+        if objection is not None:
+            raise ForeignFileError(errno.EEXIST, objection)
+
+    def _is_same(self, status: os.stat_result) -> bool:
+        """True if a file may stay: an own one with the new content, and with this name only.
+
+        What another user owns, or what has a second name elsewhere, might change at any time.
+        """
+        own = not hasattr(os, "geteuid") or status.st_uid == os.geteuid()
+        if not own or status.st_nlink > 1 or not S_ISREG(status.st_mode):
+            return False
+        size = len(self._content)
+        if status.st_size != size:
+            return False
+        return self._folder.content(self.name, size + 1) == self._content
 
     def standing(self) -> tuple[int, int] | None:
         """The device and number of the file that has this name; ``None`` if they are unknown."""
@@ -287,11 +369,23 @@ def _put_in_place(files: Sequence[_File]) -> None:
         raise
 
 
+def _is_untouched(before: os.stat_result | None, now: os.stat_result | None) -> bool:
+    """True if a name stands for the same file as before, which nobody has written to since."""
+    if before is None or now is None:
+        return before is now
+    return all(
+        getattr(before, field) == getattr(now, field)
+        for field in ("st_dev", "st_ino", "st_size", "st_mtime_ns", "st_ctime_ns")
+    )
+
+
 @contextmanager
 def _told(path: str) -> Iterator[None]:
     """Let errors name the path that people know, not the one of the system call."""
     try:
         yield
+    except ForeignFileError as error:
+        raise ForeignFileError(error.errno, error.strerror, path) from error
     except OSError as error:
         raise OSError(error.errno, error.strerror, path) from error
 

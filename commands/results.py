@@ -14,9 +14,11 @@ from __future__ import annotations
 
 import os
 import sys
+from stat import S_ISREG
 
 from ..compiler.cache import digest, load, store
 from ..compiler.inputs import unchanged
+from .ownership import Ownership
 from .replacing import replace_all
 from .terminal import print_output, show_everything, wants_color
 
@@ -35,6 +37,9 @@ LARGEST = 4 << 20
 
 _NEVER = frozenset({"--no-cache", "--validate", "--watch"})
 """Words of command lines that ask for more than texts."""
+
+_FIELDS = ("folder", "texts", "owners", "depfile", "printed", "warnings")
+"""What is kept of an output, in the order of its initialiser."""
 
 _ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
 _LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
@@ -62,23 +67,39 @@ class Question:
 class Output:
     """Everything that a compile hands to its user."""
 
-    __slots__ = ("folder", "printed", "texts", "warnings")
+    __slots__ = ("depfile", "folder", "owners", "printed", "texts", "warnings")
 
     def __init__(
-        self, folder: str, texts: Mapping[str, str], printed: str, warnings: str = ""
+        self,
+        folder: str,
+        texts: Mapping[str, str],
+        owners: Mapping[str, Sequence[str]] | None = None,
+        depfile: Sequence[str] = (),
+        printed: str = "",
+        warnings: str = "",
     ) -> None:
         self.folder = folder
         self.texts = texts
         """Files to write into the folder, by name."""
+        self.owners = owners
+        """The names of these files by the path of the source of each; ``None`` if they may replace
+        files of any other source."""
+        self.depfile = depfile
+        """The path and the text of the file that names what was read; empty if there is none."""
         self.printed = printed
         """The text for standard output."""
         self.warnings = warnings
         """The text for standard error."""
 
+    def guard(self) -> Ownership | None:
+        """What keeps files of other sources from being replaced."""
+        return None if self.owners is None else Ownership(self.folder, self.owners)
+
 
 def ask(arguments: Sequence[str]) -> Question | None:
     """The question of a command line; ``None`` if no answer to it is ever kept."""
-    wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(arguments)
+    options = (word.partition("=")[0] for word in arguments)
+    wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(options)
     if not wanted or os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
         return None
     try:
@@ -101,11 +122,15 @@ def answer(question: Question) -> bool:
         kept = json.loads(stored)
         if kept["circumstances"] != question.circumstances or not are_unchanged(kept):
             return False
-        output = Output(kept["folder"], kept["texts"], kept["printed"], kept["warnings"])
+        output = Output(*(kept[name] for name in _FIELDS))
         if not _is_asked_for(output, question):
             return False
         if output.folder != STDOUT:
-            replace_all(output.folder, encoded(output.texts))
+            replace_all(output.folder, encoded(output.texts), output.guard())
+        if output.depfile:
+            path, text = output.depfile
+            folder, name = os.path.split(path)
+            replace_all(folder or os.curdir, {name: text.encode()})
         show_everything()
         print_output(output.printed)
         if output.warnings:
@@ -128,10 +153,7 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
     entry = {
         "circumstances": question.circumstances,
         **noted(inputs),
-        "folder": output.folder,
-        "texts": dict(output.texts),
-        "printed": output.printed,
-        "warnings": output.warnings,
+        **{name: getattr(output, name) for name in _FIELDS},
     }
     payload = json.dumps(entry).encode()
     if len(payload) <= LARGEST:
@@ -145,6 +167,7 @@ def noted(inputs: Inputs) -> dict[str, Any]:
         "sources": {k: v if v is None else v.decode() for k, v in sources.items()},
         "links": {k: v for k, v in inputs.links.items() if not v.startswith(_LIBRARY)},
         "folders": inputs.folders,
+        "library": list(inputs.library),
     }
 
 
@@ -164,7 +187,17 @@ def _is_asked_for(output: Output, question: Question) -> bool:
     The folder is a word of it, or ends one, as in ``-obuild`` and ``--output=build``. Names that
     lead out of the folder are refused where files are written.
     """
-    return any(word.endswith(output.folder) for word in question.arguments)
+    places = [place for place in (output.folder, *output.depfile[:1]) if place != STDOUT]
+    named = all(any(word.endswith(place) for word in question.arguments) for place in places)
+    return named and all(map(_is_file, output.depfile[:1]))
+
+
+def _is_file(path: str) -> bool:
+    """True if a path is that of a file, or nothing is there: a device is not to be replaced."""
+    try:
+        return S_ISREG(os.lstat(path).st_mode)
+    except FileNotFoundError:
+        return True
 
 
 def are_unchanged(kept: dict[str, Any]) -> bool:

@@ -220,6 +220,18 @@ class Frontend:
         passes = (symbol.name for symbol in records_of(module, "pass", abstract=False))
         yield from product(rigs or (None,), (None, *passes))
 
+    def told_apart_by(self, module: Module, rig: str | None, pass_: str | None) -> tuple[str, ...]:
+        """The names of the pass and the rig, each only if it draws because it was named.
+
+        So whatever is drawn under other ones has another list of names. All names must be known.
+        """
+        chosen = () if pass_ is None or self._pass(module, pass_) == self._forward() else (pass_,)
+        own = _rigs(module)
+        by_default = None if len(own) > 1 else self._rigs_of(module)[0]
+        if rig is None or self._rig(module, rig) == by_default:
+            return chosen
+        return (*chosen, rig)
+
     def check(self, module: Module, rig: str | None, pass_: str | None) -> list[Frame]:
         """Reports the errors of a file, which needs no materials: it may be for importing.
 

@@ -36,6 +36,11 @@ class Inputs:
         """The target of each path, after following links."""
         self.folders: list[str] = []
         """The folders of the search path; each of them is there."""
+        self.library: dict[str, None] = {}
+        """The files of the library that were imported, or are imported by those.
+
+        A change of Burnish itself is noticed elsewhere: these are for build systems.
+        """
 
     def real(self, path: Path) -> str:
         """The path without links; one that goes round in links stays as it is."""
@@ -75,6 +80,10 @@ class Inputs:
         if not found:
             self.contents.setdefault(real, None)
 
+    def of_library(self, paths: Iterable[Path]) -> None:
+        """Note files of the library."""
+        self.library.update(dict.fromkeys(map(str, paths)))
+
     def searched(self, folder: Path) -> None:
         """Note a folder of the search path."""
         self.folders.append(str(folder))
@@ -94,6 +103,7 @@ class Inputs:
                 found.contents.setdefault(path, content)
             found.links |= each.links
             found.folders += each.folders
+            found.library |= each.library
         return found
 
     def are_current(self) -> bool:
@@ -134,6 +144,9 @@ class Recorded(Inputs):
 
     def read(self, path: Path, content: bytes) -> None:
         """Note nothing: it is known."""
+
+    def of_library(self, paths: Iterable[Path]) -> None:
+        """Note nothing, likewise."""
 
     def looked(self, root: Path, path: Path, *, found: bool) -> None:
         """Note nothing, likewise."""

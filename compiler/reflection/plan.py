@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
 from ...support.frozen import cached_property
@@ -64,14 +64,18 @@ VERSION: Literal[2] = 2
 """Grows when a host that executes plans has to change."""
 
 
-def plan_document(plan: Plan) -> FramePlan:
-    """The document that a host needs to draw a frame, but for the reflections of its shaders."""
-    return _Document(plan).made()
+def plan_document(plan: Plan, reflections: Sequence[str]) -> FramePlan:
+    """The document that a host needs to draw a frame, but for the reflections of its shaders.
+
+    These are in files with the names ``reflections``.
+    """
+    return _Document(plan, reflections).made()
 
 
 class _Document:
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, reflections: Sequence[str]) -> None:
         self._plan = plan
+        self._reflections = reflections
         self._frame = plan.frame
         self._shaders: Mapping[FrameShader, int] = {
             shader: number for number, shader in enumerate(self._frame.shaders)
@@ -102,7 +106,7 @@ class _Document:
                 )
                 for models in frame.models
             ),
-            shaders=tuple(map(_shader_row, frame.shaders)),
+            shaders=tuple(map(_shader_row, frame.shaders, self._reflections)),
             values=tuple(
                 ValueRow(representation=str(value.type), steps=steps(value))
                 for value in self._values
@@ -357,11 +361,11 @@ def _stencil_load(target: Target) -> StencilLoad:
     return StencilLoad(load=_load(target), store=target.stores_stencil, clear=0)
 
 
-def _shader_row(shader: FrameShader) -> ShaderRow:
+def _shader_row(shader: FrameShader, reflection: str) -> ShaderRow:
     made = shader.shader
     return ShaderRow(
         name=shader.name,
-        reflection=f"{shader.name}.json",
+        reflection=reflection,
         pass_=made.pass_name or None,
         rig=made.rig_name or None,
     )

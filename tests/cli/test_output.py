@@ -180,7 +180,7 @@ def test_two_compiles_at_once(tmp_path: Path) -> None:
     for name in names:
         (tmp_path / f"{name}.burnish").write_text(f"/// {name * 5000}\nmaterial Plain {{ }}")
         assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
-    command = [sys.executable, "-m", "burnish", "compile", "-o", "both"]
+    command = [sys.executable, "-m", "burnish", "compile", "--force", "-o", "both"]
     for _ in range(3):
         commands = [[*command, f"{name}.burnish"] for name in names]
         done = at_once([partial(run, each, cwd=tmp_path) for each in commands])

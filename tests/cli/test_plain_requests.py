@@ -11,7 +11,13 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from burnish.commands.compile import compile_
-from burnish.commands.compile_options import OPTIONS, CompileRequest, Option, plain_request
+from burnish.commands.compile_options import (
+    DEPFILE_TARGET,
+    OPTIONS,
+    CompileRequest,
+    Option,
+    plain_request,
+)
 
 from .kit import PLAIN, shell
 
@@ -49,7 +55,9 @@ def test_they_mean_the_same(line: list[str]) -> None:
 @pytest.mark.parametrize("row", OPTIONS, ids=lambda row: str(row.field))
 def test_each_option_can_be_plain(row: Option) -> None:
     for name in filter(None, (*row.names, row.off)):
-        line = ["m.burnish", "-o", "out", name, *(["name=value"] if row.metavar else [])]
+        value = row.choices[0] if row.choices else "name=value"
+        needed = ["--depfile", "d"] if row is DEPFILE_TARGET else []
+        line = ["m.burnish", "-o", "out", *needed, name, *([value] if row.metavar else [])]
         found = plain_request(["compile", *line])
         assert found is not None
         assert found == read_by_click(line)

@@ -101,7 +101,8 @@ def test_only_texts_are_kept(place: Place) -> None:
     (result,) = place.results()
     kept: dict[str, object] = json.loads(result.read_bytes()[8:])
     assert kept.keys() == {
-        "circumstances", "folder", "folders", "links", "printed", "sources", "texts", "warnings"
+        "circumstances", "depfile", "folder", "folders", "library", "links", "owners", "printed",
+        "sources", "texts", "warnings",
     }  # fmt: skip
 
 

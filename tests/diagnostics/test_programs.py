@@ -18,8 +18,9 @@ PROGRAMS = [entry for entry in ENTRIES if not entry.reason]
 
 WITHOUT = {
     "B0001", "B0002", "B0003", "B0004", "B0005", "B0008", "B0009", "B0010", "B0011", "B0013",
-    "B0014", "B0015", "B0016", "B0017", "B0018", "B0106", "B0111", "B0389", "B0414", "B0450",
-    "B0451", "B0452", "B0480", "B0504", "B0562", "B0703", "B0704", "B0705", "B0706",
+    "B0014", "B0015", "B0016", "B0017", "B0018", "B0019", "B0020", "B0106", "B0111", "B0389",
+    "B0414", "B0450", "B0451", "B0452", "B0480", "B0504", "B0562", "B0703", "B0704", "B0705",
+    "B0706",
 }  # fmt: skip
 """The codes that no program shows. Take out what has got one; a new code needs programs."""
 

@@ -105,3 +105,16 @@ SAME_OUTPUT = error(
     "declare different ones, also but for capital letters: rename one, or compile the files into "
     "two folders.",
 )
+SAME_BUT_FOR_CAPITALS = error(
+    "B0019",
+    "`{path}` would be written to `{first}` and to `{second}`, which are one file on many disks",
+    "Outputs are called by their materials and frames. On the disks of Windows and macOS, names "
+    "that differ in capital letters only are the same: rename one, or compile each into a folder "
+    "of its own, by `--material`.",
+)
+FOREIGN_OUTPUT = error(
+    "B0020",
+    "`{path}` would be overwritten, and {reason}",
+    "Nothing was written. Compile into another folder, rename the material or the frame, or "
+    "overwrite all that is in the way by `--force`.",
+)

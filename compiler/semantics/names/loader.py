@@ -8,7 +8,7 @@ imported from ``std`` comes from the ``StandardLibrary``, which is linked alread
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path, PurePosixPath
 from posixpath import normpath
 from stat import S_ISDIR, S_ISREG
@@ -120,6 +120,9 @@ class Files(Protocol):
     def looked(self, root: Path, path: Path, /, *, found: bool) -> None:
         """``path`` below ``root`` was looked at; ``found`` says whether a file is there."""
 
+    def of_library(self, paths: Iterable[Path], /) -> None:
+        """These files of the library are read, if not for this compile, then for an earlier one."""
+
 
 @record
 class _Linking:
@@ -172,6 +175,7 @@ class Loader:
 
     def main(self, source: Source, path: Path | None) -> Module:
         """The module that a user compiles."""
+        self._files.of_library(self._library.behind())
         if path is not None:
             self._loading[self._without_links(path)] = source.name
         module = Module(
@@ -260,6 +264,8 @@ class Loader:
     def _of_library(self, inside: str) -> Module | None:
         """A file of the library; mistakes in it are told, and in those that it imports."""
         found = self._library.module(inside)
+        if found is not None:
+            self._files.of_library(self._library.behind(inside))
         self._report.extend(self._library.report.diagnostics)
         return found
 

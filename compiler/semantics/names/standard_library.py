@@ -58,6 +58,8 @@ class StandardLibrary:
         """The modules by their paths within the folder; all of them are linked."""
         self._begun: dict[str, Module] = {}
         """The linked modules, and those that are being linked just now."""
+        self._imports: dict[str, list[str]] = {}
+        """The files that each linked module imports, by their paths within the folder."""
         self._stamps: dict[Path, tuple[int, int]] = {}
         self._offers: dict[str, list[Offer]] | None = None
         prelude = self.module(_PRELUDE)
@@ -68,6 +70,16 @@ class StandardLibrary:
     def files(self) -> tuple[Path, ...]:
         """The files that have been read."""
         return tuple(self._stamps)
+
+    def behind(self, relative: str = _PRELUDE) -> Iterator[Path]:
+        """A file of the library with all that it imports, among them the prelude."""
+        pending, seen = [_PRELUDE, relative], set[str]()
+        while pending:
+            name = pending.pop()
+            if name not in seen:
+                seen.add(name)
+                pending += self._imports.get(name, ())
+                yield self.folder / name
 
     def is_current(self) -> bool:
         """True if the files that were read have not changed since."""
@@ -123,7 +135,9 @@ class StandardLibrary:
         module = Module(self._parse(source, self.report), path, is_standard=True, prelude=prelude)
         # Known before it is linked: the files that the prelude imports see the prelude as well.
         self._begun[relative] = module
-        for wanted in declare_all(module, self.report):
+        imports = declare_all(module, self.report)
+        self._imports[relative] = [in_library(each.path) for each in imports if not each.quoted]
+        for wanted in imports:
             found = None if wanted.quoted else self._linked(in_library(wanted.path))
             if found is None:
                 shown = ".".join(wanted.path)

@@ -1,0 +1,54 @@
+"""Writes what ``--depfile`` asks for: a rule of Make without commands, which Ninja reads as well.
+
+It says that the outputs depend on all files that were read: the sources, what they import, and the
+files of the library. A place where a file was looked for in vain is not among them, since neither
+program knows of files that must not be there.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..compiler.inputs import Inputs
+
+_BLANK = re.compile(r"(\\*)([ \t])")
+_MARK = re.compile("[#:]")
+
+
+class NoNameError(ValueError):
+    """A path that no rule can name; the message says why."""
+
+
+def depfile(targets: Sequence[str], sources: Sequence[Path], inputs: Inputs) -> str:
+    """The rule for some targets. Raises ``NoNameError``.
+
+    Build systems compare names word by word. So names stay as they were given, and imports are
+    relative to the current folder where all sources are.
+    """
+    below = "" if any(map(os.path.isabs, sources)) else f"{os.path.realpath(os.curdir)}{os.sep}"
+    left = " \\\n  ".join(map(escaped, targets))
+    right = "".join(f" \\\n  {escaped(path.removeprefix(below))}" for path in _read(inputs))
+    return f"{left}:{right}\n"
+
+
+def escaped(path: str) -> str:
+    """A path as Make and Ninja read it: as compilers of C write them.
+
+    Backslashes are doubled only before a blank, which needs one itself. The colon of a drive of
+    Windows stays bare.
+    """
+    if "\n" in path or "\r" in path:
+        raise NoNameError("it has a line break, which no rule of Make can name")
+    drive, rest = os.path.splitdrive(path)
+    rest = _BLANK.sub(r"\1\1\\\2", rest)
+    return drive + _MARK.sub(r"\\\g<0>", rest).replace("$", "$$")
+
+
+def _read(inputs: Inputs) -> list[str]:
+    """The paths of all files that were read, as they were asked for, without doubles."""
+    asked = {real: path for path, real in reversed(inputs.links.items())}
+    own = [asked.get(real, real) for real, text in inputs.contents.items() if text is not None]
+    return list(dict.fromkeys((*own, *sorted(inputs.library))))
