@@ -34,14 +34,6 @@ class Compiled:
     inputs: Inputs | None
     """The files that were read; ``None`` if there are errors."""
 
-    def contents(self) -> dict[str, str]:
-        """All files by their names, in the order in which they are put in place.
-
-        Reflections stand behind the shaders, and plans last: whoever sees a new one finds what it
-        describes.
-        """
-        return {**self.texts, **self.reflections, **self.plans}
-
 
 def compiled(request: CompileRequest) -> Compiled:
     """What the only file of a request becomes."""

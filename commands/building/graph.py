@@ -13,6 +13,7 @@ from pathlib import Path
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ..console import show
 from ..output import write_all
+from ..written_files import written_of
 from .actions import Action
 from .ninja import Graph, graph
 from .program import program
@@ -53,7 +54,7 @@ def _outputs(actions: Sequence[Action], folder: str, jobs: int) -> dict[str, lis
         diagnostics += found.diagnostics
         failed |= found.inputs is None
         if found.inputs is not None:
-            records.note(action, found.contents())
+            records.note(action, written_of(action.request.files, [found]))
     if failed:
         raise CompileError(diagnostics)
     show(diagnostics)

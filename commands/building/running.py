@@ -14,6 +14,8 @@ from ...support.frozen import frozen
 from ..compiled_files import Compiled, compiled
 from ..many_files import made_in_processes
 from ..output import write_all
+from ..ownership import Ownership
+from ..written_files import owners_of, written_of
 from .actions import Action
 from .locking import held
 from .planning import digests_of
@@ -63,7 +65,7 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
                 if found.inputs is None or problem:
                     failed.append(action.name)
                 else:
-                    told(action, len(found.contents()))
+                    told(action, len(found.texts) + len(found.reflections) + len(found.plans))
         finally:
             records.keep()
     run, current = len(stale) - len(failed), len(actions) - len(stale)
@@ -86,9 +88,12 @@ def _deliver(action: Action, found: Compiled, records: Records) -> Sequence[Diag
     """
     if found.inputs is None:
         return ()
-    contents = found.contents()
+    request = action.request
+    owners = owners_of(request.files, [found])
+    guard = None if request.force else Ownership(request.output, owners)
     try:
-        write_all(Path(action.request.output), contents)
+        contents = written_of(request.files, [found])
+        write_all(Path(request.output), contents, guard)
     except CompileError as error:
         return error.diagnostics
     # A file may have changed behind the plan; then the record would be one of other inputs.

@@ -19,6 +19,7 @@ from click.decorators import FC
 from ...support.frozen import changed
 from ..compile_options import (
     FLIP_Y,
+    FORCE,
     HOIST,
     LINE_DIRECTIVES,
     NATIVE_STAGES,
@@ -36,6 +37,7 @@ from .planning import Variant
 
 OF_VARIANTS = (
     TARGET, RIG, PASS, SET, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES,
+    FORCE,
 )  # fmt: skip
 """The options of ``burnish compile`` that a build has, and each of its variants."""
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
