@@ -1,8 +1,10 @@
 """Writes a graph for Ninja, which runs the actions of a build that are out of date.
 
 ``burnish build --ninja`` calls ``graph``. Ninja compares dates of files, so every output is named:
-it sees that one is missing, and other rules can use it. What a file imports, Ninja reads from the
-list of dependencies (``--depfile``) that each compile leaves.
+it sees that one is missing, and other rules can use it. Inputs are named as well, with all that a
+file imports: a graph is written again when one of them changes, so they are always right. Lists
+of dependencies (``--depfile``) would say the same, but Ninja reads some names in them wrongly, such
+as those with an apostrophe.
 """
 
 from __future__ import annotations
@@ -32,8 +34,6 @@ pool {pool}
 rule burnish_compile
   command = $run
   description = burnish $out_folder
-  depfile = $depfile
-  deps = gcc
   restat = 1
   pool = {pool}
 
@@ -83,14 +83,12 @@ def _statement(action: Action, names: Iterable[str], about: Graph) -> str:
     """The statement that builds all outputs of one action."""
     folder = action.request.output
     made = " $\n    ".join(_path(f"{folder}/{name}") for name in names)
-    files = " ".join(_path(each.as_posix()) for each in action.request.files)
-    depfile = f"{folder}.d"
-    run = _command([*about.called, *action.words(), f"--depfile={depfile}"])
+    own = [each.as_posix() for each in action.request.files]
+    imported = [path for path in action.inputs if path not in own]
+    inputs = " ".join(map(_path, own)) + _implicit([*imported, about.program])
+    run = _command([*about.called, *action.words()])
     return (
-        f"build {made}: burnish_compile {files}{_implicit([about.program])}\n"
-        f"  run = {run}\n"
-        f"  depfile = {_value(depfile)}\n"
-        f"  out_folder = {_value(folder)}\n"
+        f"build {made}: burnish_compile {inputs}\n  run = {run}\n  out_folder = {_value(folder)}\n"
     )
 
 
