@@ -19,6 +19,7 @@ from .terminal import FAILED
 
 if TYPE_CHECKING:
     from .building.actions import Action
+    from .building.running import Built
 
 NINJA_FILE = "build.ninja"
 MEMORY = 512 << 20
@@ -33,6 +34,8 @@ class BuildRequest(NamedTuple):
     variants: tuple[str, ...]
     ninja: bool
     actions: bool
+    part: bool
+    batch: int
     to: str | None
     jobs: int | None
     program: str
@@ -55,6 +58,16 @@ class BuildRequest(NamedTuple):
 @click.option("--ninja", is_flag=True, help="Write a graph for Ninja, and compile nothing.")
 @click.option(
     "--actions", is_flag=True, help="Print all actions with their digests as JSON, likewise.",
+)  # fmt: skip
+@click.option(
+    "--part", is_flag=True,
+    help="Compile all FILEs in this process, whether that is needed or not: what the commands of "
+    "--ninja and --actions do.",
+)  # fmt: skip
+@click.option(
+    "--batch", metavar="N", type=click.IntRange(1, 1000), default=1, show_default=True,
+    help="Put about N files into each command of --ninja or --actions: many commands take less "
+    "time then, and few take more.",
 )  # fmt: skip
 @click.option(
     "--to", metavar="FILE",
@@ -124,6 +137,8 @@ def _check_options(request: BuildRequest) -> None:
         raise click.UsageError("--ninja and --actions write different documents: choose one")
     if request.to is not None and not (request.ninja or request.actions):
         raise click.UsageError("--to names the file for --ninja or --actions: give one of them")
+    if request.part and (request.ninja or request.actions):
+        raise click.UsageError("--part compiles, and --ninja and --actions do not: choose one")
     if request.output == STDOUT:
         raise click.UsageError("a build writes many files: -o names the folder for them")
 
@@ -148,23 +163,26 @@ def _called(request: BuildRequest) -> list[str]:
 
 def _write_actions(request: BuildRequest, actions: Sequence[Action]) -> None:
     from ..compiler.documents.writing import to_text
+    from .building.batching import batches_of
     from .building.document import document_of
 
-    text = to_text(document_of(actions, _called(request)))
+    batches = batches_of(actions, request.batch)
+    text = to_text(document_of(batches, _called(request)))
     to = request.to or STDOUT
     deliver(to, text.removesuffix("\n") if to == STDOUT else text)
 
 
 def _write_ninja(request: BuildRequest, actions: Sequence[Action]) -> None:
+    from .building.batching import batches_of
     from .building.graph import written
 
-    path = request.to or NINJA_FILE
-    text = written(
-        actions, request.output, path, _called(request), _again(request, path), _jobs(request)
-    )
+    path, jobs = request.to or NINJA_FILE, _jobs(request)
+    batches = batches_of(actions, request.batch)
+    again = _again(request, path)
+    text = written(batches, request.output, path, _called(request), again, jobs)
     deliver(path, text)
     if path != STDOUT:
-        say(f"{path}: {_counted(len(actions), 'action')}")
+        say(f"{path}: {_counted(len(batches), 'action')}")
 
 
 def _again(request: BuildRequest, path: str) -> list[str]:
@@ -172,7 +190,7 @@ def _again(request: BuildRequest, path: str) -> list[str]:
     jobs = [] if request.jobs is None else [f"--jobs={request.jobs}"]
     return [
         "build", "--ninja", f"--to={path}", f"--output={request.output}",
-        *(f"--variant={each}" for each in request.variants), *jobs,
+        *(f"--variant={each}" for each in request.variants), *jobs, f"--batch={request.batch}",
         f"--program={request.program}",
         *(f"--include={each}" for each in request.search_path),
         *asked_for(request.options), "--", *map(str, request.files),
@@ -180,13 +198,22 @@ def _again(request: BuildRequest, path: str) -> list[str]:
 
 
 def _run(request: BuildRequest, actions: Sequence[Action]) -> None:
-    from .building.running import run
+    from .building.running import run, run_part
 
     def told(action: Action, count: int) -> None:
         say(f"{action.name}: {_counted(count, 'file')} in {action.request.output}")
 
-    found = run(request.output, actions, _jobs(request), told)
+    if request.part:
+        found = run_part(actions, told)
+    else:
+        found = run(request.output, actions, _jobs(request), told)
     show(found.diagnostics)
+    if not request.part or found.failed:
+        _count(found)
+
+
+def _count(found: Built) -> None:
+    """Print how many actions were run; end the command if any of them has failed."""
     counts = f"{_counted(found.run, 'action')} run, {found.current} up to date"
     say(f"{counts}, {len(found.failed)} failed" if found.failed else counts)
     if found.failed:

@@ -14,7 +14,7 @@ from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ..console import show
 from ..output import write_all
 from ..written_files import written_of
-from .actions import Action
+from .actions import Action, Batch
 from .ninja import Graph, graph
 from .program import program
 from .records import Records
@@ -26,7 +26,7 @@ again when it changes, which it does with another Burnish only."""
 
 
 def written(
-    actions: Sequence[Action],
+    batches: Sequence[Batch],
     folder: str,
     path: str,
     called: Sequence[str],
@@ -39,13 +39,17 @@ def written(
     have.
     """
     about = Graph(path, tuple(called), tuple(again), f"{folder}/{PROGRAM}", jobs)
-    text = graph(actions, _outputs(actions, folder, jobs), about)
+    actions = [action for batch in batches for action in batch.actions]
+    text = graph(batches, _outputs(actions, folder, jobs), about)
     write_all(Path(folder), {PROGRAM: f"{program()}\n"})
     return text
 
 
 def _outputs(actions: Sequence[Action], folder: str, jobs: int) -> dict[str, list[str]]:
-    """The names of what each action makes. Raises ``CompileError`` with all errors."""
+    """The names of what each action makes, by its folder of outputs.
+
+    Raises ``CompileError`` with all errors.
+    """
     records = Records(folder)
     unknown = [each for each in actions if records.outputs(each) is None]
     diagnostics: list[Diagnostic] = []
@@ -59,4 +63,4 @@ def _outputs(actions: Sequence[Action], folder: str, jobs: int) -> dict[str, lis
         raise CompileError(diagnostics)
     show(diagnostics)
     records.keep()
-    return {each.name: list(records.outputs(each) or ()) for each in actions}
+    return {each.request.output: list(records.outputs(each) or ()) for each in actions}

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from subprocess import list2cmdline
 
 from ...support.frozen import frozen
-from .actions import Action, BuildError
+from .actions import Batch, BuildError
 
 POOL = "burnish"
 _NOT_IN_PATHS = "\n\r\0|"
@@ -61,17 +61,17 @@ class Graph:
     """The number of actions that may run at once."""
 
 
-def graph(actions: Sequence[Action], outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
-    """The text of a graph. ``outputs`` has the names of what each action makes, by its name.
+def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
+    """The text of a graph. ``outputs`` has the names of the files in each folder of outputs.
 
     Raises ``BuildError`` for names that Ninja cannot have.
     """
     again = _command([*about.called, *about.again])
     head = _HEAD.format(pool=POOL, depth=about.depth, again=again)
-    sources = sorted({path for action in actions for path in action.inputs})
+    sources = sorted({path for batch in batches for path in batch.inputs})
     return "\n".join([
         head,
-        *(_statement(action, sorted(outputs[action.name]), about) for action in actions),
+        *(_statement(batch, outputs, about) for batch in batches),
         f"build {_path(about.path)}: burnish_build{_implicit([*sources, about.program])}\n",
         "# A source may be deleted or renamed: then this graph is written again without it.",
         *(f"build {_path(source)}: phony" for source in sources),
@@ -79,17 +79,16 @@ def graph(actions: Sequence[Action], outputs: Mapping[str, Iterable[str]], about
     ])  # fmt: skip
 
 
-def _statement(action: Action, names: Iterable[str], about: Graph) -> str:
-    """The statement that builds all outputs of one action."""
-    folder = action.request.output
-    made = " $\n    ".join(_path(f"{folder}/{name}") for name in names)
-    own = [each.as_posix() for each in action.request.files]
-    imported = [path for path in action.inputs if path not in own]
-    inputs = " ".join(map(_path, own)) + _implicit([*imported, about.program])
-    run = _command([*about.called, *action.words()])
-    return (
-        f"build {made}: burnish_compile {inputs}\n  run = {run}\n  out_folder = {_value(folder)}\n"
-    )
+def _statement(batch: Batch, outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
+    """The statement that builds all outputs of a batch."""
+    folders = batch.outputs
+    files = (f"{folder}/{name}" for folder in folders for name in sorted(outputs[folder]))
+    made = " $\n    ".join(map(_path, files))
+    imported = [path for path in batch.inputs if path not in batch.files]
+    inputs = " ".join(map(_path, batch.files)) + _implicit([*imported, about.program])
+    run = _command([*about.called, *batch.words()])
+    shown = _value(" ".join(folders))
+    return f"build {made}: burnish_compile {inputs}\n  run = {run}\n  out_folder = {shown}\n"
 
 
 def _implicit(paths: Sequence[str]) -> str:

@@ -18,22 +18,11 @@ from ...compiler.inputs import Inputs
 from ...compiler.library import FOLDER
 from ...compiler.semantics.names.modules import Module
 from ...support.frozen import changed, frozen
-from ..compile_options import CompileRequest
-from .actions import Action, BuildError, digest_of
+from .actions import Action, BuildError, Variant, digest_of
 
 SUFFIX = ".burnish"
 _KINDS = ("frame", "material", "kernel")
 """The kinds of declarations that are compiled; a file without any is only for importing."""
-
-
-@frozen
-class Variant:
-    """One way to compile all files."""
-
-    name: str
-    """The name of the folder for its outputs; empty if there is only one variant."""
-    request: CompileRequest
-    """The options, without files; the output is the folder of the whole build."""
 
 
 @frozen
@@ -81,7 +70,7 @@ def _of(opened: _Opened, variant: Variant) -> Iterator[Action]:
             variant.request, files=(Path(opened.file),), rig=rig,
             output=f"{variant.request.output}/{name}",
         )  # fmt: skip
-        yield Action(name, request, opened.inputs, opened.folders)
+        yield Action(variant, name, request, opened.inputs, opened.folders)
 
 
 def _files(given: Iterable[Path], outputs: Iterable[str]) -> Iterator[tuple[str, bool]]:

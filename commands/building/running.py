@@ -51,25 +51,38 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
     """
     records = Records(folder)
     stale = [each for each in actions if each.request.validate or not records.are_current(each)]
-    diagnostics: list[Diagnostic] = []
-    failed = []
     if not stale:
         records.keep()
         return Built(0, len(actions), (), ())
     with held(Path(folder)):
         try:
-            for action, found in zip(stale, made(stale, jobs), strict=True):
-                diagnostics += found.diagnostics
-                problem = _deliver(action, found, records)
-                diagnostics += problem
-                if found.inputs is None or problem:
-                    failed.append(action.name)
-                else:
-                    told(action, len(found.texts) + len(found.reflections) + len(found.plans))
+            return _run(stale, len(actions) - len(stale), jobs, told, records)
         finally:
             records.keep()
-    run, current = len(stale) - len(failed), len(actions) - len(stale)
-    return Built(run, current, tuple(failed), tuple(diagnostics))
+
+
+def run_part(actions: Sequence[Action], told: Told) -> Built:
+    """Run all actions in this process, whether they are out of date or not.
+
+    Other programs have several of these at once: so no folder is held, and nothing is recorded.
+    """
+    return _run(actions, 0, 1, told, None)
+
+
+def _run(
+    actions: Sequence[Action], current: int, jobs: int, told: Told, records: Records | None
+) -> Built:
+    """Run some actions; ``current`` others are up to date."""
+    diagnostics: list[Diagnostic] = []
+    failed = []
+    for action, found in zip(actions, made(actions, jobs), strict=True):
+        problem = _deliver(action, found, records)
+        diagnostics += (*found.diagnostics, *problem)
+        if found.inputs is None or problem:
+            failed.append(action.name)
+        else:
+            told(action, len(found.texts) + len(found.reflections) + len(found.plans))
+    return Built(len(actions) - len(failed), current, tuple(failed), tuple(diagnostics))
 
 
 def made(actions: Sequence[Action], jobs: int) -> Iterator[Compiled]:
@@ -81,7 +94,7 @@ def made(actions: Sequence[Action], jobs: int) -> Iterator[Compiled]:
     return made_in_processes(requests, None, count)
 
 
-def _deliver(action: Action, found: Compiled, records: Records) -> Sequence[Diagnostic]:
+def _deliver(action: Action, found: Compiled, records: Records | None) -> Sequence[Diagnostic]:
     """Write what an action has made; returns the errors because of which that was not possible.
 
     An action with warnings is run again the next time, so that they are told until they are heeded.
@@ -97,6 +110,7 @@ def _deliver(action: Action, found: Compiled, records: Records) -> Sequence[Diag
     except CompileError as error:
         return error.diagnostics
     # A file may have changed behind the plan; then the record would be one of other inputs.
-    if not found.diagnostics and digests_of(found.inputs) == action.inputs:
+    is_planned = digests_of(found.inputs) == action.inputs
+    if records is not None and not found.diagnostics and is_planned:
         records.note(action, contents)
     return ()

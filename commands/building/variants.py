@@ -32,8 +32,7 @@ from ..compile_options import (
     CompileRequest,
 )
 from ..options import each_once, option
-from .actions import options_of
-from .planning import Variant
+from .actions import Variant, options_of
 
 OF_VARIANTS = (
     TARGET, RIG, PASS, SET, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES,

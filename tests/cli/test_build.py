@@ -155,6 +155,10 @@ def test_folders_are_searched_but_for_hidden_ones_and_outputs() -> None:
             "Error: --ninja and --actions write different documents: choose one",
         ),
         (
+            ["materials/c.burnish", "--part", "--actions"],
+            "Error: --part compiles, and --ninja and --actions do not: choose one",
+        ),
+        (
             ["materials/c.burnish", "--to", "x"],
             "Error: --to names the file for --ninja or --actions: give one of them",
         ),

@@ -90,6 +90,17 @@ def test_graphs_follow_their_files() -> None:
     assert "materials/a" not in Path("build.ninja").read_text()
 
 
+def test_batches_are_run_by_one_process_each() -> None:
+    """All that import the changed file are in one batch with some that do not."""
+    write_graph("materials", "--batch", "1000")
+    folders = [*(f"materials/{name}" for name in "abc"), "materials/metal/r/Day"]
+    batch = " ".join(f"build/{name}" for name in (*folders, "materials/metal/r/Night"))
+    assert ran() == {batch}
+    Path(TONES).write_text(FILES[TONES].replace("0.5", "0.7"))
+    assert ran() == {batch}
+    assert ninja() == UNCHANGED
+
+
 def test_names_are_escaped() -> None:
     """Blanks, colons and dollars in names, which mean something to Ninja and to the shell."""
     name = "a $b: 'c' & #d"
