@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
 from .compile_options import is_range
+from .results import LIBRARY
 
 if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
@@ -235,13 +236,12 @@ def _digest_of(inputs: Iterable[Inputs]) -> str:
 
     It is the same on another machine of a farm, which has the files elsewhere.
     """
-    from ..compiler.library import FOLDER
     from ..targets.runner.store import digest
 
-    here, library = os.path.realpath(os.curdir), os.path.realpath(FOLDER)
+    here = os.path.realpath(os.curdir)
 
     def named(path: str) -> str:
-        return os.path.relpath(path, library if path.startswith(library) else here)
+        return os.path.relpath(path, LIBRARY if path.startswith(LIBRARY) else here)
 
     return digest(
         *(

@@ -15,7 +15,7 @@ from ..console import show
 from ..output import write_all
 from ..written_files import written_of
 from .actions import Action, Batch
-from .ninja import Graph, graph
+from .ninja import NinjaGraph, graph
 from .program import program
 from .records import Records
 from .running import made
@@ -38,7 +38,7 @@ def written(
     Raises ``CompileError`` if a file has errors, and ``BuildError`` for names that Ninja cannot
     have.
     """
-    about = Graph(path, tuple(called), tuple(again), f"{folder}/{PROGRAM}", jobs)
+    about = NinjaGraph(path, tuple(called), tuple(again), f"{folder}/{PROGRAM}", jobs)
     actions = [action for batch in batches for action in batch.actions]
     text = graph(batches, _outputs(actions, folder, jobs), about)
     write_all(Path(folder), {PROGRAM: f"{program()}\n"})

@@ -46,7 +46,7 @@ rule burnish_build
 
 
 @frozen
-class Graph:
+class NinjaGraph:
     """Everything that a graph says besides its actions."""
 
     path: str
@@ -61,7 +61,7 @@ class Graph:
     """The number of actions that may run at once."""
 
 
-def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
+def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about: NinjaGraph) -> str:
     """The text of a graph. ``outputs`` has the names of the files in each folder of outputs.
 
     Raises ``BuildError`` for names that Ninja cannot have.
@@ -79,7 +79,7 @@ def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about:
     ])  # fmt: skip
 
 
-def _statement(batch: Batch, outputs: Mapping[str, Iterable[str]], about: Graph) -> str:
+def _statement(batch: Batch, outputs: Mapping[str, Iterable[str]], about: NinjaGraph) -> str:
     """The statement that builds all outputs of a batch."""
     folders = batch.outputs
     files = (f"{folder}/{name}" for folder in folders for name in sorted(outputs[folder]))

@@ -15,9 +15,8 @@ from ...compiler.diagnostics.diagnostic import CompileError, Report
 from ...compiler.documents.actions import ContentDigest
 from ...compiler.frontend import Frontend, current_library
 from ...compiler.inputs import Inputs
-from ...compiler.library import FOLDER
-from ...compiler.semantics.names.modules import Module
 from ...support.frozen import changed, frozen
+from ..results import LIBRARY
 from .actions import Action, BuildError, Variant, digest_of
 
 SUFFIX = ".burnish"
@@ -122,23 +121,18 @@ def _open(
     report.extend(own.diagnostics)
     if module is None or own.failed:
         return None
-    if not is_asked_for and not _declares_something(frontend, module):
+    if not is_asked_for and not any(frontend.declared(module, kind) for kind in _KINDS):
         return None
     folders = tuple(each.replace(os.sep, "/") for each in inputs.folders)
     return _Opened(file, frontend.declared(module, "rig"), digests_of(inputs), folders)
 
 
-def _declares_something(frontend: Frontend, module: Module) -> bool:
-    return any(frontend.declared(module, kind) for kind in _KINDS)
-
-
 def digests_of(inputs: Inputs) -> dict[str, ContentDigest]:
     """The digests of all files that were read, but for the library's, by their paths."""
-    library = os.path.join(os.path.realpath(FOLDER), "")  # noqa: PTH118
     found = {}
     for asked, real in inputs.links.items():
         content = inputs.contents.get(real)
-        if content is not None and not real.startswith(library):
+        if content is not None and not real.startswith(LIBRARY):
             found[os.path.normpath(asked).replace(os.sep, "/")] = digest_of(content)
     return dict(sorted(found.items()))
 

@@ -207,7 +207,7 @@ def test_two_builds_do_not_write_into_one_folder(monkeypatch: pytest.MonkeyPatch
     Path("build").mkdir()
     descriptor = os.open("build", os.O_RDONLY)
     try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         assert refused("materials/c.burnish") == (
             "error: another build is writing into `build`: wait until it has ended, or name "
             "another folder with -o"
