@@ -71,7 +71,14 @@ setup(
         "burnish": [
             "py.typed",
             # Pages link to these.
-            *("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE"),
+            *(
+                "README.md",
+                "CONTRIBUTING.md",
+                "SECURITY.md",
+                "CHANGELOG.md",
+                "LICENSE",
+                "LICENSE-OUTPUT.md",
+            ),
             *(f"docs/**/*.{ending}" for ending in ("md", "png")),
             *(
                 f"examples/**/*.{ending}"

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
-from .console import show
-from .options import file_argument, format_option, pass_option, rig_option, search_option
-from .terminal import FAILED, print_output
-
-if TYPE_CHECKING:
-    from ..compiler.diagnostics.diagnostic import Diagnostic
+from .message_forms import tell
+from .options import file_argument, messages_option, pass_option, rig_option, search_option
+from .terminal import FAILED
 
 
 @click.command()
@@ -21,7 +16,7 @@ if TYPE_CHECKING:
 @rig_option
 @pass_option
 @search_option
-@format_option
+@messages_option
 def check(
     file: Path,
     rig: str | None,
@@ -39,22 +34,11 @@ def check(
     \b
     Example:
         burnish check plastic.burnish
+        burnish check plastic.burnish --format line
         burnish check plastic.burnish --format json
     """
     from ..api import entry_points as api
 
     found = api.check(file, rig=rig, pass_=pass_, search_path=search_path)
-    if form == "json":
-        print_output(_json(found))
-    else:
-        show(found)
-    if any(diagnostic.severity == "error" for diagnostic in found):
+    if not tell(form, "check", found):
         click.get_current_context().exit(FAILED)
-
-
-def _json(diagnostics: Sequence[Diagnostic]) -> str:
-    import json
-
-    from ..compiler.diagnostics.serialise import serialise
-
-    return json.dumps([serialise(diagnostic) for diagnostic in diagnostics], indent=2) + "\n"

@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 from ..support.frozen import changed
 from .compile_options import CompileRequest
 from .compiled_files import Compiled, compiled
-from .console import rendered, show
+from .console import print_rendered
+from .message_forms import DOCUMENTS, document, messages, tell
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
 from .written_files import owners_of, written_of
 
 if TYPE_CHECKING:
+    from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.inputs import Inputs
 
 
@@ -34,17 +36,15 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     diagnostics = [one for each in found for one in each.diagnostics]
     inputs = [each.inputs for each in found if each.inputs is not None]
     if len(inputs) < len(found):
-        show(diagnostics)
-        return False
+        return tell(request.form, "compile", diagnostics)
     first, *others = inputs
     together = first.joined(others)
     try:
-        output = _output(request, found, together, rendered(diagnostics))
+        output = _output(request, found, together, diagnostics)
         _deliver(output)
     except CompileError as error:
-        show((*diagnostics, *error.diagnostics))
-        return False
-    show(diagnostics)
+        return tell(request.form, "compile", (*diagnostics, *error.diagnostics))
+    print_rendered(output.warnings)
     if question is not None:
         keep(question, output, together)
     return True
@@ -69,25 +69,52 @@ def _with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:
 
 
 def _output(
-    request: CompileRequest, found: Sequence[Compiled], inputs: Inputs, warnings: str
+    request: CompileRequest,
+    found: Sequence[Compiled],
+    inputs: Inputs,
+    diagnostics: Sequence[Diagnostic],
 ) -> Output:
     """The output of a command line: files in a folder, or shaders on standard output.
 
     Raises ``CompileError`` if it would write one file twice.
     """
+    warnings = messages(request.form, diagnostics)
     if request.prints:
         depfile = _depfile(request, (), inputs)
         return Output(STDOUT, {}, None, depfile, _printed(found), warnings)
     contents = written_of(request.files, found)
     paths = [os.path.join(request.output, name) for name in contents]  # noqa: PTH118
-    if request.list_outputs:
-        listed = "".join(f"{path}\n" for path in paths)
-        return Output(STDOUT, {}, printed=listed, warnings=warnings)
-    owners = None if request.force else owners_of(request.files, found)
     lines = [line for each in found for line in each.lines]
     lines += dict.fromkeys(remark for each in found for remark in each.remarks)
+    if request.list_outputs:
+        lines = [f"{path}\n" for path in paths]
+    printed = "".join(lines)
+    if request.form in DOCUMENTS:
+        printed = _document(request, found, inputs, diagnostics, lines)
+    if request.list_outputs:
+        return Output(STDOUT, {}, printed=printed, warnings=warnings)
+    owners = None if request.force else owners_of(request.files, found)
     depfile = _depfile(request, paths, inputs)
-    return Output(request.output, contents, owners, depfile, "".join(lines), warnings)
+    return Output(request.output, contents, owners, depfile, printed, warnings)
+
+
+def _document(
+    request: CompileRequest,
+    found: Sequence[Compiled],
+    inputs: Inputs,
+    diagnostics: Sequence[Diagnostic],
+    lines: Sequence[str],
+) -> str:
+    """The document for standard output."""
+    from .compile_answer import compile_answer
+
+    answer = compile_answer(request, found, inputs, lines)
+    written = [] if request.list_outputs else [row.path for row in answer.outputs]
+    if request.depfile is not None:
+        written.append(request.depfile)
+    return document(
+        request.form, "compile", diagnostics, exit_code=0, written=written, found=answer
+    )
 
 
 def _printed(found: Sequence[Compiled]) -> str:

@@ -36,6 +36,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish -o build/
         burnish compile plastic.burnish --target wgsl,glsl:es300 --validate -o build/
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
+        burnish compile plastic.burnish --target glsl --emit spirv --optimize -o build/
         burnish compile materials/*.burnish -o build/
         burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
     """

@@ -33,7 +33,9 @@ class Option:
     is_path: bool = False
     required: bool = False
     choices: tuple[str, ...] = ()
-    """The values that there are, if not any text is one."""
+    """The values that there are, the default first, if not any text is one."""
+    default: str | None = None
+    """The value of an option that is not given."""
 
 
 TARGET = Option(
@@ -50,6 +52,19 @@ OUTPUT = Option(
     "The folder for the files; created if needed. `-` prints the shaders instead.",
     metavar="FOLDER",
     required=True,
+)
+SHADERS = "shaders"
+MODULES = ("spirv", "dxil")
+EMIT = Option(
+    "emit",
+    ("--emit",),
+    "What to write: `shaders`, and with `spirv` or `dxil` also what drivers take: SPIR-V of the "
+    "GLSL for Vulkan, or DXIL of the HLSL. These need glslang, or DXC: see `burnish doctor`.",
+    metavar="KIND,…",
+    default=SHADERS,
+)
+OPTIMIZE = Option(
+    "optimize", ("--optimize",), "With `--emit spirv`: let spirv-opt make the modules shorter."
 )
 MATERIAL = Option(
     "material",
@@ -114,6 +129,14 @@ DEPFILE_TARGET = Option(
 LIST_OUTPUTS = Option(
     "list_outputs", ("--list-outputs",), "Print the paths of all outputs, and write none of them."
 )
+FORMAT = Option(
+    "form",
+    ("--format",),
+    "How messages are told: as texts for people, one line for each, one JSON document (`burnish "
+    "schema answer`), or a log in SARIF 2.1.0.",
+    metavar="FORM",
+    choices=("text", "line", "json", "sarif"),
+)
 FORCE = Option(
     "force", ("--force",), "Overwrite files that another source, or another program, has made."
 )
@@ -125,8 +148,9 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORCE, CACHE,
+    TARGET, OUTPUT, EMIT, OPTIMIZE, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE,
+    FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORMAT,
+    FORCE, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -141,6 +165,9 @@ class CompileRequest:
     targets: tuple[str, ...] = ()
     """The targets as they were given, each perhaps several with commas; empty for the default
     ones."""
+    emit: str = SHADERS
+    """Words, with commas: ``shaders``, and the formats of modules."""
+    optimize: bool = False
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None
@@ -157,6 +184,7 @@ class CompileRequest:
     depfile: str | None = None
     depfile_target: str | None = None
     list_outputs: bool = False
+    form: str = "text"
     force: bool = False
     cache: bool = True
 
@@ -168,12 +196,36 @@ class CompileRequest:
     def of_one(self, file: Path) -> CompileRequest:
         """What is asked of one file, without what is said of the outputs of all together."""
         return changed(
-            self, files=(file,), depfile=None, depfile_target=None, list_outputs=False, force=False
+            self,
+            files=(file,),
+            depfile=None,
+            depfile_target=None,
+            list_outputs=False,
+            form="text",
+            force=False,
         )
+
+    @property
+    def uses_tools(self) -> bool:
+        """True if other programs are needed, each of which runs in several processes itself."""
+        return self.validate or bool(self.modules)
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The formats of modules that are asked for."""
+        words = self.emit.split(",")
+        return tuple(name for name in MODULES if name in words)
 
     @property
     def contradiction(self) -> str | None:
         """What is wrong with options that go with each other; ``None`` if nothing is."""
+        for word in self.emit.split(","):
+            if word not in (SHADERS, *MODULES):
+                return f"--emit takes {SHADERS}, {' and '.join(MODULES)}, not '{word}'"
+        if self.modules and self.prints:
+            return "--emit makes files of bytes: it goes with a folder, not with -o -"
+        if self.optimize and "spirv" not in self.modules:
+            return "--optimize is for SPIR-V: it goes with --emit spirv"
         if self.why and self.prints:
             return "--why prints reasons: it goes with a folder, not with -o -"
         if self.list_outputs and self.prints:
@@ -181,6 +233,8 @@ class CompileRequest:
         if self.list_outputs and (self.why or self.depfile is not None):
             other = "--why" if self.why else "--depfile"
             return f"--list-outputs prints nothing else, and writes nothing: not with {other}"
+        if self.prints and self.form in ("json", "sarif"):
+            return f"--format {self.form} prints a document: it goes with a folder, not with -o -"
         if self.depfile == STDOUT:
             return "--depfile is a file: what is printed are the shaders"
         if self.depfile is not None and self.prints and self.depfile_target is None:

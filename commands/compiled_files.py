@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,15 @@ from .compile_options import CompileRequest, name_and_value
 if TYPE_CHECKING:
     from ..api.compiled import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
+    from ..compiler.documents.reflection import Reflection
     from ..compiler.inputs import Inputs
+    from .modules import Module
+
+
+_UNSIGNED = (
+    "DXIL is not signed: Direct3D 12 takes it in developer mode, or once dxil.dll has signed it\n"
+)
+"""Said of DXIL, as the tool that signs it is Microsoft's, and not part of DXC's sources."""
 
 
 @frozen
@@ -26,6 +34,8 @@ class Compiled:
     """The shaders, by the name of the file for them."""
     reflections: Mapping[str, str]
     plans: Mapping[str, str]
+    modules: Mapping[str, bytes]
+    """What compilers have made of the texts for drivers."""
     lines: tuple[str, ...]
     """A line for each material and frame, which says what it has become."""
     remarks: tuple[str, ...]
@@ -46,9 +56,11 @@ def compiled(request: CompileRequest) -> Compiled:
         warnings = result.diagnostics
         if request.validate:
             warnings += _complaints(result)
+        modules, said = _modules(request, result)
+        warnings += said
     except CompileError as error:
-        return Compiled({}, {}, {}, (), (), (*warnings, *error.diagnostics), None)
-    return _written(request, result, warnings)
+        return Compiled({}, {}, {}, {}, (), (), (*warnings, *error.diagnostics), None)
+    return _written(request, result, modules, warnings)
 
 
 def _result(request: CompileRequest, file: Path) -> CompileResult:
@@ -82,8 +94,22 @@ def _complaints(result: CompileResult) -> tuple[Diagnostic, ...]:
     return tuple(found)
 
 
+def _modules(
+    request: CompileRequest, result: CompileResult
+) -> tuple[Mapping[str, Sequence[Module]], tuple[Diagnostic, ...]]:
+    """The modules of each material, by its stem; and warnings. Raises ``CompileError``."""
+    if not request.modules:
+        return {}, ()
+    from .modules import modules_of
+
+    return modules_of(result.materials, request.modules, optimised=request.optimize)
+
+
 def _written(
-    request: CompileRequest, result: CompileResult, warnings: tuple[Diagnostic, ...]
+    request: CompileRequest,
+    result: CompileResult,
+    modules: Mapping[str, Sequence[Module]],
+    warnings: tuple[Diagnostic, ...],
 ) -> Compiled:
     from ..compiler.documents.writing import to_text
 
@@ -92,11 +118,15 @@ def _written(
     plans: dict[str, str] = {}
     lines = []
     if request.prints:
-        return Compiled(texts, {}, {}, (), (), warnings, result.inputs)
+        return Compiled(texts, {}, {}, {}, (), (), warnings, result.inputs)
+    binaries: dict[str, bytes] = {}
     for material in result.materials:
         reflection = f"{material.stem}.json"
-        reflections[reflection] = to_text(material.reflection)
-        shaders = f"{len(material.files)} shaders and {reflection}"
+        own = modules.get(material.stem, ())
+        reflections[reflection] = to_text(_reflection(material, own))
+        binaries |= {module.row.file: module.content for module in own}
+        made = f", {len(own)} modules" if own else ""
+        shaders = f"{len(material.files)} shaders{made} and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
         lines += _reasons(material) if request.why else ()
     for frame in result.frames:
@@ -106,7 +136,19 @@ def _written(
         steps = "1 step" if count == 1 else f"{count} steps"
         lines.append(f"{frame.name}: {steps}, {plan} in {request.output}\n")
     remarks = (*_remarks_on_passes(request, result), *_remarks_on_languages(result))
-    return Compiled(texts, reflections, plans, tuple(lines), remarks, warnings, result.inputs)
+    if "dxil" in request.modules:
+        remarks = (*remarks, _UNSIGNED)
+    return Compiled(
+        texts, reflections, plans, binaries, tuple(lines), remarks, warnings, result.inputs
+    )
+
+
+def _reflection(material: CompiledMaterial, modules: Sequence[Module]) -> Reflection:
+    if not modules:
+        return material.reflection
+    from .modules import with_modules
+
+    return with_modules(material.reflection, modules)
 
 
 def _reasons(material: CompiledMaterial) -> Iterator[str]:

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from .answering import collector
 from .compared import ConformRequest
 from .console import Styled, remark, say
 from .failures import errors_as_messages
 from .options import (
+    answer_option,
     budget_option,
     check_device,
     device_option,
@@ -84,6 +86,7 @@ if TYPE_CHECKING:
 @hoist_option
 @native_stages_option
 @narrowed_option
+@answer_option
 def conform(**chosen: Any) -> None:
     """Draw each FILE with every route, and compare the pictures with the reference.
 
@@ -298,6 +301,11 @@ def _give_verdicts(request: ConformRequest, run: Run, table: Table) -> None:
 
     rows = run.rows
     unfinished = None if len(rows) == run.total else Unfinished(len(rows), run.total)
+    if (collected := collector()) is not None:
+        from ..compiler.documents.answer import ConformAnswer
+        from ..targets.conformance.report import as_json
+
+        collected.find(ConformAnswer(report=as_json(rows, unfinished, strict=request.strict)))
     try:
         table.end(rows)
         print_summary(rows, unfinished, strict=request.strict)

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from ..support.frozen import frozen
+from .answering import collector
 from .terminal import wants_color
 
 if TYPE_CHECKING:
@@ -35,6 +36,9 @@ def say(*pieces: str | Styled) -> None:
     """Print a line to standard output, made of pieces of text that follow each other."""
     import click
 
+    if (collected := collector()) is not None:
+        collected.say("".join(p.text if isinstance(p, Styled) else p for p in pieces))
+        return
     shown = map(_shown, pieces)
     click.echo("".join(shown), color=wants_color(sys.stdout))
 
@@ -55,12 +59,18 @@ def say_finding(diagnostic: Diagnostic) -> None:
 
     from ..compiler.diagnostics.render import render
 
+    if (collected := collector()) is not None:
+        collected.say(render(diagnostic, color=False, explain=False))
+        return
     color = wants_color(sys.stdout)
     click.echo(render(diagnostic, color=color, explain=False), color=color)
 
 
 def show(diagnostics: Iterable[Diagnostic]) -> None:
     """Print each diagnostic once to standard error, and the number of diagnostics."""
+    if (collected := collector()) is not None:
+        collected.diagnose(diagnostics)
+        return
     print_rendered(rendered(diagnostics))
 
 
@@ -74,15 +84,19 @@ def print_rendered(text: str) -> None:
 
 def rendered(diagnostics: Iterable[Diagnostic]) -> str:
     """The text that ``show`` prints; empty if there are no diagnostics."""
-    found = tuple(
-        {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}.values()
-    )
+    found = distinct(diagnostics)
     if not found:
         return ""
     from ..compiler.diagnostics.render import render_all
 
     text = render_all(found, color=wants_color(sys.stderr))
     return f"{text}\n\n{_counted(found)}\n"
+
+
+def distinct(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Diagnostics without those that say the same of the same place as one before."""
+    found = {(one.rule.code, one.message, str(one.span)): one for one in diagnostics}
+    return tuple(found.values())
 
 
 def show_misuse(error: ClickException) -> None:
@@ -109,6 +123,9 @@ def show_misuse(error: ClickException) -> None:
 def remark(severity: Severity, text: str) -> None:
     """Print a message that belongs to no place in a file to standard error; any further lines of it
     are indented."""
+    if (collected := collector()) is not None:
+        collected.remark(severity, text)
+        return
     import click
 
     from ..compiler.diagnostics.display import harmless_message

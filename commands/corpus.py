@@ -10,6 +10,7 @@ import click
 from .. import __version__
 from .console import say
 from .failures import errors_as_messages, needed
+from .options import answer_option
 
 
 @click.command()
@@ -27,6 +28,7 @@ from .failures import errors_as_messages, needed
     help="Only these operations, by their names or signs, such as sin or `/`; may be given many "
     "times.",
 )  # fmt: skip
+@answer_option
 def corpus(output: Path, seed: int, only: Sequence[str]) -> None:
     """Write a corpus to test the arithmetic of a compiler, an interpreter or a backend with.
 

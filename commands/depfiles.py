@@ -23,15 +23,22 @@ class NoNameError(ValueError):
 
 
 def depfile(targets: Sequence[str], sources: Sequence[Path], inputs: Inputs) -> str:
-    """The rule for some targets. Raises ``NoNameError``.
+    """The rule for some targets. Raises ``NoNameError``."""
+    right = "".join(f" \\\n  {escaped(path)}" for path in files_read(inputs, sources))
+    return " \\\n  ".join(map(escaped, targets)) + f":{right}\n"
+
+
+def files_read(inputs: Inputs, sources: Sequence[Path]) -> list[str]:
+    """The paths of all files that were read, as they were asked for, without doubles.
 
     Build systems compare names word by word. So names stay as they were given, and imports are
     relative to the current folder where all sources are.
     """
     below = "" if any(map(os.path.isabs, sources)) else f"{os.path.realpath(os.curdir)}{os.sep}"
-    left = " \\\n  ".join(map(escaped, targets))
-    right = "".join(f" \\\n  {escaped(path.removeprefix(below))}" for path in _read(inputs))
-    return f"{left}:{right}\n"
+    asked = {real: path for path, real in reversed(inputs.links.items())}
+    own = [asked.get(real, real) for real, text in inputs.contents.items() if text is not None]
+    found = (path.removeprefix(below) for path in (*own, *sorted(inputs.library)))
+    return list(dict.fromkeys(found))
 
 
 def escaped(path: str) -> str:
@@ -45,10 +52,3 @@ def escaped(path: str) -> str:
     drive, rest = os.path.splitdrive(path)
     rest = _BLANK.sub(r"\1\1\\\2", rest)
     return drive + _MARK.sub(r"\\\g<0>", rest).replace("$", "$$")
-
-
-def _read(inputs: Inputs) -> list[str]:
-    """The paths of all files that were read, as they were asked for, without doubles."""
-    asked = {real: path for path, real in reversed(inputs.links.items())}
-    own = [asked.get(real, real) for real, text in inputs.contents.items() if text is not None]
-    return list(dict.fromkeys((*own, *sorted(inputs.library))))

@@ -5,12 +5,14 @@ from __future__ import annotations
 import click
 
 from .console import say
+from .options import answer_option
 from .shipped import DOCS, chosen, groups, say_groups
 
 
 @click.command()
 @click.argument("name", required=False, metavar="[PAGE]")
 @click.option("--path", "as_path", is_flag=True, help="Print where the page is, or all of them.")
+@answer_option
 def docs(name: str | None, as_path: bool) -> None:
     """List the pages of the documentation, or print one PAGE.
 

@@ -7,10 +7,14 @@ from typing import TYPE_CHECKING
 
 import click
 
+from .answering import collector
 from .console import Styled, say
+from .options import answer_option
 from .terminal import FAILED
 
 if TYPE_CHECKING:
+    from ..compiler.documents.answer import DoctorAnswer
+    from ..targets.runner.routes import Route
     from ..targets.toolchain.tools import ToolState
 
 _INDENT = " " * 10
@@ -19,6 +23,7 @@ Line = Sequence[str | Styled]
 
 
 @click.command()
+@answer_option
 def doctor() -> None:
     """Look for external tools, and say what they are for.
 
@@ -34,10 +39,37 @@ def doctor() -> None:
     from ..targets.toolchain.tools import inspect_all
 
     states = inspect_all()
-    for line in (*_tools(states), [], *_routes(states)):
-        say(*line)
+    if (collected := collector()) is not None:
+        collected.find(_found(states))
+    else:
+        for line in (*_tools(states), [], *_routes(states)):
+            say(*line)
     if any(state.problem for state in states.values()):
         click.get_current_context().exit(FAILED)
+
+
+def _found(states: Mapping[str, ToolState]) -> DoctorAnswer:
+    """The same as a record."""
+    from ..compiler.documents.answer import DoctorAnswer, RouteRow, ToolRow
+    from ..targets.runner.routes import EVERY_ROUTE
+
+    tools = (
+        ToolRow(
+            name=name, purpose=state.tool.purpose, version=state.version,
+            paths=tuple(map(str, state.paths)), problem=state.problem, install=state.tool.install,
+        )
+        for name, state in states.items()
+    )  # fmt: skip
+    routes = (
+        RouteRow(name=name, title=route.title, lacks=_lacking(route, states))
+        for name, route in EVERY_ROUTE.items()
+    )
+    return DoctorAnswer(tools=tuple(tools), routes=tuple(routes))
+
+
+def _lacking(route: Route, states: Mapping[str, ToolState]) -> tuple[str, ...]:
+    """The tools that a route needs, and that cannot be used."""
+    return tuple(tool for tool in route.needs if states[tool].problem)
 
 
 def _tools(states: Mapping[str, ToolState]) -> Iterator[Line]:
@@ -74,7 +106,7 @@ def _routes(states: Mapping[str, ToolState]) -> Iterator[Line]:
 
     width = max(map(len, EVERY_ROUTE))
     for name, route in EVERY_ROUTE.items():
-        lacking = [tool for tool in route.needs if states[tool].problem]
+        lacking = _lacking(route, states)
         mark = Styled(f"{'no':<8}", "red") if lacking else Styled(f"{'draws':<8}", "green")
         reason = f"  (needs {', '.join(lacking)})" if lacking else ""
         yield mark, f"  {name:<{width}}  {route.title}{reason}"

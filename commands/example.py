@@ -10,6 +10,7 @@ import click
 
 from .console import say
 from .giving_out import give_out
+from .options import answer_option
 from .shipped import EXAMPLES, chosen, say_groups
 
 _COMMENT = re.compile(r"^//!(.*)$", re.MULTILINE)
@@ -23,6 +24,7 @@ _FILE = re.compile(r"[\w./-]+\.\w+")
     help="The folder to write to; by default, the current one.",
 )  # fmt: skip
 @click.option("--path", "as_path", is_flag=True, help="Print where it is, and write nothing.")
+@answer_option
 def example(name: str | None, out: Path, as_path: bool) -> None:
     """List the examples, or write the example NAME with all files that it needs.
 

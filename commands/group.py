@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from .. import __version__
+from .answering import answer, collector, drop
 from .terminal import FAILED, INTERRUPTED, complain, interrupted, show_everything
 
 COMMANDS = (
@@ -51,7 +52,10 @@ class _QuietGroup(click.Group):
         try:
             show_everything()
             code = self._ended(*arguments, **options)
+            if collector() is not None:
+                answer(code)
         except OSError as error:
+            drop()
             place = "" if error.filename is None else f"`{error.filename}`: "
             complain(f"error: {place}{error.strerror or error}")
             code = FAILED
@@ -62,12 +66,17 @@ class _QuietGroup(click.Group):
         try:
             return super().main(*arguments, **{**options, "standalone_mode": False}) or 0
         except click.ClickException as error:
+            drop()
             from .console import show_misuse
 
             show_misuse(error)
             return error.exit_code
         except click.Abort:
+            drop()
             return INTERRUPTED
+        except BaseException:
+            drop()
+            raise
 
     def list_commands(self, _context: click.Context) -> list[str]:
         """The names of the commands, as the help lists them."""
@@ -94,6 +103,7 @@ class _QuietGroup(click.Group):
         try:
             return super().invoke(context)
         except KeyboardInterrupt:
+            drop()
             context.exit(interrupted())
 
 

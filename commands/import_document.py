@@ -13,6 +13,7 @@ import click
 from .console import remark, say
 from .failures import fail, insist_on_materialx
 from .giving_out import give_out
+from .options import answer_option
 from .terminal import FAILED
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     help="Compare what is written with MaterialX's own pictures; the command fails if any differ.",
 )  # fmt: skip
 @click.option("--force", is_flag=True, help="Replace files that are there with other contents.")
+@answer_option
 def import_(
     file: Path,
     out: Path,

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from .answering import collector
 from .console import Styled, say
 from .failures import fail, needed
-from .options import format_option
+from .options import answer_option
 from .terminal import FAILED, print_output
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ class _Request(NamedTuple):
     encoding: Encoding
     flip: bool
     diff: Path | None
-    form: str
 
 
 def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str | None) -> None:
@@ -67,7 +66,7 @@ def _print_comparer(ctx: click.Context, _param: click.Parameter, language: str |
     "--diff", metavar="FILE.png", type=click.Path(path_type=Path),
     help="Write a picture of what is outside (red), and of what is not compared (blue).",
 )  # fmt: skip
-@format_option
+@answer_option
 @click.option(
     "--comparer", type=click.Choice(LANGUAGES), callback=_print_comparer,
     is_eager=True, expose_value=False,
@@ -131,8 +130,10 @@ def _judge(request: _Request) -> None:
             found.append((output, path, _verdict(output, path, request)))
         except GoldenError as error:
             unjudged.append(str(error))
-    if request.form == "json":
-        print_output(json.dumps([_row(*each) for each in found], indent=2) + "\n")
+    if (collected := collector()) is not None:
+        from ..compiler.documents.answer import JudgeAnswer
+
+        collected.find(JudgeAnswer(pictures=tuple(_row(*each) for each in found)))
     else:
         _tell(found)
     if unjudged:

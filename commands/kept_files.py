@@ -42,7 +42,7 @@ class KeptFiles:
             if entry["circumstances"] != self._circumstances(request) or not are_unchanged(entry):
                 return None
             return Compiled(
-                entry["texts"], entry["reflections"], entry["plans"], tuple(entry["lines"]),
+                entry["texts"], entry["reflections"], entry["plans"], {}, tuple(entry["lines"]),
                 tuple(entry["remarks"]), (), _inputs(entry),
             )  # fmt: skip
         except (ValueError, LookupError, TypeError, AttributeError):

@@ -56,7 +56,7 @@ def _made(requests: Sequence[CompileRequest], kept: KeptFiles | None) -> Iterato
     from ..compiler.watching import is_watched
 
     count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))
-    if count < 2 or requests[0].validate or is_watched():
+    if count < 2 or requests[0].uses_tools or is_watched():
         return (compiled_and_kept(request, kept) for request in requests)
     return made_in_processes(requests, kept, count)
 

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import click
 from click.decorators import FC
 
-from .compile_options import HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, SET, Option
+from .answering import begin
+from .compile_options import FORMAT, HOIST, INCLUDE, NATIVE_STAGES, PASS, RIG, SET, Option
 
 if TYPE_CHECKING:
     from ..targets.runner.routes import Route
@@ -37,10 +38,15 @@ def option(row: Option) -> Callable[[FC], FC]:
         return click.option(flags, row.field, default=True, help=row.help, show_default=True)
     if not row.metavar:
         return click.option(*row.names, row.field, is_flag=True, help=row.help)
-    kind = click.Choice(row.choices) if row.choices else None
+    if row.choices:
+        return click.option(
+            *row.names, row.field, type=click.Choice(row.choices), default=row.choices[0],
+            show_default=True, help=row.help,
+        )  # fmt: skip
     return click.option(
-        *row.names, row.field, metavar=row.metavar or None, required=row.required,
-        multiple=row.many, type=click.Path(path_type=Path) if row.is_path else kind, help=row.help,
+        *row.names, row.field, metavar=row.metavar, required=row.required, multiple=row.many,
+        default=row.default, show_default=row.default is not None,
+        type=click.Path(path_type=Path) if row.is_path else None, help=row.help,
     )  # fmt: skip
 
 
@@ -49,6 +55,7 @@ device_option = click.option(
     help="The device of the routes `vulkan`, `opengl` and `wgpu`: a part of its name, or its "
     "number; by default the first GPU.",
 )  # fmt: skip
+messages_option = option(FORMAT)
 rig_option = option(RIG)
 pass_option = option(PASS)
 search_option = option(INCLUDE)
@@ -148,14 +155,19 @@ floor_option = click.option(
     "--floor", is_flag=True,
     help="Let the mesh of a material stand on a floor, on which its shadow falls.",
 )  # fmt: skip
-format_option = click.option(
-    "--format",
-    "form",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    show_default=True,
-    help="Text for people or JSON for programs.",
-)
+
+
+def _begin(context: click.Context, _option: click.Parameter, form: str) -> None:
+    """The callback of ``--format``: all that the command says becomes one document."""
+    if form == "json" and not context.resilient_parsing:
+        begin(context.info_name or "")
+
+
+answer_option = click.option(
+    "--format", type=click.Choice(["text", "json"]), default="text", show_default=True,
+    expose_value=False, callback=_begin,
+    help="Text for people, or one JSON document for programs: `burnish schema answer`.",
+)  # fmt: skip
 
 
 def pairs(

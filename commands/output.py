@@ -5,12 +5,13 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
+from .answering import collector
 from .replacing import ForeignFileError, replace_all, replace_tree
 from .results import encoded
 
@@ -42,7 +43,7 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     return f"nobody but its owner may write into `{nearest}`"
 
 
-def write_all(folder: Path, texts: Mapping[str, str], guard: Guard | None = None) -> None:
+def write_all(folder: Path, texts: Mapping[str, str | bytes], guard: Guard | None = None) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
     try:
         replace_all(str(folder), encoded(texts), guard)
@@ -52,6 +53,7 @@ def write_all(folder: Path, texts: Mapping[str, str], guard: Guard | None = None
         raise CompileError(report.diagnostics) from error
     except OSError as error:
         raise unwritable(Path(error.filename), error.strerror or str(error)) from error
+    _note(folder / name for name in texts)
 
 
 def write_tree(folder: Path, contents: Mapping[str, bytes]) -> None:
@@ -62,6 +64,7 @@ def write_tree(folder: Path, contents: Mapping[str, bytes]) -> None:
         replace_tree(str(folder), named)
     except OSError as error:
         raise unwritable(Path(error.filename), error.strerror or str(error)) from error
+    _note(folder / path for path in contents)
 
 
 def write_file(path: Path, content: bytes) -> None:
@@ -72,9 +75,10 @@ def write_file(path: Path, content: bytes) -> None:
     """
     if _is_device(path):
         _write_to_device(path, content)
-        return
-    folder, name = os.path.split(path)
-    replace_all(folder or os.curdir, {name: content})
+    else:
+        folder, name = os.path.split(path)
+        replace_all(folder or os.curdir, {name: content})
+    _note([path])
 
 
 def _write_to_device(path: Path, content: bytes) -> None:
@@ -94,6 +98,12 @@ def _write_to_device(path: Path, content: bytes) -> None:
         if without_waiting:
             os.set_blocking(file, True)
         stream.write(content)
+
+
+def _note(paths: Iterable[Path]) -> None:
+    """Let the answer of the command name these files, if it is wanted as JSON."""
+    if (collected := collector()) is not None:
+        collected.write(map(str, paths))
 
 
 def _is_device(path: Path) -> bool:

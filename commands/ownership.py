@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _NAME = "outputs"
 _OWN = (b"by Burnish.", b'{\n  "format": ', b'{\n  "plan": ')
 """What is among the first bytes of each text, reflection and plan."""
+_MODULES = (b"\x03\x02\x23\x07", b"DXBC")
+"""The first bytes of SPIR-V and of DXIL, which nobody writes by hand."""
 
 
 class Ownership:
@@ -41,7 +43,7 @@ class Ownership:
                 if other == source or not os.path.lexists(other):
                     return None  # A source that is gone, or has been renamed, has no outputs.
                 return f"`{_shown(other)}` was compiled to it, not `{_shown(source)}`"
-        is_own = not head or any(mark in head for mark in _OWN)
+        is_own = not head or head.startswith(_MODULES) or any(mark in head for mark in _OWN)
         return None if is_own else "it is no file that Burnish has written"
 
     def settle(self) -> None:

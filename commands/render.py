@@ -15,6 +15,7 @@ from .console import remark, say
 from .failures import errors_as_messages, fail
 from .options import (
     BACKGROUND,
+    answer_option,
     budget_option,
     check_device,
     device_option,
@@ -144,6 +145,7 @@ def _color(_context: click.Context, _option: click.Parameter, given: str) -> Col
 @search_option
 @hoist_option
 @native_stages_option
+@answer_option
 def render(file: Path, output: Path | None, **chosen: Any) -> None:
     """Draw the materials or the frames of FILE.
 

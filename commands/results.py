@@ -35,7 +35,7 @@ STDOUT = "-"
 LARGEST = 4 << 20
 """Bytes of an answer with its sources above which it is not worth keeping."""
 
-_NEVER = frozenset({"--no-cache", "--validate", "--watch"})
+_NEVER = frozenset({"--no-cache", "--validate", "--watch", "--emit"})
 """Words of command lines that ask for more than texts."""
 
 _FIELDS = ("folder", "texts", "owners", "depfile", "printed", "warnings")
@@ -73,7 +73,7 @@ class Output:
     def __init__(
         self,
         folder: str,
-        texts: Mapping[str, str],
+        texts: Mapping[str, str | bytes],
         owners: Mapping[str, Sequence[str]] | None = None,
         depfile: Sequence[str] = (),
         printed: str = "",
@@ -81,7 +81,7 @@ class Output:
     ) -> None:
         self.folder = folder
         self.texts = texts
-        """Files to write into the folder, by name."""
+        """Files to write into the folder, by name; what is kept has no bytes among them."""
         self.owners = owners
         """The names of these files by the path of the source of each; ``None`` if they may replace
         files of any other source."""
@@ -177,9 +177,9 @@ def key_of(words: Sequence[str]) -> str:
     return digest("\0".join(words).encode("utf-8", "surrogatepass"))
 
 
-def encoded(texts: Mapping[str, str]) -> dict[str, bytes]:
-    """The contents of files that consist of these texts."""
-    return {name: text.encode() for name, text in texts.items()}
+def encoded(texts: Mapping[str, str | bytes]) -> dict[str, bytes]:
+    """The contents of files that consist of these texts, or of bytes already."""
+    return {name: text.encode() if isinstance(text, str) else text for name, text in texts.items()}
 
 
 def _is_asked_for(output: Output, question: Question) -> bool:

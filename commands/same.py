@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -10,14 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from .answering import collector
 from .compile_options import is_range
 from .console import Styled, remark, say, show
 from .failures import needed
-from .options import format_option, pairs, pass_option, rig_option, search_option
+from .options import answer_option, pairs, pass_option, rig_option, search_option
 from .progress import Progress
 from .same_frames import frame_row, frame_sentences
 from .same_values import ranges_of, values_of
-from .terminal import print_output
 
 if TYPE_CHECKING:
     from ..api.frame_sameness import FrameComparison
@@ -48,7 +47,6 @@ class _Request(NamedTuple):
     ranges: tuple[tuple[str, str], ...]
     seed: int
     search_path: tuple[Path, ...]
-    form: str
 
 
 class _Side(NamedTuple):
@@ -98,7 +96,7 @@ class _Side(NamedTuple):
     help="Choose other random points.",
 )  # fmt: skip
 @search_option
-@format_option
+@answer_option
 def same(**chosen: Any) -> None:
     """Prove that the materials A and B mean the same, or show where they differ.
 
@@ -143,24 +141,27 @@ def same(**chosen: Any) -> None:
 
 def _compared(request: _Request) -> int:
     """Compare all that is asked for, print it, and return the exit code."""
+    collected = collector()
     rows = []
     worst = 0
     for one, other in _sides(request):
         with Progress("proven") as progress:
             found = _comparison(request, one, other, progress)
         worst = _worse(worst, _CODES[found.verdict])
-        if request.form == "json":
+        if collected is not None:
             rows.append(_row(one, other, found))
         else:
             _tell(one, other, found)
     for frame in _frames(request):
         worst = _worse(worst, _CODES[frame.verdict])
-        if request.form == "json":
+        if collected is not None:
             rows.append(frame_row(frame))
         else:
             _tell_frame(frame)
-    if request.form == "json":
-        print_output(json.dumps(rows, indent=2) + "\n")
+    if collected is not None:
+        from ..compiler.documents.answer import SameAnswer
+
+        collected.find(SameAnswer(comparisons=tuple(rows)))
     return worst
 
 

@@ -7,33 +7,30 @@ from typing import TYPE_CHECKING
 import click
 
 from .console import say
+from .options import answer_option
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
 DOCUMENTS = (
-    "reflection",
-    "plan",
-    "package",
-    "golden",
-    "corpus",
-    "corpus_index",
-    "graph",
+    "reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph", "answer",
     "actions",
-)
+)  # fmt: skip
 
 
 @click.command()
 @click.argument("document", type=click.Choice(DOCUMENTS))
+@answer_option
 def schema(document: str) -> None:
     """Print the JSON Schema of a DOCUMENT that Burnish writes for other programs.
 
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
     what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
-    A graph has the equations of materials, as `burnish export` writes them, and actions are what
-    `burnish build` has to run. Each has the version of its format as `format`, `plan`, `package`,
-    `version`, `corpus`, `graph` or `build`.
+    A graph has the equations of materials, as `burnish export` writes them, an answer is what
+    commands say with `--format json`, and actions are what `burnish build` has to run. Each has the
+    version of its format as `format`, `plan`, `package`, `version`, `corpus`, `graph`, `answer` or
+    `build`.
 
     \b
     Example:
@@ -51,6 +48,7 @@ def schema(document: str) -> None:
 def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.actions import BuildActions
+    from ..compiler.documents.answer import Answer
     from ..compiler.documents.equation_graph import EquationGraphs
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
@@ -59,6 +57,7 @@ def _kinds() -> Mapping[str, type]:
     from ..targets.web_host.serving.packages import Package
 
     kinds = (
-        Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, BuildActions,
+        Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, Answer,
+        BuildActions,
     )  # fmt: skip
     return dict(zip(DOCUMENTS, kinds, strict=True))

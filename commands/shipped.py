@@ -12,6 +12,7 @@ from typing import NoReturn
 
 import click
 
+from .answering import collector
 from .console import say
 
 _PACKAGE = Path(__file__).parents[1]
@@ -55,6 +56,12 @@ def chosen(what: str, name: str, known: Iterable[str], ending: str) -> str:
 
 def say_groups(listed: Mapping[str, Mapping[str, str]]) -> None:
     """Print each name with its description, below headings."""
+    if (collected := collector()) is not None:
+        from ..compiler.documents.answer import ListAnswer
+
+        pages = {name: what for rows in listed.values() for name, what in rows.items()}
+        collected.find(ListAnswer(pages=pages))
+        return
     width = max(len(name) for rows in listed.values() for name in rows)
     for title, rows in listed.items():
         say()

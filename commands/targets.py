@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from .answering import collector
 from .console import Styled, say
-from .options import format_option
-from .terminal import print_output
+from .options import answer_option
 
 if TYPE_CHECKING:
     from ..targets.description.profile import Profile
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@format_option
-def targets(form: str) -> None:
+@answer_option
+def targets() -> None:
     """List the targets, their profiles and what each can do.
 
     A target is chosen by its name, which means its first profile, or as TARGET:PROFILE.
@@ -31,10 +31,10 @@ def targets(form: str) -> None:
     from ..targets import registry
 
     rows = [registry.load(name) for name in registry.names()]
-    if form == "json":
-        import json
+    if (collected := collector()) is not None:
+        from ..compiler.documents.answer import TargetsAnswer
 
-        print_output(json.dumps([_data(target) for target in rows], indent=2) + "\n")
+        collected.find(TargetsAnswer(targets=tuple(map(_data, rows))))
         return
     for target in rows:
         say(Styled(target.name, is_bold=True), f"  {target.title}, *.{target.extension}")

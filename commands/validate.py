@@ -24,7 +24,7 @@ def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:
         verdicts = toolchain.check([job for _, job in asked])
     report = Report()
     for (file, _), verdict in zip(asked, verdicts, strict=True):
-        _tell(file, verdict, report)
+        tell(file, verdict, report)
     return report.diagnostics
 
 
@@ -34,7 +34,8 @@ def _jobs(file: OutputFile) -> Iterator[Job]:
             yield Job(checker, STAGES[stage].suffix, file.text, entry, file.name)
 
 
-def _tell(file: OutputFile, verdict: Verdict, report: Report) -> None:
+def tell(file: OutputFile, verdict: Verdict, report: Report) -> None:
+    """Report what a compiler has said of a text."""
     checker = verdict.job.checker
     if verdict.status == "missing":
         report.add(rules.TOOL_MISSING, None, checker=checker, problem=_line(verdict.log))

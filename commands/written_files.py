@@ -11,15 +11,15 @@ from pathlib import Path
 from .compiled_files import Compiled
 
 
-def written_of(files: Sequence[Path], found: Sequence[Compiled]) -> dict[str, str]:
+def written_of(files: Sequence[Path], found: Sequence[Compiled]) -> dict[str, str | bytes]:
     """The content of each output, by its name, in the order in which they are put in place.
 
     Reflections come behind the shaders, and plans last: whoever sees a new one finds what it
     describes. Raises ``CompileError`` if two outputs would be one file.
     """
     _insist_on_one_file_for_each(files, found)
-    parts = (*(each.texts for each in found), *_documents(found))
-    return {name: text for part in parts for name, text in part.items()}
+    parts = (*_shaders(found), *_documents(found))
+    return {name: content for part in parts for name, content in part.items()}
 
 
 def owners_of(files: Sequence[Path], found: Sequence[Compiled]) -> dict[str, tuple[str, ...]]:
@@ -30,13 +30,18 @@ def owners_of(files: Sequence[Path], found: Sequence[Compiled]) -> dict[str, tup
     }
 
 
+def _shaders(found: Sequence[Compiled]) -> Iterator[Mapping[str, str | bytes]]:
+    yield from (each.texts for each in found)
+    yield from (each.modules for each in found)
+
+
 def _documents(found: Sequence[Compiled]) -> Iterator[Mapping[str, str]]:
     yield from (each.reflections for each in found)
     yield from (each.plans for each in found)
 
 
-def _parts(found: Compiled) -> tuple[Mapping[str, str], ...]:
-    return found.texts, found.reflections, found.plans
+def _parts(found: Compiled) -> tuple[Mapping[str, str | bytes], ...]:
+    return found.texts, found.modules, found.reflections, found.plans
 
 
 def _insist_on_one_file_for_each(files: Sequence[Path], found: Sequence[Compiled]) -> None:

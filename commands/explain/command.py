@@ -7,15 +7,19 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ..answering import collector
 from ..console import say, say_finding
+from ..options import answer_option
 
 if TYPE_CHECKING:
     from ...compiler.diagnostics.diagnostic import Diagnostic, Rule
+    from ...compiler.documents.answer import ExplainAnswer
     from .programs import ShownProgram
 
 
 @click.command()
 @click.argument("code")
+@answer_option
 def explain(code: str) -> None:
     """Explain the diagnostic CODE: what it means, and a wrong and a right program.
 
@@ -30,13 +34,26 @@ def explain(code: str) -> None:
 
         hint = suggestion(code.upper(), rules) or f"they run from {min(rules)} to {max(rules)}"
         raise click.BadParameter(f"there is no code `{code}`; {hint}", param_hint="CODE")
+    from .programs import shown
+
+    entry = shown(rule.code)
+    if (collected := collector()) is not None:
+        collected.find(_found(rule, entry))
+        return
     message = re.sub(r"\{\w+\}", "…", rule.message)
     say(f"{rule.severity}[{rule.code}]: {message}")
     _say_paragraph(rule.help)
+    _say_programs(entry)
 
-    from .programs import shown
 
-    _say_programs(shown(rule.code))
+def _found(rule: Rule, entry: ShownProgram) -> ExplainAnswer:
+    """The same as a record."""
+    from ...compiler.documents.answer import ExplainAnswer
+
+    return ExplainAnswer(
+        code=rule.code, severity=rule.severity, message=rule.message, help=rule.help,
+        wrong=None if entry.reason else entry.wrong, right=None if entry.reason else entry.right,
+    )  # fmt: skip
 
 
 def told(program: str, targets: str) -> tuple[Diagnostic, ...]:

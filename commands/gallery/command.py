@@ -17,7 +17,7 @@ import click
 from ...compiler.diagnostics.display import harmless
 from ..console import remark, say
 from ..failures import errors_as_messages, fail
-from ..options import budget_option
+from ..options import answer_option, budget_option
 from ..terminal import FAILED
 
 if TYPE_CHECKING:
@@ -75,6 +75,7 @@ class GalleryRequest(NamedTuple):
 )
 @budget_option
 @click.option("--cache/--no-cache", default=True, help="Make unchanged files anew, or not.")
+@answer_option
 def gallery(**chosen: object) -> None:
     """Make pages that show all materials, kernels and frames of FOLDER.
 

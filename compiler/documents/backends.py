@@ -62,6 +62,20 @@ class FileRow:
 
 
 @frozen(kw_only=True)
+class ModuleRow:
+    """One stage's text, compiled for drivers that take no texts."""
+
+    stage: str
+    """The stage, such as ``vertex``."""
+    file: str
+    """File name, relative to this document."""
+    format: Literal["spirv", "dxil"]
+    """What the file holds: SPIR-V, as Vulkan takes it, or DXIL, as Direct3D 12 does."""
+    entry_point: str
+    """Entry point in the file."""
+
+
+@frozen(kw_only=True)
 class SourceMapRow:
     """The text in Burnish that each statement of an emitted file computes, or is there for."""
 
@@ -133,3 +147,5 @@ class BackendRow:
     A host asks for it (``requiredLimits`` of WebGPU), or looks it up, and does without the material
     where a device has less.
     """
+    modules: tuple[ModuleRow, ...] | None = None
+    """The texts compiled for drivers; left out where none was asked for."""

@@ -112,7 +112,7 @@ def modules(jobs: Sequence[Job], toolchain: Toolchain) -> dict[Job, bytes | Verd
     names = {job: _digest(job, versions[job.checker]) for job in jobs}
     kept = {job: store.read(name) for job, name in names.items()}
     made: dict[Job, bytes | Verdict] = {job: data for job, data in kept.items() if data is not None}
-    verdicts = toolchain.check([job for job in jobs if job not in made], keep_spirv=True)
+    verdicts = toolchain.check([job for job in jobs if job not in made], keep_modules=True)
     for verdict in verdicts:
         made[verdict.job] = verdict.spirv or verdict
         if verdict.spirv:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import base64
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .clang import check_against, headers_in
@@ -83,7 +83,8 @@ def _dxc_spirv(job: Job, toolbox: Toolbox) -> Verdict:
 
 
 def _dxc_dxil(job: Job, toolbox: Toolbox) -> Verdict:
-    return _dxc(job, toolbox, (VULKAN_ATTRIBUTES_ARE_FINE,), disassemble=True)[0]
+    verdict, module = _dxc(job, toolbox, (VULKAN_ATTRIBUTES_ARE_FINE,), disassemble=True)
+    return replace(verdict, dxil=module) if verdict.status == "accepted" else verdict
 
 
 def _dxc(

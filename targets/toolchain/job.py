@@ -54,6 +54,8 @@ class Verdict:
     """The accepted SPIR-V module, if the checker makes one and was asked to keep it."""
     log: str = ""
     """The complete output of the tool."""
+    dxil: bytes | None = None
+    """The accepted DXIL, likewise."""
     disassembly: str | None = None
     """The DXIL as text, which contains the layout of its constant buffers (``dxc-dxil`` only)."""
 

@@ -135,6 +135,17 @@ def optimise(spirv: bytes) -> bytes:
     return outcome.output
 
 
+def insist_on_valid(spirv: bytes) -> None:
+    """Raise ``SpirvError`` if spirv-val, with the rules of Vulkan 1.1, refuses a module."""
+    tool = program("spirv-tools", "spirv-val")
+    if tool is None:
+        raise SpirvError("spirv-val is not installed")
+    arguments = [str(tool), "--target-env", "vulkan1.1", "-"]
+    outcome = run(arguments, time_limit=OPTIMISE_LIMIT, stdin=spirv)
+    if outcome.ending != "ended" or outcome.code != 0:
+        raise SpirvError(f"spirv-val refuses it: {outcome.log}")
+
+
 def _words(spirv: bytes) -> tuple[int, ...]:
     """The module's words, header included."""
     if len(spirv) % 4 or len(spirv) < 4 * HEADER_WORDS:

@@ -53,7 +53,7 @@ class Toolchain(Closing):
         """The versions of the tools that a checker needs; an empty text for each missing tool."""
         return tuple(self._toolbox.version(tool) for tool in CHECKERS[checker].needs)
 
-    def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
+    def check(self, jobs: Sequence[Job], *, keep_modules: bool = False) -> list[Verdict]:
         """A verdict for each job, in the jobs' order.
 
         A checker without its tools answers ``missing``. Raises ``KeyError`` if a job names a
@@ -68,7 +68,9 @@ class Toolchain(Closing):
         for batch, answers in zip(batches, results, strict=True):
             verdicts.update(zip(batch, answers, strict=True))
         kept = [verdicts[index] for index in range(len(jobs))]
-        return kept if keep_spirv else [replace(verdict, spirv=None) for verdict in kept]
+        if keep_modules:
+            return kept
+        return [replace(verdict, spirv=None, dxil=None) for verdict in kept]
 
     def _batches(self, jobs: Sequence[Job]) -> Iterator[list[int]]:
         """The jobs' indices, in batches that one call of one checker can answer."""

@@ -88,7 +88,7 @@ def _counted(stages: tuple[str, ...]) -> Counts:
                     key = subject, checker, with_guards, stage
                     jobs[key] = Job(checker, STAGES[stage], text, name=subject)
     with Toolchain() as toolchain:
-        verdicts = toolchain.check(list(jobs.values()), keep_spirv=True)
+        verdicts = toolchain.check(list(jobs.values()), keep_modules=True)
     counts: dict[tuple[str, str, bool], int] = {}
     for (subject, checker, with_guards, _), verdict in zip(jobs, verdicts, strict=True):
         if verdict.spirv is None:

@@ -93,7 +93,7 @@ def _jobs(material: burnish.CompiledMaterial) -> dict[Key, Job]:
 
 def _modules(jobs: dict[Key, Job]) -> dict[Key, bytes]:
     with Toolchain() as toolchain:
-        verdicts = toolchain.check(list(jobs.values()), keep_spirv=True)
+        verdicts = toolchain.check(list(jobs.values()), keep_modules=True)
     modules = {}
     for key, verdict in zip(jobs, verdicts, strict=True):
         if verdict.spirv is None:

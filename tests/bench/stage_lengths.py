@@ -84,7 +84,7 @@ def _count(checker: str, stage: str, text: str) -> int:
     """The instructions of a stage's functions."""
     job = Job(checker, STAGES[stage].suffix, text)
     with Toolchain() as toolchain:
-        (verdict,) = toolchain.check([job], keep_spirv=True)
+        (verdict,) = toolchain.check([job], keep_modules=True)
     if verdict.spirv is None:
         raise SystemExit(verdict.report())
     return count_instructions(optimise(verdict.spirv))

@@ -59,7 +59,7 @@ def measure() -> Iterator[Section]:
         own, usual = (_job(each, toolchain) for each in (kernel, square))
         text = TWIN.read_text("utf-8").replace("@WEIGHTS@", WEIGHTS)
         (verdict,) = toolchain.check(
-            [Job(route.compiler or "", "comp", text, "main", TWIN.name)], keep_spirv=True
+            [Job(route.compiler or "", "comp", text, "main", TWIN.name)], keep_modules=True
         )
         assert verdict.spirv, verdict.report()
         stages = {"compute": Code("main", spirv=verdict.spirv)}

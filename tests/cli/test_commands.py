@@ -89,7 +89,8 @@ def test_check_is_silent_about_good_files(tmp_path: Path) -> None:
     file.write_text(PLAIN)
     result = invoke("check", file)
     assert (result.exit_code, result.output) == (0, "")
-    assert invoke("check", file, "--format", "json").stdout == "[]\n"
+    answer = json.loads(invoke("check", file, "--format", "json").stdout)
+    assert (answer["exit_code"], answer["diagnostics"], answer["remarks"]) == (0, [], [])
 
 
 def test_warnings_do_not_fail(tmp_path: Path) -> None:
@@ -106,7 +107,7 @@ def test_check_for_programs(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text("material M { color = tnt }")
     result = invoke("check", file, "--format", "json")
-    (found,) = json.loads(result.stdout)
+    (found,) = json.loads(result.stdout)["diagnostics"]
     assert (result.exit_code, result.stderr) == (1, "")
     assert (found["code"], found["severity"]) == ("B0201", "error")
     assert found["span"]["start"] == {"line": 1, "column": 22, "offset": 21}
@@ -121,7 +122,8 @@ def test_targets() -> None:
 
 
 def test_targets_for_programs() -> None:
-    rows = json.loads(invoke("targets", "--format", "json").stdout)
+    answer = json.loads(invoke("targets", "--format", "json").stdout)
+    rows = answer["result"]["targets"]
     assert [row["name"] for row in rows] == list(registry.names())
     es = next(p for row in rows for p in row["profiles"] if p["name"] == "es300")
     assert es["clip_depth"] == "-1..1"

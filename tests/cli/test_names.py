@@ -86,7 +86,7 @@ def test_errors_in_files_of_such_names(name: bytes, shown: str, tmp_path: Path) 
     assert run.returncode == 1
     assert f" --> {escaped(shown)}:1:22\n" in run.stderr
     run = shell("check", "--format", "json", "--", file.name, folder=tmp_path)
-    (found,) = json.loads(run.stdout)
+    (found,) = json.loads(run.stdout)["diagnostics"]
     assert found["span"]["file"] == shown
 
 
@@ -151,7 +151,7 @@ HARMFUL = {
 
 def sizes(toolchain: Toolchain, source: str) -> list[int]:
     """The number of instructions of each text for which the checker makes SPIR-V."""
-    verdicts = toolchain.check(jobs(source), keep_spirv=True)
+    verdicts = toolchain.check(jobs(source), keep_modules=True)
     assert_accepted(verdicts)
     return [count_instructions(verdict.spirv) for verdict in verdicts if verdict.spirv]
 

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from burnish.commands.compile import compile_
 from burnish.commands.compile_options import (
     DEPFILE_TARGET,
+    EMIT,
+    OPTIMIZE,
     OPTIONS,
     CompileRequest,
     Option,
@@ -56,7 +58,8 @@ def test_they_mean_the_same(line: list[str]) -> None:
 def test_each_option_can_be_plain(row: Option) -> None:
     for name in filter(None, (*row.names, row.off)):
         value = row.choices[0] if row.choices else "name=value"
-        needed = ["--depfile", "d"] if row is DEPFILE_TARGET else []
+        value = "spirv" if row is EMIT else value
+        needed = {DEPFILE_TARGET: ["--depfile", "d"], OPTIMIZE: ["--emit", "spirv"]}.get(row, [])
         line = ["m.burnish", "-o", "out", *needed, name, *([value] if row.metavar else [])]
         found = plain_request(["compile", *line])
         assert found is not None

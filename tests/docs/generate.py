@@ -54,7 +54,8 @@ Warnings have no such effect.
 
 ## As JSON
 
-`burnish check FILE --format json` writes a list with one object for each diagnostic:
+`burnish check FILE --format json` writes [an answer](builds.md#answers-for-programs), whose
+`diagnostics` have one object for each diagnostic:
 
 | key | what |
 |---|---|

@@ -126,7 +126,7 @@ def test_what_is_not_decided_is_told_with_its_share() -> None:
 
 def test_json_has_all_of_it() -> None:
     result = invoke("same", "a.burnish", "c.burnish", "--format", "json")
-    (row,) = json.loads(result.stdout)
+    (row,) = json.loads(result.stdout)["result"]["comparisons"]
     assert row["verdict"] == "different"
     assert row["witness"]["first_difference"]["name"] == "tint"
     assert row["domain"]["weight"] == [0.0, 1.0]

@@ -47,7 +47,8 @@ def test_frames_are_compared_by_plans_and_shaders(old: str, new: str, code: int,
 
 
 def test_frames_are_rows_of_the_document() -> None:
-    rows = json.loads(invoke("same", "a.burnish", "a.burnish", "--format", "json").stdout)
+    answer = json.loads(invoke("same", "a.burnish", "a.burnish", "--format", "json").stdout)
+    rows = answer["result"]["comparisons"]
     assert rows[-1] == {
         "frame": "Scene", "verdict": "same", "steps": 1, "plans_differ_at": None,
         "shaders": {"Scene.Forward.Clay": "same"},

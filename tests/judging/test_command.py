@@ -199,7 +199,7 @@ def test_verdicts_as_json() -> None:
     np.save("p.npy", picture)
     result = invoke("judge", "g", "p.npy", "--format", "json")
     assert result.exit_code == 1
-    (row,) = json.loads(result.stdout)
+    (row,) = json.loads(result.stdout)["result"]["pictures"]
     assert row == {
         "case": CASE, "output": "color", "picture": "p.npy", "good": False, "compared": 6,
         "undecided": 0, "outside": 1,

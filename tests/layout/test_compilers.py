@@ -124,7 +124,7 @@ def check(toolchain: Toolchain, program: Program) -> None:
     """All routes report the layout that the program's block says."""
     emissions = [emit(legalise(program, *select(route.target))) for route in ROUTES]
     jobs = [job(route, emission) for route, emission in zip(ROUTES, emissions, strict=True)]
-    verdicts = toolchain.check(jobs, keep_spirv=True)
+    verdicts = toolchain.check(jobs, keep_modules=True)
     (block,) = program.blocks
     for emission, verdict in zip(emissions, verdicts, strict=True):
         names = emission.names

@@ -37,9 +37,9 @@ class Counting(Toolchain):
 
     asked = 0
 
-    def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
+    def check(self, jobs: Sequence[Job], *, keep_modules: bool = False) -> list[Verdict]:
         self.asked += len(jobs)
-        return super().check(jobs, keep_spirv=keep_spirv)
+        return super().check(jobs, keep_modules=keep_modules)
 
 
 def files(text: str = DEPTH, *, single_file: bool = False) -> tuple[burnish.OutputFile, ...]:

@@ -39,7 +39,7 @@ def lengths() -> dict[str, int]:
         texts[f"{count} by proof"] = by_proof.text("glsl", "fragment")
     jobs = [Job("glslang-vulkan", "frag", text, name=name) for name, text in texts.items()]
     with Toolchain() as toolchain:
-        verdicts = toolchain.check(jobs, keep_spirv=True)
+        verdicts = toolchain.check(jobs, keep_modules=True)
     return {v.job.name: count_instructions(optimise(v.spirv)) for v in verdicts if v.spirv}
 
 

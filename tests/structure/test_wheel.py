@@ -29,7 +29,9 @@ DATA = {
 GENERATED = (
     "__init__", "builtin_table", "grammar", "initialisers", "library", "scene", "skeletons",
 )  # fmt: skip
-LINKED = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE")
+LINKED = (
+    "README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE", "LICENSE-OUTPUT.md",
+)  # fmt: skip
 """The files of the root to which pages link."""
 
 

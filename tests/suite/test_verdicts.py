@@ -25,8 +25,8 @@ class Answering(Toolchain):
         super().__init__()
         self.asked: list[Job] = []
 
-    def check(self, jobs: Sequence[Job], *, keep_spirv: bool = False) -> list[Verdict]:
-        assert not keep_spirv
+    def check(self, jobs: Sequence[Job], *, keep_modules: bool = False) -> list[Verdict]:
+        assert not keep_modules
         self.asked += jobs
         warning = (Message("warning", None, None, "odd"),)
         return [

@@ -142,8 +142,8 @@ def test_it_is_labelled_wherever_it_is_named(tmp_path: Path) -> None:
     texts = [file.text for file in compiled.files]
     assert texts and all(LABEL[1:] in text for text in texts)
     assert LABEL in invoke("targets").output
-    (row,) = [each for each in json.loads(invoke("targets", "--format", "json").output)
-              if each["name"] == "msl"]  # fmt: skip
+    answer = json.loads(invoke("targets", "--format", "json").output)
+    (row,) = [each for each in answer["result"]["targets"] if each["name"] == "msl"]
     assert LABEL in row["unproven"] and LABEL in row["profiles"][0]["doc"]
     file = tmp_path / "m.burnish"
     file.write_text("material M { color = #808080 }")

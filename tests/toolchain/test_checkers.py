@@ -131,7 +131,7 @@ def test_every_checker_has_a_sample() -> None:
 def test_a_good_shader_is_accepted(toolchain: Toolchain, checker: str) -> None:
     sample = SAMPLES[checker]
     job = Job(checker, "frag", sample.text, sample.entry)
-    [verdict] = toolchain.check([job], keep_spirv=True)
+    [verdict] = toolchain.check([job], keep_modules=True)
     assert verdict.status == "accepted", verdict.report()
     assert verdict.messages == ()
     assert (verdict.spirv is not None) == (checker in MAKES_SPIRV)
@@ -142,7 +142,7 @@ def test_a_good_shader_is_accepted(toolchain: Toolchain, checker: str) -> None:
 def test_a_bad_shader_is_rejected_at_its_line(toolchain: Toolchain, checker: str) -> None:
     sample = SAMPLES[checker]
     job = Job(checker, "frag", sample.bad_text(), sample.entry, name="bad.txt")
-    [verdict] = toolchain.check([job], keep_spirv=True)
+    [verdict] = toolchain.check([job], keep_modules=True)
     assert verdict.status == "rejected", verdict.log
     first = verdict.messages[0]
     assert (first.severity, first.line, first.column) == (
@@ -296,7 +296,7 @@ def test_the_stages_of_a_program_share_a_process(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The answers are those of a process for each."""
-    alone = [toolchain.check([job], keep_spirv=True)[0] for job in jobs]
+    alone = [toolchain.check([job], keep_modules=True)[0] for job in jobs]
     started = []
     run = Toolbox.run
 
@@ -305,7 +305,7 @@ def test_the_stages_of_a_program_share_a_process(
         return run(self, tool, *arguments, **options)
 
     monkeypatch.setattr(Toolbox, "run", counted)
-    verdicts = toolchain.check(jobs, keep_spirv=True)
+    verdicts = toolchain.check(jobs, keep_modules=True)
     assert [verdict.status for verdict in verdicts] == statuses
     assert started.count("glslang") == processes
     assert [(v.spirv, v.messages) for v in verdicts] == [(v.spirv, v.messages) for v in alone]

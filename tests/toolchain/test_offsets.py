@@ -105,7 +105,7 @@ GLSLANG_HLSL = DX | {"lights[]": 48, "tail": 160, "rows": 176}
     ids=["glslang", "naga", "dxc-gl", "dxc-dx", "glslang-hlsl"],
 )
 def test_spirv(toolchain: Toolchain, job: Job, expected: dict[str, int]) -> None:
-    [verdict] = toolchain.check([job], keep_spirv=True)
+    [verdict] = toolchain.check([job], keep_modules=True)
     assert verdict.spirv is not None, verdict.report()
     assert block_offsets_spirv(verdict.spirv) == {"P": expected}
 
@@ -127,7 +127,7 @@ float4 main() : SV_Target0 { return surface.scale.x + surface.colour.x + surface
             Job("dxc-spirv", "frag", text, flags=("-fvk-use-dx-layout",)),
             Job("dxc-dxil", "frag", text),
         ],
-        keep_spirv=True,
+        keep_modules=True,
     )
     assert spirv.spirv is not None, spirv.report()
     assert dxil.disassembly is not None, dxil.report()
@@ -142,6 +142,6 @@ layout(std140, binding = 0) uniform P { mat3 turns[4]; };
 layout(location = 0) out vec4 colour;
 void main() { colour = vec4(turns[1][0], 1.0); }
 """
-    [verdict] = toolchain.check([Job("glslang-vulkan", "frag", text)], keep_spirv=True)
+    [verdict] = toolchain.check([Job("glslang-vulkan", "frag", text)], keep_modules=True)
     assert verdict.spirv is not None
     assert block_offsets_spirv(verdict.spirv) == {"P": {"turns": 0, "turns[]": 48, "turns[][]": 16}}

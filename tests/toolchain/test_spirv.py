@@ -55,7 +55,7 @@ def test_anything_else_than_spirv_is_refused(junk: bytes) -> None:
 
 
 def test_spirv_opt_takes_what_naga_makes_of_wgsl(toolchain: Toolchain) -> None:
-    [verdict] = toolchain.check([Job("naga", "frag", WGSL)], keep_spirv=True)
+    [verdict] = toolchain.check([Job("naga", "frag", WGSL)], keep_modules=True)
     assert verdict.spirv is not None, verdict.report()
     better = optimise(verdict.spirv)
     # load, add, composite, store, return

@@ -42,3 +42,15 @@ ASKED_OF_DEVICES = warning(
     "The text is written. A host has to ask the device for as many, and to do without the material "
     "where a device has fewer: the reflection says it, `required_limits` of the backend.",
 )
+NO_TEXT_OF_MODULE = error(
+    "B0708",
+    "`--emit {format}` compiles texts of {profile}, which is not among the targets",
+    "SPIR-V is made of the GLSL for Vulkan, and DXIL of HLSL: name the target as well, or leave "
+    "`--target` out. A reflection has the bindings of a module where it has those of the text.",
+)
+NOT_OPTIMISED = error(
+    "B0709",
+    "the SPIR-V of `{file}` cannot be optimized: {reason}",
+    "`--optimize` needs spirv-opt of SPIRV-Tools; `burnish doctor` says how to install it. Nothing "
+    "was written.",
+)

@@ -1,0 +1,77 @@
+"""The forms in which ``burnish check`` and ``compile`` tell diagnostics: ``--format``.
+
+People read texts, on standard error. Editors and other programs read one line for each, also there,
+or a document on standard output: the answer in JSON (``answering.py``), or a log (``sarif.py``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from .console import distinct, print_rendered, rendered
+from .terminal import FAILED, print_output
+
+if TYPE_CHECKING:
+    from ..compiler.diagnostics.diagnostic import Diagnostic
+
+DOCUMENTS = ("json", "sarif")
+"""The forms that are documents."""
+
+
+def messages(form: str, diagnostics: Iterable[Diagnostic]) -> str:
+    """The text for standard error; empty for a form that is a document."""
+    if form == "line":
+        return "".join(f"{_line(each)}\n" for each in distinct(diagnostics))
+    return "" if form in DOCUMENTS else rendered(diagnostics)
+
+
+def document(
+    form: str,
+    command: str,
+    diagnostics: Iterable[Diagnostic],
+    *,
+    exit_code: int,
+    written: Sequence[str] = (),
+    found: Any = None,
+) -> str:
+    """The text for standard output, if the form is a document; else empty.
+
+    ``found`` is the record of what the command has found, besides the files that it has
+    ``written``.
+    """
+    if form == "sarif":
+        from .sarif import sarif
+
+        return sarif(distinct(diagnostics), exit_code)
+    if form != "json":
+        return ""
+    from .answering import Collected
+
+    answer = Collected(command)
+    answer.diagnose(diagnostics)
+    answer.write(written)
+    answer.find(found)
+    return answer.text(exit_code)
+
+
+def tell(form: str, command: str, diagnostics: Sequence[Diagnostic]) -> bool:
+    """Print diagnostics, where they are all that there is to say; True if none is an error."""
+    failed = any(each.severity == "error" for each in diagnostics)
+    print_rendered(messages(form, diagnostics))
+    code = FAILED if failed else 0
+    print_output(document(form, command, diagnostics, exit_code=code))
+    return not failed
+
+
+def _line(found: Diagnostic) -> str:
+    """``file:line:column: error: B0201: message``, as compilers of C write it."""
+    from ..compiler.diagnostics.display import harmless
+
+    place = "burnish"
+    if found.span is not None:
+        line, column = found.span.source.position(found.span.start)
+        place = f"{found.span.source.name}:{line}:{column}"
+    hint = f"; {found.hint}" if found.hint else ""
+    text = " ".join(f"{found.message}{hint}".split())
+    return harmless(f"{place}: {found.severity}: {found.rule.code}: {text}")
