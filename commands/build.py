@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from .answering import collector
 from .building.variants import OF_VARIANTS, asked_for, variants_of, with_options
 from .console import remark, say, show
 from .failures import fail
-from .options import each_once, search_option
+from .options import answer_option, each_once, search_option
 from .single_output import STDOUT, deliver
 from .terminal import FAILED
 
@@ -84,6 +85,7 @@ class BuildRequest(NamedTuple):
     help="The words by which --ninja and --actions call Burnish, such as `python3 -m burnish`.",
 )  # fmt: skip
 @search_option
+@answer_option
 @with_options
 def build(**chosen: Any) -> None:
     """Compile all FILEs that have changed, or of which something that they import has.
@@ -139,6 +141,8 @@ def _check_options(request: BuildRequest) -> None:
         raise click.UsageError("--to names the file for --ninja or --actions: give one of them")
     if request.part and (request.ninja or request.actions):
         raise click.UsageError("--part compiles, and --ninja and --actions do not: choose one")
+    if request.actions and request.to in (None, STDOUT) and collector() is not None:
+        raise click.UsageError("--actions prints a document: name a file for it with --to")
     if request.output == STDOUT:
         raise click.UsageError("a build writes many files: -o names the folder for them")
 

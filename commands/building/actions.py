@@ -12,7 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from ...compiler.documents.actions import ContentDigest
-from ...support.frozen import changed, frozen
+from ...support.frozen import DEFAULTS, changed, frozen
 from ..compile_options import OPTIONS, CompileRequest, Option
 
 
@@ -104,16 +104,18 @@ def digest_of(content: bytes) -> ContentDigest:
 def options_of(request: CompileRequest, rows: Iterable[Option] = OPTIONS) -> list[str]:
     """The options of a command line that asks for this, in the order of the rows."""
     found: list[str] = []
+    defaults = getattr(CompileRequest, DEFAULTS)
     for row in rows:
-        value = getattr(request, row.field)
-        name = row.names[-1]
+        value, name = getattr(request, row.field), row.names[-1]
+        if value == defaults.get(row.field):
+            continue
         if row.off:
-            found += [] if value else [row.off]
+            found.append(row.off)
         elif not row.metavar:
-            found += [name] if value else []
+            found.append(name)
         elif row.many:
             found += [f"{name}={each}" for each in value]
-        elif value is not None:
+        else:
             found.append(f"{name}={value}")
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 from ...compiler.documents.actions import BuildAction, BuildActions, InputFile, NamedText
 from .actions import Batch, BuildError, digest_of
@@ -13,9 +14,23 @@ ENVIRONMENT: tuple[NamedText, ...] = ()
 """The variables that a compile needs: none. What it writes depends on no variable."""
 
 
-def platform() -> tuple[NamedText, ...]:
-    """What a machine needs to have, so that it makes the same outputs."""
-    return (NamedText(name="burnish", value=program()),)
+def _platform(batch: Batch) -> tuple[NamedText, ...]:
+    """What a machine needs to have, so that it makes the same outputs; in the order of names."""
+    own = NamedText(name="burnish", value=program())
+    if not batch.actions[0].request.uses_tools:
+        return (own,)
+    return (own, NamedText(name="compilers", value=_compilers()))
+
+
+@cache
+def _compilers() -> str:
+    """The compilers of other makers on this machine, with their versions."""
+    from ...targets.toolchain.checkers import CHECKERS
+    from ...targets.toolchain.tools import inspect_all, tool_named
+
+    names = sorted({name for each in CHECKERS.values() for name in each.needs})
+    states = inspect_all(map(tool_named, names)).values()
+    return ", ".join(f"{each.tool.name} {each.version}" for each in states if each.version)
 
 
 def document_of(batches: Sequence[Batch], called: Sequence[str]) -> BuildActions:
@@ -23,9 +38,7 @@ def document_of(batches: Sequence[Batch], called: Sequence[str]) -> BuildActions
 
     Raises ``BuildError`` if something lies where other machines cannot have it.
     """
-    return BuildActions(
-        build=1, platform=platform(), actions=tuple(_row(each, called) for each in batches)
-    )
+    return BuildActions(build=1, actions=tuple(_row(each, called) for each in batches))
 
 
 def _messages(batch: Batch, called: Sequence[str]) -> Messages:
@@ -37,7 +50,7 @@ def _messages(batch: Batch, called: Sequence[str]) -> Messages:
                 "what is in it: name a folder below it with -o"
             )
     return messages_of(
-        [*called, *batch.words()], ENVIRONMENT, platform(), batch.outputs, batch.inputs,
+        [*called, *batch.words()], ENVIRONMENT, _platform(batch), batch.outputs, batch.inputs,
         batch.folders,
     )  # fmt: skip
 
@@ -48,6 +61,7 @@ def _row(batch: Batch, called: Sequence[str]) -> BuildAction:
         name=batch.name,
         arguments=(*called, *batch.words()),
         environment=ENVIRONMENT,
+        platform=_platform(batch),
         inputs=tuple(InputFile(path=path, digest=each) for path, each in batch.inputs.items()),
         input_folders=batch.folders,
         outputs=tuple(sorted(batch.outputs)),

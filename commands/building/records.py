@@ -14,7 +14,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from ...compiler.cache import load, store
-from ..results import key_of
+from ..results import encoded, key_of
 from .actions import Action
 from .program import program
 
@@ -47,10 +47,10 @@ class Records:
             _holds(Path(action.request.output, name), digest) for name, digest in found.items()
         )
 
-    def note(self, action: Action, contents: Mapping[str, str]) -> None:
+    def note(self, action: Action, contents: Mapping[str, str | bytes]) -> None:
         """Remember what an action makes."""
         self._used[_state(action)] = {
-            name: sha256(text.encode()).hexdigest() for name, text in contents.items()
+            name: sha256(content).hexdigest() for name, content in encoded(contents).items()
         }
 
     def keep(self) -> None:

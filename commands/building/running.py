@@ -50,7 +50,7 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
     is writing into it.
     """
     records = Records(folder)
-    stale = [each for each in actions if each.request.validate or not records.are_current(each)]
+    stale = [each for each in actions if each.request.uses_tools or not records.are_current(each)]
     if not stale:
         records.keep()
         return Built(0, len(actions), (), ())
@@ -81,7 +81,7 @@ def _run(
         if found.inputs is None or problem:
             failed.append(action.name)
         else:
-            told(action, len(found.texts) + len(found.reflections) + len(found.plans))
+            told(action, sum(map(len, owners_of(action.request.files, [found]).values())))
     return Built(len(actions) - len(failed), current, tuple(failed), tuple(diagnostics))
 
 
@@ -89,7 +89,7 @@ def made(actions: Sequence[Action], jobs: int) -> Iterator[Compiled]:
     """What actions make, in their order. Nothing is written."""
     requests = [action.request for action in actions]
     count = min(jobs, len(requests) // FEW)
-    if count < 2:
+    if count < 2 or requests[0].uses_tools:
         return map(compiled, requests)
     return made_in_processes(requests, None, count)
 

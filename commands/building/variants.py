@@ -18,11 +18,13 @@ from click.decorators import FC
 
 from ...support.frozen import changed
 from ..compile_options import (
+    EMIT,
     FLIP_Y,
     FORCE,
     HOIST,
     LINE_DIRECTIVES,
     NATIVE_STAGES,
+    OPTIMIZE,
     PASS,
     RIG,
     SET,
@@ -35,8 +37,8 @@ from ..options import each_once, option
 from .actions import Variant, options_of
 
 OF_VARIANTS = (
-    TARGET, RIG, PASS, SET, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES,
-    FORCE,
+    TARGET, EMIT, OPTIMIZE, RIG, PASS, SET, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST,
+    NATIVE_STAGES, FORCE,
 )  # fmt: skip
 """The options of ``burnish compile`` that a build has, and each of its variants."""
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")

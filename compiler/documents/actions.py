@@ -50,6 +50,9 @@ class BuildAction:
     """The command: the program, and its arguments."""
     environment: tuple[NamedText, ...]
     """The variables that the command needs; it may have no other ones."""
+    platform: tuple[NamedText, ...]
+    """What a machine has to have: ``burnish`` is its version with the digest of its code, and
+    ``compilers`` are those of other makers with their versions, if the command runs them."""
     inputs: tuple[InputFile, ...]
     """All files that the command reads, in the order of their paths."""
     input_folders: tuple[str, ...]
@@ -72,7 +75,5 @@ class BuildActions:
 
     build: Literal[1]
     """Version of this document's format."""
-    platform: tuple[NamedText, ...]
-    """What a machine has to have: the version of Burnish, and the digest of its code."""
     actions: tuple[BuildAction, ...]
     """The actions, in the order of the files."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
@@ -133,9 +134,9 @@ def test_digests_are_those_of_messages(project: Path) -> None:
     """Google's package makes the same bytes of the same fields."""
     kinds = messages()
     document = listed("materials", "--program", "python3 -m burnish")
-    named = [kinds["Named"](**each) for each in document["platform"]]
-    platform = kinds["Platform"](properties=named)
     for action in document["actions"]:
+        named = [kinds["Named"](**each) for each in action["platform"]]
+        platform = kinds["Platform"](properties=named)
         assert action["arguments"][:4] == ["python3", "-m", "burnish", "compile"]
         files = {each["path"]: kinds["Digest"](**each["digest"]) for each in action["inputs"]}
         for path, digest in files.items():
@@ -191,6 +192,16 @@ def test_a_command_needs_no_more_than_its_inputs(batch: int, tmp_path: Path) -> 
     written -= {each["path"] for each in action["inputs"]}
     assert {str(Path(path).parent) for path in written} == set(action["outputs"])
     assert len(written) == 3 * len(action["outputs"])
+
+
+def test_compilers_of_others_are_part_of_what_a_machine_has() -> None:
+    own, with_tools = (
+        listed("materials/c.burnish", *options)["actions"][0] for options in ((), ("--validate",))
+    )
+    assert [each["name"] for each in own["platform"]] == ["burnish"]
+    assert [each["name"] for each in with_tools["platform"]] == ["burnish", "compilers"]
+    assert re.search(r"\bglslang \d+\.\d+", with_tools["platform"][1]["value"])
+    assert own["digest"] != with_tools["digest"]
 
 
 def test_what_other_machines_cannot_have_is_told(tmp_path: Path) -> None:
