@@ -12,14 +12,15 @@ import logging
 import pickle
 import uuid
 import warnings
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError, Future
 from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from threading import Event, Lock, Thread
-from typing import TYPE_CHECKING, Any
+from threading import Event, RLock, Thread
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ...compiler.budget import current
 from ...targets.closing import Closing
@@ -44,10 +45,22 @@ LOOKING = 1.0
 """The seconds after which the workers are counted again."""
 CLOSING = 5.0
 """The seconds to wait until workers have been told that a run has ended."""
-KILLED = "three workers have died while they judged it, or one after the other"
+KILLED = "the workers that were given it have died, one after the other"
+AHEAD = 2
+"""The tasks that the scheduler has for each subject that is judged at once: nobody has to wait for
+the next one, and few are lost with a worker."""
 
 Tell = Callable[[str], None]
 """Called with a sentence about a worker."""
+
+
+class _Waiting(NamedTuple):
+    """A task that the scheduler has not been given yet."""
+
+    name: str
+    about: bytes
+    killed: Callable[[], object]
+    made: Future[Any]
 
 
 class Farm(Closing):
@@ -70,9 +83,11 @@ class Farm(Closing):
         self._request, self._routes, self._tell = request, routes, tell
         folders, files = contents_of(inputs_of(request))
         self._key = f"burnish-{uuid.uuid4().hex}"
-        self._lock, self._open = Lock(), dict[Any, Future[Any]]()
+        self._lock, self._open = RLock(), dict[Any, Future[Any]]()
+        self._waiting, self._size = deque[_Waiting](), 1
         self._ended, self._problem = Event(), ""
         self._known: set[str] = set()
+        self._work = working()
         self._client = _connected(address)
         self._address = address
         try:
@@ -81,6 +96,7 @@ class Farm(Closing):
                 program(), request, self._needed, str(Path.cwd()), folders, files, current()
             )
             self._begin(pickle.dumps(parcel))
+            self._size = self.size
         except BaseException:
             self.close()
             raise
@@ -94,7 +110,9 @@ class Farm(Closing):
 
     def contents(self, files: Iterable[Path]) -> Iterator[Contents]:
         """The contents of some files, in their order. Raises ``FarmError``."""
-        begun: list[Future[Contents]] = [self._task("contents", file) for file in files]
+        begun: list[Future[Contents]] = [
+            self._task("contents", file, partial(_unknown, file)) for file in files
+        ]
         return (future.result() for future in begun)
 
     def begin(self, unit: Unit) -> Work:
@@ -162,24 +180,33 @@ class Farm(Closing):
         with suppress(ImportError):
             self._client.register_plugin(plugin(self._key, packed), name=self._key)
 
-    def _task(
-        self, name: str, about: object, killed: Callable[[], object] | None = None
-    ) -> Future[Any]:
-        """Have a worker do a work; ``killed`` makes the result if workers die of it."""
+    def _task(self, name: str, about: object, killed: Callable[[], object]) -> Future[Any]:
+        """Have a worker do a work; if workers die of it, ``killed`` makes the result or raises."""
         made: Future[Any] = Future()
         with self._lock:
             if self._problem:
                 made.set_exception(FarmError(self._problem))
-                return made
-        task = self._client.submit(
-            working(), name, self._key, pickle.dumps(about), resources={self._key: 1}, pure=False
-        )
-        with self._lock:
-            self._open[task] = made
-        task.add_done_callback(partial(self._settle, killed))
+            else:
+                self._waiting.append(_Waiting(name, pickle.dumps(about), killed, made))
+        self._hand_out()
         return made
 
-    def _settle(self, killed: Callable[[], object] | None, task: Any) -> None:
+    def _hand_out(self) -> None:
+        """Give tasks to the scheduler, as long as it has few.
+
+        If a worker dies, Dask suspects all tasks that it has been given, and drops those that have
+        been suspected several times. So none is given long before somebody has time for it.
+        """
+        with self._lock:
+            while self._waiting and len(self._open) < AHEAD * self._size:
+                name, packed, killed, made = self._waiting.popleft()
+                task = self._client.submit(
+                    self._work, name, self._key, packed, resources={self._key: 1}, pure=False
+                )
+                self._open[task] = made
+                task.add_done_callback(partial(self._settle, killed))
+
+    def _settle(self, killed: Callable[[], object], task: Any) -> None:
         """Hand the result of a task on; Dask calls this in a thread of its own."""
         from distributed import KilledWorker
 
@@ -187,12 +214,11 @@ class Farm(Closing):
             made = self._open.pop(task, None)
         if made is None:
             return  # The run has ended.
+        self._hand_out()
         try:
-            made.set_result(pickle.loads(task.result()))
-        except KilledWorker:
-            if killed is None:
-                made.set_exception(FarmError(f"{KILLED}, so nothing is known of a file"))
-            else:
+            try:
+                made.set_result(pickle.loads(task.result()))
+            except KilledWorker:
                 made.set_result(killed())
         except CancelledError:
             made.set_exception(FarmError(f"the scheduler at `{self._address}` has gone"))
@@ -216,6 +242,8 @@ class Farm(Closing):
         while not self._ended.wait(LOOKING):
             try:
                 alone = 0.0 if self._taking() else alone + LOOKING
+                self._size = self.size
+                self._hand_out()
                 workers = self._client.scheduler_info(n_workers=-1)["workers"]
                 if new := [name for name in workers if name not in self._known]:
                     self._told(self._abilities(new), self._needed)
@@ -228,9 +256,15 @@ class Farm(Closing):
         """Let all who wait for a result get an error."""
         with self._lock:
             self._problem = self._problem or problem
-            waiting, self._open = list(self._open.values()), {}
+            waiting = [*self._open.values(), *(each.made for each in self._waiting)]
+            self._open, self._waiting = {}, deque()
         for each in waiting:
             each.set_exception(FarmError(problem))
+
+
+def _unknown(file: Path) -> None:
+    """Say that the contents of a file are not known. Raises ``FarmError``."""
+    raise FarmError(f"`{file}`: {KILLED}")
 
 
 def _connected(address: str) -> Any:

@@ -7,12 +7,13 @@ import os
 import signal
 import socket
 import sys
+from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, Future
 from contextlib import ExitStack
 from importlib import import_module
 from pathlib import Path
-from threading import Lock
+from threading import RLock
 from typing import Any
 from unittest.mock import Mock
 
@@ -192,7 +193,7 @@ def settled(error: BaseException) -> Any:
     nobody, task = farm_of_nobody(), Task(error)
     nobody._open[task] = made
     nobody._settle(lambda: nobody._failed(unit), task)
-    nobody._settle(None, task)  # Whoever ends once more has no effect.
+    nobody._settle(lambda: None, task)  # Whoever ends once more has no effect.
     return made.result(timeout=0)
 
 
@@ -200,7 +201,12 @@ def farm_of_nobody() -> Farm:
     """A farm without a scheduler."""
     nobody = Farm.__new__(Farm)
     nobody.__dict__.update(
-        _routes=[ROUTE], _address="tcp://nobody", _open={}, _lock=Lock(), _problem=""
+        _routes=[ROUTE],
+        _address="tcp://nobody",
+        _open={},
+        _lock=RLock(),
+        _problem="",
+        _waiting=deque(),
     )
     return nobody
 
