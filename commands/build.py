@@ -119,7 +119,8 @@ def build(**chosen: Any) -> None:
     try:
         _check_folder(request.output)
         variants = variants_of(request.output, request.search_path, options, request.variants)
-        actions = actions_of(request.files, request.search_path, variants)
+        readable = request.actions or request.ninja
+        actions = actions_of(request.files, request.search_path, variants, readable=readable)
         if request.actions:
             _write_actions(request, actions)
         elif request.ninja:

@@ -36,19 +36,24 @@ class _Opened:
 
 
 def actions_of(
-    given: Sequence[Path], search_path: Sequence[Path], variants: Sequence[Variant]
+    given: Sequence[Path],
+    search_path: Sequence[Path],
+    variants: Sequence[Variant],
+    *,
+    readable: bool,
 ) -> list[Action]:
     """The actions of a build, in the order of files and variants.
 
     ``given`` are files, and folders in which all files are meant that declare something to compile.
-    Raises ``CompileError`` if files cannot be read, and ``BuildError``.
+    Raises ``BuildError`` and, if all files have to be ``readable``, ``CompileError``. Otherwise a
+    file that cannot be read has an action as well, which fails when it is run.
     """
     report, opened = Report(), list[_Opened]()
     current_library()
     for file, is_asked_for in _files(given, {each.request.output for each in variants}):
         found = _open(file, search_path, report, is_asked_for=is_asked_for)
         opened += [] if found is None else [found]
-    if report.failed:
+    if readable and report.failed:
         raise CompileError(report.diagnostics)
     actions = [action for each in opened for variant in variants for action in _of(each, variant)]
     if not actions:
@@ -114,17 +119,18 @@ def _from_here(file: str) -> str:
 def _open(
     file: str, search_path: Sequence[Path], report: Report, *, is_asked_for: bool
 ) -> _Opened | None:
-    """Read a file with its imports; ``None`` if it cannot be read, or if there is nothing in it."""
+    """Read a file with its imports; ``None`` if there is nothing in it to compile."""
     own, inputs = Report(), Inputs()
     frontend = Frontend(own, search_path, inputs)
     module = frontend.open_file(Path(file))
     report.extend(own.diagnostics)
-    if module is None or own.failed:
-        return None
-    if not is_asked_for and not any(frontend.declared(module, kind) for kind in _KINDS):
-        return None
+    rigs: tuple[str, ...] = ()
+    if module is not None and not own.failed:
+        if not is_asked_for and not any(frontend.declared(module, kind) for kind in _KINDS):
+            return None
+        rigs = frontend.declared(module, "rig")
     folders = tuple(each.replace(os.sep, "/") for each in inputs.folders)
-    return _Opened(file, frontend.declared(module, "rig"), digests_of(inputs), folders)
+    return _Opened(file, rigs, digests_of(inputs), folders)
 
 
 def digests_of(inputs: Inputs) -> dict[str, ContentDigest]:

@@ -94,6 +94,22 @@ def test_an_error_keeps_no_other_file_from_being_built() -> None:
     assert built("materials/c.burnish")[-1] == "0 actions run, 1 up to date"
 
 
+@pytest.mark.parametrize("text", ["material {", 'import "none.burnish".{x}', "\0"])
+def test_a_file_that_cannot_be_read_keeps_no_other_from_being_built(text: str) -> None:
+    Path("materials/a.burnish").write_text(text)
+    done = invoke("build", "materials/a.burnish", "none.burnish", "materials/c.burnish", *LINE)
+    assert done.stdout.splitlines() == [
+        "materials/c: 3 files in build/materials/c", "1 action run, 0 up to date, 2 failed",
+    ]  # fmt: skip
+    assert "materials/a.burnish" in done.stderr
+    assert "error[B0001]: there is no file `none.burnish`" in done.stderr
+    for option in ("--ninja", "--actions"):
+        done = invoke("build", "materials", "none.burnish", *LINE, option)
+        assert (done.exit_code, done.stdout) == (1, "")
+        assert "error[B0001]: there is no file `none.burnish`" in done.stderr
+    assert not Path("build.ninja").exists()
+
+
 def test_warnings_are_told_until_they_are_heeded() -> None:
     for _ in range(2):
         done = invoke("build", "materials/c.burnish", "-t", "wgsl", "--line-directives")
@@ -145,7 +161,6 @@ def test_folders_are_searched_but_for_hidden_ones_and_outputs() -> None:
             ["materials/c.burnish", "-o", "/proc/burnish"],
             "error[B0009]: cannot write to `/proc/burnish`: ",
         ),
-        (["none.burnish"], "error[B0001]: there is no file `none.burnish`"),
         (
             ["materials/c.burnish", "-o", "-"],
             "Error: a build writes many files: -o names the folder for them",
