@@ -36,6 +36,8 @@ class ConformRequest(NamedTuple):
     measure: bool = False
     golden: Path | None = None
     values: tuple[tuple[str, str], ...] = ()
+    scheduler: str | None = None
+    """The address of the farm that compares, instead of this machine."""
 
 
 Subjects = list[tuple[str, "CompiledMaterial | CompiledFrame"]]

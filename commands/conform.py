@@ -75,6 +75,11 @@ if TYPE_CHECKING:
     "--seed", type=int, default=0, show_default=True,
     help="The seed of random parameters, textures and vertex inputs.",
 )  # fmt: skip
+@click.option(
+    "--scheduler", metavar="ADDRESS",
+    help="Have the workers of a farm compile and draw, which Dask's scheduler at this address "
+    "knows, such as tcp://10.0.0.7:8786.",
+)  # fmt: skip
 @rig_option
 @pass_option
 @search_option
@@ -117,6 +122,11 @@ def conform(**chosen: Any) -> None:
     With --set, as for `burnish compile`, routes draw a version that serves some values only, and it
     is compared with the meaning of the whole material, drawn with such values.
 
+    With --scheduler, other machines do the work: `dask scheduler` runs on one of them, and `dask
+    worker ADDRESS --nworkers 1` on each that draws. They need no disk in common, but the same
+    Burnish, and the drivers of the routes: a worker without them is told, and gets nothing. What a
+    worker had begun that dies is done again elsewhere, and rows are the same as without a farm.
+
     \b
     Example:
         burnish conform plastic.burnish
@@ -125,6 +135,7 @@ def conform(**chosen: Any) -> None:
         burnish conform --measure --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --routes vulkan,wgpu --device nvidia
         burnish conform plastic.burnish --golden golden/
+        burnish conform materials/*.burnish --routes lavapipe --scheduler tcp://10.0.0.7:8786
         burnish conform plastic.burnish --explain 36,28 --case stretched --routes lavapipe:glsl
     """
     request = ConformRequest(**{**chosen, "values": each_once(chosen["values"])})
@@ -148,6 +159,7 @@ def conform(**chosen: Any) -> None:
 
 def _check_options(request: ConformRequest) -> None:
     """Raise ``UsageError`` for options that would have no effect together."""
+    _check_farm(request)
     if request.measure:
         _check_measuring(request)
         return
@@ -168,6 +180,20 @@ def _check_options(request: ConformRequest) -> None:
         if given:
             raise click.UsageError(
                 f"{option} is about verdicts, which --explain does not give: leave out one of them"
+            )
+
+
+def _check_farm(request: ConformRequest) -> None:
+    """Raise ``UsageError`` for what is done by this machine alone."""
+    for given, option in (
+        (request.measure, "--measure"),
+        (request.golden, "--golden"),
+        (request.explain, "--explain"),
+    ):
+        if request.scheduler is not None and given:
+            raise click.UsageError(
+                f"--scheduler compares on other machines, and {option} works on this one: leave "
+                "out one of them"
             )
 
 

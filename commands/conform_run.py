@@ -13,9 +13,11 @@ from ..targets.conformance.conform import conform
 from ..targets.conformance.costs import START
 from ..targets.conformance.gathering import Gathering, NextRow, Work
 from ..targets.conformance.scheduling import begun, saved
+from ..targets.runner.routes import ALL
 from ..targets.runner.runner import Runner
 from ..targets.toolchain import Toolchain
 from .compared import ConformRequest, Subjects, show_said
+from .console import remark
 from .judge import Contents, Forms, Judge, Unit, contents_of
 from .judges import Judges
 from .progress import Progress
@@ -24,6 +26,7 @@ from .stopping import Stopping
 if TYPE_CHECKING:
     from ..targets.conformance.rows import Row
     from ..targets.runner.routes import Route
+    from .farming.farm import Farm
 
 SEVERAL = 4
 """The number of files, or of subjects, from which on processes pay, however short they are. Fewer
@@ -64,6 +67,9 @@ class Run:
     def draw(self) -> None:
         """Compile and draw everything, or as much as there is time for until a signal comes."""
         request, routes = self._request, self._routes
+        if request.scheduler is not None:
+            self._draw_on_farm(request.scheduler)
+            return
         size = os.cpu_count() or 1
         with (
             Runner(routes, device=request.device) as runner,
@@ -79,20 +85,39 @@ class Run:
                 self._stopping.at_once(),
             ):
                 if request.explain is None and len(request.files) >= SEVERAL:
-                    self._judge(units_of(judges.contents(request.files)), judges)
+                    self._judge(units_of(judges.contents(request.files)), judges, size)
                     return
                 forms = [judge.forms(file) for file in request.files]
                 units = units_of(map(contents_of, request.files, forms))
                 if request.explain is None and (len(units) >= SEVERAL or pays(units, size)):
-                    self._judge(units, judges)
+                    self._judge(units, judges, size)
                 else:
                     self._judge_here(forms, runner, toolchain)
 
-    def _judge(self, units: Sequence[Unit], judges: Judges) -> None:
-        """Have processes judge subjects: each a whole one, or parts of a frame as a helper."""
+    def _draw_on_farm(self, address: str) -> None:
+        """Have the workers of a farm compile and draw everything."""
+        from .farming.farm import Farm
+        from .farming.sending import for_farm
+
+        request = for_farm(self._request)
+        named = request.routes != ALL
+        with (
+            self._progress,
+            self._stopping.later(),
+            Farm(address, request, self._routes, self._told_of_worker, named=named) as farm,
+            self._stopping.at_once(),
+        ):
+            self._judge(units_of(farm.contents(request.files)), farm, farm.size)
+
+    def _told_of_worker(self, sentence: str) -> None:
+        self._progress.aside(partial(remark, "warning", sentence))
+
+    def _judge(self, units: Sequence[Unit], judges: Judges | Farm, size: int) -> None:
+        """Have ``size`` processes judge subjects: each a whole one, or parts of a frame as a
+        helper."""
         self.total = len(units) * len(self._routes)
         works: dict[int, Work] = {}
-        for number in begun([unit.cost for unit in units], os.cpu_count() or 1):
+        for number in begun([unit.cost for unit in units], size):
             works[number] = judges.begin(units[number])
         with self._stopping.by(self._gathering.end):
             self._gathering.wait_for([works[number] for number in sorted(works)], self.total)

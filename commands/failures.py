@@ -20,6 +20,7 @@ PACKAGES = {
     "OpenImageIO": (".exr and .hdr files need OpenImageIO", "scenes"),
     "starlette": ("the viewer's server needs Starlette", "view"),
     "uvicorn": ("the viewer's server needs uvicorn", "view"),
+    "distributed": ("a farm needs Dask's distributed", "farm"),
     "watchfiles": ("the viewer needs watchfiles", "view"),
 }
 """The message about a missing package, and the extra that installs it, by its imported name."""
@@ -62,10 +63,11 @@ def drawing_errors() -> tuple[type[Exception], ...]:
     from ..targets.runner.meshes import MeshError
     from ..targets.runner.scenes.records import SceneError
     from ..targets.runner.textures.kinds import PictureError
+    from .farming.errors import FarmError
 
     return (
-        BudgetError, CameraError, CodeError, FeedError, FileError, MeshError, MissingValuesError,
-        ParameterError, PictureError, PlanError, SceneError, UndrawableError,
+        BudgetError, CameraError, CodeError, FarmError, FeedError, FileError, MeshError,
+        MissingValuesError, ParameterError, PictureError, PlanError, SceneError, UndrawableError,
     )  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from .terminal import FAILED, INTERRUPTED, complain, interrupted, show_everythin
 
 COMMANDS = (
     "compile",
+    "build",
     "check",
     "graph",
     "import",

@@ -6,6 +6,7 @@ agree on subjects by the name of the file and the label, as what is compiled is 
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from .compared import ConformRequest, Said, Subjects, profiles_of, subjects_in
 from .compile_options import is_range
+from .results import LIBRARY
 
 if TYPE_CHECKING:
     from ..compiler.inputs import Inputs
@@ -230,9 +232,23 @@ def contents_of(file: Path, forms: Forms) -> Contents:
 
 
 def _digest_of(inputs: Iterable[Inputs]) -> str:
-    """A digest of all that compiles have read, and of the paths where they have looked in vain."""
+    """A digest of all that compiles have read, and of the paths where they have looked in vain.
+
+    It is the same on another machine of a farm, which has the files elsewhere.
+    """
     from ..targets.runner.store import digest
 
+    here = os.path.realpath(os.curdir)
+
+    def named(path: str) -> str:
+        return os.path.relpath(path, LIBRARY if path.startswith(LIBRARY) else here)
+
     return digest(
-        *(repr((sorted(each.contents.items()), sorted(each.links.items()))) for each in inputs)
-    )
+        *(
+            repr((
+                sorted((named(path), content) for path, content in each.contents.items()),
+                sorted((asked, named(real)) for asked, real in each.links.items()),
+            ))
+            for each in inputs
+        )
+    )  # fmt: skip

@@ -54,7 +54,7 @@ class Setting(NamedTuple):
 
     request: ConformRequest
     folder: str
-    """The current folder."""
+    """The folder from which files are named."""
     temporary: str
     """The folder for temporary files, which are deleted even if the process is killed."""
     limits: Mapping[str, int]
@@ -67,13 +67,16 @@ class Setting(NamedTuple):
 class Judges(Closing):
     """A few processes, and a thread for each that waits for it."""
 
-    def __init__(self, request: ConformRequest, size: int, here: Judge, runner: Runner) -> None:
+    def __init__(
+        self, request: ConformRequest, size: int, here: Judge, runner: Runner, folder: str = ""
+    ) -> None:
         """``here`` does the work of processes that fail, and the runner's drivers draw for all of
-        them."""
+        them. Files are named from ``folder``, by default the current one."""
         self._here, self._drivers = here, runner.drivers
         self._temporary = TemporaryDirectory(prefix="burnish-conform-", ignore_cleanup_errors=True)
         self._setting = Setting(
-            request, os.getcwd(), self._temporary.name, current(), runner.states,  # noqa: PTH109
+            request, folder or os.getcwd(), self._temporary.name, current(),  # noqa: PTH109
+            runner.states,
         )  # fmt: skip
         self._pool = Pool(size, lambda: Worker(lambda: python_worker(_PROCESS), WORKERS))
         self._threads = ThreadPoolExecutor(size)

@@ -58,12 +58,13 @@ def _made(requests: Sequence[CompileRequest], kept: KeptFiles | None) -> Iterato
     count = min(os.cpu_count() or 1, len(requests) // (SEVERAL // 2))
     if count < 2 or requests[0].uses_tools or is_watched():
         return (compiled_and_kept(request, kept) for request in requests)
-    return _made_in_processes(requests, kept, count)
+    return made_in_processes(requests, kept, count)
 
 
-def _made_in_processes(
+def made_in_processes(
     requests: Sequence[CompileRequest], kept: KeptFiles | None, count: int
 ) -> Iterator[Compiled]:
+    """What files become that so many processes compile, in the order of the requests."""
     from concurrent.futures import ThreadPoolExecutor
 
     from ..targets.toolchain.limits import WORKERS

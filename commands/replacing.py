@@ -184,7 +184,7 @@ class _Folder:
     def lock(self) -> None:
         """Keep other processes from renaming files here; wait for one that is doing so."""
         give_up = time.monotonic() + PATIENCE
-        while self._descriptor is not None and not _lock(self._descriptor):
+        while self._descriptor is not None and not lock_folder(self._descriptor):
             if time.monotonic() > give_up:
                 waited = f"another process has held this folder for {PATIENCE:g} seconds"
                 raise TimeoutError(errno.ETIMEDOUT, waited)
@@ -383,7 +383,7 @@ def _told(path: str) -> Iterator[None]:
         raise OSError(error.errno, error.strerror, path) from error
 
 
-def _lock(folder: int) -> bool:
+def lock_folder(folder: int) -> bool:
     """Lock an open folder for this process, unless another one has locked it.
 
     Some file systems cannot lock folders, for example those of a network. There, processes should

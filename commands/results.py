@@ -42,7 +42,8 @@ _FIELDS = ("folder", "texts", "owners", "depfile", "printed", "warnings")
 """What is kept of an output, in the order of its initialiser."""
 
 _ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
-_LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
+LIBRARY = os.path.join(_ROOT, "stdlib", "")  # noqa: PTH118
+"""The beginning of the paths of the library's files."""
 _PACKAGES = ("click", "jinja2", "lark", "markupsafe")
 """Packages on which the meaning of a command line and the look of a text depend."""
 
@@ -162,10 +163,10 @@ def keep(question: Question, output: Output, inputs: Inputs) -> None:
 
 def noted(inputs: Inputs) -> dict[str, Any]:
     """What an entry says of the files that a compile has read, but for those of the library."""
-    sources = {k: v for k, v in inputs.contents.items() if not k.startswith(_LIBRARY)}
+    sources = {k: v for k, v in inputs.contents.items() if not k.startswith(LIBRARY)}
     return {
         "sources": {k: v if v is None else v.decode() for k, v in sources.items()},
-        "links": {k: v for k, v in inputs.links.items() if not v.startswith(_LIBRARY)},
+        "links": {k: v for k, v in inputs.links.items() if not v.startswith(LIBRARY)},
         "folders": inputs.folders,
         "library": list(inputs.library),
     }

@@ -12,7 +12,10 @@ from .options import answer_option
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph", "answer")
+DOCUMENTS = (
+    "reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph", "answer",
+    "actions",
+)  # fmt: skip
 
 
 @click.command()
@@ -24,9 +27,10 @@ def schema(document: str) -> None:
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
     what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
-    A graph has the equations of materials, as `burnish export` writes them, and an answer is what
-    commands say with `--format json`. Each has the version of its format as `format`, `plan`,
-    `package`, `version`, `corpus`, `graph` or `answer`.
+    A graph has the equations of materials, as `burnish export` writes them, an answer is what
+    commands say with `--format json`, and actions are what `burnish build` has to run. Each has the
+    version of its format as `format`, `plan`, `package`, `version`, `corpus`, `graph`, `answer` or
+    `build`.
 
     \b
     Example:
@@ -43,6 +47,7 @@ def schema(document: str) -> None:
 
 def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
+    from ..compiler.documents.actions import BuildActions
     from ..compiler.documents.answer import Answer
     from ..compiler.documents.equation_graph import EquationGraphs
     from ..compiler.documents.plan import FramePlan
@@ -51,5 +56,8 @@ def _kinds() -> Mapping[str, type]:
     from ..targets.conformance.golden.document import Golden
     from ..targets.web_host.serving.packages import Package
 
-    kinds = (Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, Answer)
+    kinds = (
+        Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, Answer,
+        BuildActions,
+    )  # fmt: skip
     return dict(zip(DOCUMENTS, kinds, strict=True))

@@ -193,6 +193,14 @@ TOOLS: tuple[Tool, ...] = (
         minimum=(1, 63),  # the one of Debian 12
     ),
     Tool(
+        name="ninja",
+        purpose="runs graphs that burnish build has written; only tests need it",
+        place=Programs(("ninja",)),
+        version=says("--version", r"(\d+\.\d+\.\d+)"),
+        source=Debian(("ninja-build",)),
+        minimum=(1, 10),  # the first that reads several outputs of one rule from a file
+    ),
+    Tool(
         name="lavapipe",
         purpose="Mesa's Vulkan driver that draws on the CPU",
         place=SystemFiles(

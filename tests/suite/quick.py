@@ -23,11 +23,13 @@ _LARGE = "compile huge programs, or many random ones"
 LEFT_OUT: Mapping[str, str] = {
     "bench/test_aims.py": _COMMANDS,
     "builtins/test_properties.py": _LARGE,
+    "cli/test_build_ninja.py": _COMMANDS,
     "cli/test_commands.py": _COMMANDS,
     "cli/test_conform.py": _DRAW,
     "cli/test_conform_ended.py": _DRAW,
     "cli/test_conform_explain.py": _DRAW,
     "cli/test_endings.py": _COMMANDS,
+    "cli/test_farm.py": _DRAW,
     "cli/test_gallery.py": _DRAW,
     "cli/test_gallery_hostile.py": _DRAW,
     "cli/test_golden.py": _DRAW,

@@ -1,0 +1,116 @@
+"""Runs the actions of a build on this machine, in several processes: those that are out of date.
+
+``burnish build`` calls ``run`` with the actions. Each is independent of all others, so one with an
+error keeps none from being run, and its old outputs stay as they were.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
+from ...support.frozen import frozen
+from ..compiled_files import Compiled, compiled
+from ..many_files import made_in_processes
+from ..output import write_all
+from ..ownership import Ownership
+from ..written_files import owners_of, written_of
+from .actions import Action
+from .locking import held
+from .planning import digests_of
+from .records import Records
+
+FEW = 8
+"""The number of actions for which one more process pays: as long as it takes to start, so long
+takes it to compile about eight short files."""
+
+Told = Callable[[Action, int], None]
+"""Called with each action that has been run, and the number of its outputs."""
+
+
+@frozen
+class Built:
+    """What has become of a build."""
+
+    run: int
+    """The number of actions that were run without an error."""
+    current: int
+    """The number of those that were up to date."""
+    failed: tuple[str, ...]
+    """The names of those with errors."""
+    diagnostics: tuple[Diagnostic, ...]
+    """Errors and warnings, in the order of the actions."""
+
+
+def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
+    """Run those actions of a build into a folder that are out of date.
+
+    Raises ``CompileError`` if the folder cannot be written to, and ``BuildError`` if another build
+    is writing into it.
+    """
+    records = Records(folder)
+    stale = [each for each in actions if each.request.uses_tools or not records.are_current(each)]
+    if not stale:
+        records.keep()
+        return Built(0, len(actions), (), ())
+    with held(Path(folder)):
+        try:
+            return _run(stale, len(actions) - len(stale), jobs, told, records)
+        finally:
+            records.keep()
+
+
+def run_part(actions: Sequence[Action], told: Told) -> Built:
+    """Run all actions in this process, whether they are out of date or not.
+
+    Other programs have several of these at once: so no folder is held, and nothing is recorded.
+    """
+    return _run(actions, 0, 1, told, None)
+
+
+def _run(
+    actions: Sequence[Action], current: int, jobs: int, told: Told, records: Records | None
+) -> Built:
+    """Run some actions; ``current`` others are up to date."""
+    diagnostics: list[Diagnostic] = []
+    failed = []
+    for action, found in zip(actions, made(actions, jobs), strict=True):
+        problem = _deliver(action, found, records)
+        diagnostics += (*found.diagnostics, *problem)
+        if found.inputs is None or problem:
+            failed.append(action.name)
+        else:
+            told(action, sum(map(len, owners_of(action.request.files, [found]).values())))
+    return Built(len(actions) - len(failed), current, tuple(failed), tuple(diagnostics))
+
+
+def made(actions: Sequence[Action], jobs: int) -> Iterator[Compiled]:
+    """What actions make, in their order. Nothing is written."""
+    requests = [action.request for action in actions]
+    count = min(jobs, len(requests) // FEW)
+    if count < 2 or requests[0].uses_tools:
+        return map(compiled, requests)
+    return made_in_processes(requests, None, count)
+
+
+def _deliver(action: Action, found: Compiled, records: Records | None) -> Sequence[Diagnostic]:
+    """Write what an action has made; returns the errors because of which that was not possible.
+
+    An action with warnings is run again the next time, so that they are told until they are heeded.
+    """
+    if found.inputs is None:
+        return ()
+    request = action.request
+    owners = owners_of(request.files, [found])
+    guard = None if request.force else Ownership(request.output, owners)
+    try:
+        contents = written_of(request.files, [found])
+        write_all(Path(request.output), contents, guard)
+    except CompileError as error:
+        return error.diagnostics
+    # A file may have changed behind the plan; then the record would be one of other inputs.
+    is_planned = digests_of(found.inputs) == action.inputs
+    if records is not None and not found.diagnostics and is_planned:
+        records.note(action, contents)
+    return ()

@@ -1,0 +1,1 @@
+"""``burnish conform`` over many machines, by the scheduler of Dask."""
