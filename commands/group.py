@@ -32,6 +32,7 @@ COMMANDS = (
     "doctor",
     "docs",
     "example",
+    "integration",
     "explain",
     "schema",
 )

@@ -43,6 +43,7 @@ LINES: dict[str, Sequence[str]] = {
         "16",
     ),
     "import": ("chair.mtlx", "-o", "chair"),
+    "integration": (),
     "judge": ("golden", "golden"),
     "render": ("m.burnish", "-o", "m.png", "--size", "4"),
     "same": ("m.burnish", "m.burnish"),

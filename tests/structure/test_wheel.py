@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.commands.integration import WHAT
 from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 
@@ -84,7 +85,7 @@ def test_content(wheel: Path) -> None:
     assert {"burnish/__init__.py", "burnish/__main__.py"} <= top
     wanted |= {
         f"burnish/{path.relative_to(ROOT).as_posix()}"
-        for folder in ("docs", "examples")
+        for folder in ("docs", "examples", *(f"integrations/{name}" for name in WHAT))
         for path in files(ROOT / folder)
     }
     wanted |= {f"burnish/{name}" for name in LINKED}
@@ -131,6 +132,7 @@ def unknown(_):
 
 pwd.getpwuid = unknown
 import burnish
+from burnish.commands.integration import WHAT
 assert burnish.__file__.startswith(sys.prefix), burnish.__file__
 from burnish.commands.cli import main
 try:
@@ -189,6 +191,7 @@ import json
 from burnish.compiler.precomputed import precomputed
 from burnish.targets.web_host.serving.builtin_table import module_to_generate
 import burnish
+from burnish.commands.integration import WHAT
 from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 (key,) = module_to_generate()
@@ -213,6 +216,7 @@ import json, sys
 sys.path.insert(0, "/wheel")
 sys.dont_write_bytecode = True
 import burnish
+from burnish.commands.integration import WHAT
 texts = [
     [{file.name: file.text for file in made.files}, burnish.to_json(made.reflection)]
     for example in ("plastic", "frames/deferred")

@@ -1,0 +1,174 @@
+# burnish_add_materials(TARGET FILE...
+#     [TARGETS NAME[:PROFILE]...]      the languages to write; by default, those of `burnish compile`
+#     [OUTPUT_DIRECTORY FOLDER]        by default `burnish/TARGET` in the current binary folder
+#     [INCLUDE_DIRECTORIES FOLDER...]  folders in which imported files are looked for
+#     [OPTIONS WORD...])               more options of `burnish compile`, such as --rig Night
+#
+# Compiles materials whenever they, or the files that they import, have changed. TARGET is a library
+# or an executable, which is then built after them and finds OUTPUT_DIRECTORY among its folders for
+# headers; if there is no such target, it becomes an INTERFACE library, for others to link to.
+#
+# The target gets two properties: BURNISH_OUTPUTS, the list of all files that are written, and
+# BURNISH_DIRECTORY, their folder.
+#
+# For each FILE there is a command of its own, which writes the outputs and touches a stamp. Outputs
+# that do not change keep their dates, so what is made of them is not made again.
+
+set(_BURNISH_TAKE_OUTPUTS "${CMAKE_CURRENT_LIST_DIR}/BurnishTakeOutputs.cmake")
+
+define_property(TARGET PROPERTY BURNISH_OUTPUTS BRIEF_DOCS "The files that Burnish writes for it")
+define_property(TARGET PROPERTY BURNISH_DIRECTORY BRIEF_DOCS "The folder of these files")
+
+function(burnish_add_materials target)
+    cmake_parse_arguments(
+        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;OPTIONS"
+    )
+    set(files ${arg_UNPARSED_ARGUMENTS})
+    if(NOT files)
+        _burnish_refuse("`${target}` gets no materials: name at least one file behind it")
+    endif()
+    if(arg_KEYWORDS_MISSING_VALUES)
+        _burnish_refuse("there is no value behind ${arg_KEYWORDS_MISSING_VALUES}")
+    endif()
+    foreach(word IN LISTS arg_OPTIONS)
+        if(word MATCHES "^(-o|-t|--output|--target|--depfile|--depfile-target|--watch|--list-outputs)(=|$)")
+            _burnish_refuse("OPTIONS cannot have ${word}, which CMake decides on")
+        endif()
+    endforeach()
+
+    _burnish_use_target(${target} scope)
+    if(NOT arg_OUTPUT_DIRECTORY)
+        set(arg_OUTPUT_DIRECTORY "burnish/${target}")
+    endif()
+    cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIRECTORY BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE)
+    set(options ${arg_OPTIONS})
+    foreach(name IN LISTS arg_TARGETS)
+        list(APPEND options --target "${name}")
+    endforeach()
+    foreach(folder IN LISTS arg_INCLUDE_DIRECTORIES)
+        cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+        list(APPEND options --include "${folder}")
+    endforeach()
+
+    set(stamps)
+    set(all_outputs)
+    foreach(file IN LISTS files)
+        _burnish_compile("${file}" "${arg_OUTPUT_DIRECTORY}" "${options}" stamp outputs)
+        list(APPEND stamps "${stamp}")
+        list(APPEND all_outputs ${outputs})
+    endforeach()
+
+    get_property(count TARGET ${target} PROPERTY _BURNISH_CALLS)
+    math(EXPR count "0${count} + 1")
+    set_property(TARGET ${target} PROPERTY _BURNISH_CALLS ${count})
+    add_custom_target(${target}_materials_${count} ALL DEPENDS ${stamps} SOURCES ${files})
+    add_dependencies(${target} ${target}_materials_${count})
+    target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${arg_OUTPUT_DIRECTORY}>")
+    set_property(TARGET ${target} APPEND PROPERTY BURNISH_OUTPUTS ${all_outputs})
+    set_property(TARGET ${target} PROPERTY BURNISH_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
+endfunction()
+
+# Ends the configuration with a message about the call in the user's file.
+macro(_burnish_refuse message)
+    message(FATAL_ERROR "burnish_add_materials: ${message}")
+endmacro()
+
+# Makes the target if there is none; `scope` is how its folders for headers are said.
+function(_burnish_use_target target scope)
+    if(NOT TARGET ${target})
+        add_library(${target} INTERFACE)
+    endif()
+    get_target_property(type ${target} TYPE)
+    get_target_property(is_imported ${target} IMPORTED)
+    get_target_property(original ${target} ALIASED_TARGET)
+    if(is_imported OR original OR type STREQUAL "UTILITY")
+        _burnish_refuse("`${target}` is no library or executable of this project")
+    endif()
+    if(type STREQUAL "INTERFACE_LIBRARY")
+        set(${scope} INTERFACE PARENT_SCOPE)
+    else()
+        set(${scope} PUBLIC PARENT_SCOPE)
+    endif()
+endfunction()
+
+# Adds the command that compiles one file. `stamp` is what depends on it, `outputs` what it writes.
+function(_burnish_compile file folder options stamp outputs)
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE OUTPUT_VARIABLE source)
+    if(NOT EXISTS "${source}")
+        _burnish_refuse("there is no file `${file}`")
+    endif()
+    set(compile "${BURNISH_EXECUTABLE}" compile "${source}" --output "${folder}" ${options})
+
+    # The folder for notes has a name of its own for each file and each folder of outputs.
+    string(SHA256 digest "${source};${folder}")
+    string(SUBSTRING "${digest}" 0 12 digest)
+    cmake_path(GET source FILENAME name)
+    set(notes "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/burnish/${name}-${digest}")
+    _burnish_outputs("${source}" "${compile}" "${notes}/outputs.txt" listed)
+    _burnish_insist_on_own_outputs("${source}" "${listed}")
+
+    add_custom_command(
+        OUTPUT "${notes}/stamp"
+        BYPRODUCTS ${listed}
+        COMMAND ${compile} --depfile "${notes}/made.d" --format line
+        COMMAND
+            "${CMAKE_COMMAND}" "-DNOTES=${notes}" "-DSOURCE=${source}" -P "${_BURNISH_TAKE_OUTPUTS}"
+        DEPENDS "${source}"
+        DEPFILE "${notes}/stamp.d"
+        COMMENT "Compiling ${file}"
+        VERBATIM
+    )
+    set(${stamp} "${notes}/stamp" PARENT_SCOPE)
+    set(${outputs} ${listed} PARENT_SCOPE)
+endfunction()
+
+# The paths that a compile writes. CMake asks for them again when the file or the command line has
+# changed; the answer is kept in `list`, with the command line first. While there is a mistake in
+# the file, the last answer stays: the build tells the mistake.
+function(_burnish_outputs source compile list outputs)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}" "${list}")
+    set(kept)
+    if(EXISTS "${list}")
+        file(STRINGS "${list}" kept)
+        list(POP_FRONT kept asked)
+    endif()
+    string(REPLACE ";" " " question "${compile}")
+    if("${asked}" STREQUAL "${question}" AND NOT "${source}" IS_NEWER_THAN "${list}")
+        set(${outputs} ${kept} PARENT_SCOPE)
+        return()
+    endif()
+
+    execute_process(
+        COMMAND ${compile} --list-outputs
+        OUTPUT_VARIABLE printed
+        ERROR_VARIABLE said
+        RESULT_VARIABLE status
+    )
+    if(status EQUAL 0)
+        string(REPLACE "\n" ";" kept "${printed}")
+        list(REMOVE_ITEM kept "")
+        list(JOIN kept "\n" lines)
+        file(WRITE "${list}" "${question}\n${lines}\n")
+    elseif(status EQUAL 1)
+        list(JOIN kept "\n" lines)
+        file(WRITE "${list}" "not known\n${lines}\n")
+    else()
+        _burnish_refuse("`${BURNISH_EXECUTABLE}` does not take its command line:\n${said}")
+    endif()
+    set(${outputs} ${kept} PARENT_SCOPE)
+endfunction()
+
+# Ends the configuration if another call writes one of the files, too.
+function(_burnish_insist_on_own_outputs source outputs)
+    foreach(path IN LISTS outputs)
+        string(SHA256 key "${path}")
+        get_property(owner GLOBAL PROPERTY "_BURNISH_OWNER_${key}")
+        if(owner)
+            _burnish_refuse(
+                "`${path}` would be written for `${source}` and for `${owner}`: give one of them \
+another OUTPUT_DIRECTORY"
+            )
+        endif()
+        set_property(GLOBAL PROPERTY "_BURNISH_OWNER_${key}" "${source}")
+    endforeach()
+endfunction()
