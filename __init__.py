@@ -14,6 +14,7 @@ TYPE_CHECKING = False  # As in ``typing``, which takes longer to import than all
 if TYPE_CHECKING:
     from typing import Any
 
+    from .api.binding import bind
     from .api.entry_points import (
         Comparison,
         CompiledFrame,
@@ -49,6 +50,7 @@ __all__ = [
     "SameError",
     "Texture",
     "__version__",
+    "bind",
     "check",
     "compile",
     "same",
@@ -67,6 +69,10 @@ def __getattr__(name: str) -> Any:
         from .compiler.diagnostics import diagnostic
 
         found = getattr(diagnostic, name)
+    elif name == "bind":
+        from .api import binding
+
+        found = binding.bind
     else:
         from .api import entry_points as api
 

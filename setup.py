@@ -15,7 +15,7 @@ from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent.resolve()
-ROOTS = ("api", "commands", "compiler", "materialx", "stdlib", "support", "targets")
+ROOTS = ("api", "bindings", "commands", "compiler", "materialx", "stdlib", "support", "targets")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = (
@@ -94,7 +94,7 @@ setup(
         # Not every folder below these is a package.
         **{
             f"burnish.{root}": [f"**/*.{ending}" for ending in DATA]
-            for root in ("commands", "compiler", "targets")
+            for root in ("bindings", "commands", "compiler", "targets")
         },
     },
 )

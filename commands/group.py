@@ -21,6 +21,7 @@ COMMANDS = (
     "graph",
     "import",
     "export",
+    "bind",
     "render",
     "view",
     "conform",

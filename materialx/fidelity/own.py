@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ...api.entry_points import CompiledMaterial, compile
 from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.representations import kind_of, lanes_of
 from ...compiler.reflection.roles import scene_names
 from ...targets.conformance.bounds import bounds_of
 from ...targets.conformance.compare import Comparison, compare
@@ -27,7 +28,7 @@ from ...targets.runner.drivers.device import DriverError
 from ...targets.runner.exact import Exact
 from ...targets.runner.frames.states import draw_states
 from ...targets.runner.instances.instance import Instance
-from ...targets.runner.instances.shapes import WHOLE, kind_of, lanes_of
+from ...targets.runner.instances.shapes import WHOLE
 from ...targets.runner.instances.values import ParameterError
 from ...targets.runner.meshes import Mesh, MeshError
 from ...targets.runner.reference import expected

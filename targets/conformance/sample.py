@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiler.documents.representations import kind_of
 from ..runner.instances.contents import layout_of
 from ..runner.instances.declared import TextureDeclaration
 from ..runner.instances.host_values import HostValues
-from ..runner.instances.shapes import WHOLE, Elements, Members, Numbers, Shape, kind_of, shape_of
+from ..runner.instances.shapes import WHOLE, Elements, Members, Numbers, Shape, shape_of
 from ..runner.scene import set_by_scene
 from ..runner.textures.texture import Texture
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...compiler.documents.drawing import CapturedRow, CaptureRow, VertexInputRow
 from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.representations import lanes_of
 from ...compiler.ir.stages import VERTICES
 from ..toolchain import Toolchain
 from .binding import pipeline
@@ -23,7 +24,7 @@ from .drivers.device import DriverError
 from .drivers.frame_job import OWN, Captured, FrameDraw, FrameJob, FrameStep
 from .drivers.pipeline import Pipeline
 from .frames.states import Outcome, draw_states
-from .instances.shapes import lanes_of, stored_as
+from .instances.shapes import stored_as
 from .mesh_buffers import give_mesh, mesh_rows
 from .meshes import Mesh, MeshError
 from .routes import Route

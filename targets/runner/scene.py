@@ -19,13 +19,14 @@ from numpy.typing import NDArray
 from ...compiler.documents.drawing import TextureRow, VertexInputRow
 from ...compiler.documents.plan import FramePlan
 from ...compiler.documents.reflection import Reflection
+from ...compiler.documents.representations import kind_of, lanes_of
 from ...compiler.documents.values import LightRow, MemberRow, ParameterRow
 from ...compiler.reflection.roles import scene_names
 from ...support.frozen import changed
 from .cameras import Camera, Matrix, looking
 from .instances.declared import Declared
 from .instances.host_values import HostValues
-from .instances.shapes import WHOLE, kind_of, lanes_of
+from .instances.shapes import WHOLE
 from .instances.values import ParameterError
 from .lamps import GOLDEN_ANGLE, MADE_UP, Lamp, left_over, make_up, shine
 from .looks import PLAIN, Look

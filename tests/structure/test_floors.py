@@ -89,6 +89,7 @@ FLOORS: dict[str, str] = {
     "compiler.passes": (
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
+    "compiler.tracing": "",
     "compiler.equivalence": "frozen stdlib diagnostics ir reference",
     "compiler.reflection": (
         "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
@@ -104,7 +105,9 @@ FLOORS: dict[str, str] = {
     "targets.registry": "description",
     "targets.availability": "description registry",
     "targets.selection": "diagnostics description registry availability",
-    "targets.web_host.serving": "frozen stdlib precomputed constraints ir documents reference",
+    "targets.web_host.serving": (
+        "frozen stdlib precomputed constraints ir documents reference tracing"
+    ),
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb units ir documents promises "
         "reference installing reflection budget closing toolchain serving"
@@ -115,6 +118,8 @@ FLOORS: dict[str, str] = {
         "toolchain"
     ),
     "targets.web_view": "documents runner",
+    # What hosts set, compute and bind, in their own languages.
+    "bindings": "frozen ir packing documents reference tracing",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -133,6 +138,7 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
         "selection runner compiled remembered compiling sameness"
     ),
+    "api.binding": ("frozen arguments selection bindings compiled entry_points"),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
     "materialx": "opening depth garbage stdlib diagnostics syntax library_trees library runner",
@@ -148,7 +154,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points frame_sameness materialx"
+        "entry_points binding frame_sameness materialx bindings"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
@@ -223,6 +229,7 @@ def test_no_floor_imports_what_is_out_of_reach(floor: str, forbidden: tuple[str,
 
 def test_the_package_itself_is_only_a_door_to_the_library() -> None:
     assert modules()[PACKAGE] == {
+        "burnish.api.binding",
         "burnish.api.entry_points",
         "burnish.compiler.diagnostics.diagnostic",
     }

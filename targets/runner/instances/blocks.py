@@ -8,7 +8,8 @@ from __future__ import annotations
 import struct
 from typing import Any
 
-from .shapes import Kind, Numbers, Shape, part
+from ....compiler.documents.representations import Kind
+from .shapes import Numbers, Shape, part
 
 _CODES: dict[Kind, str] = {"float": "f", "int": "i", "uint": "I", "bool": "I"}
 

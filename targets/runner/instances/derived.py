@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
 from ....compiler.budget import Tally
+from ....compiler.documents.representations import Kind, kind_of, lanes_of
 from ....compiler.documents.steps import (
     BoundStep,
     CallStep,
@@ -28,7 +29,7 @@ from ....compiler.documents.steps import (
 from ....compiler.documents.values import DerivedRow
 from ....compiler.reference.functions import evaluate
 from ....support.frozen import EMPTY, fresh, record
-from .shapes import MOST_LANES, Elements, Kind, Members, Numbers, Shape, kind_of, lanes_of, shape_of
+from .shapes import MOST_LANES, Elements, Members, Numbers, Shape, shape_of
 
 Named = Any
 """A value in the form of ``shapes``, in which a structure is a mapping of its members by name."""

@@ -7,18 +7,12 @@ members. Numbers, vectors and matrices that nobody has set are ``None``.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any
 
+from ....compiler.documents.representations import Kind, kind_of
 from ....compiler.documents.values import DerivedRow, LayoutRow, MemberRow, ParameterRow
-
-Kind = Literal["float", "int", "uint", "bool"]
-
-_VECTOR = re.compile(r"([iub]?)vec([234])")
-_PREFIXES: dict[str, Kind] = {"": "float", "i": "int", "u": "uint", "b": "bool"}
-_SCALARS: dict[str, Kind] = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
 
 STORED: Mapping[Kind, str] = {"float": "<f4", "int": "<i4", "uint": "<u4", "bool": "<u4"}
 """The stored form of a lane, as NumPy spells it."""
@@ -146,18 +140,6 @@ def one_of(
         default=default,
         doc=doc,
     )
-
-
-def kind_of(representation: str) -> Kind:
-    """The type of the lanes of a number, vector or matrix; ``float`` for all other types."""
-    vector = _VECTOR.fullmatch(representation)
-    return _PREFIXES[vector[1]] if vector else _SCALARS.get(representation, "float")
-
-
-def lanes_of(representation: str) -> int:
-    """The number of lanes of a vector; 1 for a number."""
-    vector = _VECTOR.fullmatch(representation)
-    return int(vector[2]) if vector else 1
 
 
 def stored_as(representation: str) -> str:

@@ -11,8 +11,9 @@ import re
 from pathlib import Path
 
 from ....compiler.budget import check
+from ....compiler.documents.representations import Kind
 from ..files import read_file
-from .shapes import Elements, Kind, Members, Numbers, Shape
+from .shapes import Elements, Members, Numbers, Shape
 from .values import ParameterError
 
 _BYTES_OF_VALUE = 72

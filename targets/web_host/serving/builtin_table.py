@@ -2,7 +2,7 @@
 
 ``modules.py`` gives it to pages as the module ``generated/builtins.js``, and ``generate.py`` has it
 made when the package is built. Each overload is evaluated once, with the names of its operands'
-lanes (``tracing.py``).
+lanes (``compiler/tracing.py``), and printed by ``javascript.py``.
 """
 
 from __future__ import annotations
@@ -14,9 +14,10 @@ from typing import Any
 
 from ....compiler.precomputed import Precomputations, key, precomputed
 from ....compiler.reference.functions import WHOLE, evaluate
+from ....compiler.tracing import Tracing, given, wrapped
 from ....stdlib.builtins import Builtin
 from ....stdlib.builtins.overloads import COMPUTING, Overload, Shape, overloads
-from .tracing import Tracing, function, made, wrapped
+from .javascript import function
 
 _HEAD = """\
 // The builtins, generated from compiler/reference by burnish.targets.web_host.serving.
@@ -81,8 +82,13 @@ export const WHOLE = """
 
 _LETTERS = "xyzw"
 _PACKAGE = Path(__file__).parents[3]
-_SOURCES = ("compiler/reference", "stdlib/builtins", "targets/web_host/serving")
-"""The folders of the package that decide what the table says."""
+_SOURCES = (
+    "compiler/tracing.py",
+    "compiler/reference",
+    "stdlib/builtins",
+    "targets/web_host/serving",
+)
+"""The files and folders of the package that decide what the table says."""
 
 
 @cache
@@ -99,8 +105,12 @@ def module_to_generate() -> Precomputations:
 
 
 def _key() -> str:
-    paths = (path for folder in _SOURCES for path in sorted((_PACKAGE / folder).glob("*.py")))
+    paths = (path for each in _SOURCES for path in _files(_PACKAGE / each))
     return key(*(path.read_text("utf-8") for path in paths))
+
+
+def _files(path: Path) -> list[Path]:
+    return sorted(path.glob("*.py")) if path.is_dir() else [path]
 
 
 def _module() -> str:
@@ -119,7 +129,7 @@ def _lanewise() -> Iterator[tuple[str, str]]:
                 kind: Any = overload.operands[0].kind
                 names = [_LETTERS[at] for at, _ in enumerate(overload.operands)]
                 lanes = [
-                    (made(name, kind=_kind(shape), is_natural=shape.kind in ("uint", "bool")),)
+                    (given(name, kind=_kind(shape), is_natural=shape.kind in ("uint", "bool")),)
                     for name, shape in zip(names, overload.operands, strict=True)
                 ]
                 (found,) = _stored(overload, evaluate(row.name, lanes, Tracing(), kind))
@@ -159,7 +169,7 @@ def _value(name: str, shape: Shape) -> tuple[Any, ...]:
     kind = _kind(shape)
     is_natural = shape.kind in ("uint", "bool")
     return tuple(
-        made(f"{name}[{at}]", kind=kind, is_natural=is_natural) for at in range(shape.width)
+        given(f"{name}[{at}]", kind=kind, is_natural=is_natural) for at in range(shape.width)
     )
 
 

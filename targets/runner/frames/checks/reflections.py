@@ -12,6 +12,7 @@ from typing import NoReturn
 from .....compiler.budget import check
 from .....compiler.documents.drawing import CaptureRow, DrawRow
 from .....compiler.documents.reflection import Reflection
+from .....compiler.documents.representations import lanes_of
 from .....compiler.documents.steps import ParameterStep, StepRow, TextureStep
 from .....compiler.documents.values import (
     BufferRow,
@@ -25,7 +26,7 @@ from .....compiler.documents.values import (
 from .....compiler.ir.default_textures import OF_SAMPLES
 from .....compiler.ir.kernel import MOST_INVOCATIONS, invocations
 from ...instances.declared import TextureDeclaration
-from ...instances.shapes import MOST_LANES, lanes_of
+from ...instances.shapes import MOST_LANES
 from .blocks import UNIT, check_blocks
 from .rows import PlanError
 from .steps import check_steps

@@ -1,0 +1,64 @@
+"""Makes the binding of compiled materials: blocks that several share become one.
+
+``burnish.bind`` calls ``gathered`` with the reflections of all materials of some files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from ..compiler.documents.plan import FramePlan
+from ..compiler.documents.reflection import Reflection
+from ..support.frozen import frozen
+from .blocks import Blocks
+from .helpers import Helpers
+from .model import Binding, Block, Material
+from .profiles import profiles_of
+from .structures import Structures
+
+
+@frozen(kw_only=True)
+class Compiled:
+    """A compiled material, of which a binding is made."""
+
+    reflection: Reflection
+    texts: Mapping[str, str]
+    """The texts to embed by their files' names; empty if a host reads the files."""
+
+
+def gathered(
+    compiled: Sequence[Compiled],
+    frames: Sequence[FramePlan],
+    sources: tuple[str, ...],
+    namespace: str,
+) -> Binding:
+    """The binding of materials and frames."""
+    helpers, structures = Helpers(), Structures()
+    shared: dict[str, Block] = {}
+    materials = []
+    for each, name in zip(compiled, _names(compiled), strict=True):
+        blocks = tuple(Blocks(name, each.reflection, structures, helpers, shared).all())
+        profiles = profiles_of(each.reflection, blocks, each.texts)
+        materials.append(
+            Material(name=name, reflection=each.reflection, blocks=blocks, profiles=profiles)
+        )
+    return Binding(
+        sources=sources, namespace=namespace, structures=structures.found,
+        blocks=tuple(shared.values()), helpers=helpers.found, materials=tuple(materials),
+        frames=tuple(frames),
+    )  # fmt: skip
+
+
+def _names(compiled: Iterable[Compiled]) -> list[str]:
+    """A name for each material; those that have one name are told apart by pass and rig."""
+    found: dict[str, None] = {}
+    for each in compiled:
+        row = each.reflection
+        wishes = [
+            row.material,
+            f"{row.material}.{row.pass_}",
+            f"{row.material}.{row.pass_}.{row.rig}",
+        ]
+        wishes += [f"{wishes[-1]}.{number}" for number in range(2, len(found) + 3)]
+        found[next(wish for wish in wishes if wish not in found)] = None
+    return list(found)

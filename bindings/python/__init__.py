@@ -1,0 +1,1 @@
+"""Bindings in Python: blocks are classes whose attributes write to their bytes."""

@@ -1,0 +1,147 @@
+"""The parts of a binding in Python that its skeleton asks for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from ...compiler.documents.drawing import SamplerRow, TargetRow, TextureRow
+from ...compiler.documents.writing import to_json
+from ..describing import about_block, about_field, sources
+from ..fields import Field, Numbers
+from ..model import Binding, Material
+from ..printer import single
+from ..spelling import Spelling
+from .functions import FUNCTIONS
+
+_KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
+_PREFIXES = {"float": "", "int": "i", "uint": "u"}
+
+
+def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
+    """What the skeleton reads besides the binding."""
+    profiles = (profile for material in binding.materials for profile in material.profiles)
+    return {
+        "FUNCTIONS": FUNCTIONS,
+        "kind_name": _kind_name,
+        "python_type": _python_type,
+        "python_number": lambda field, value: _number(field.type, value),
+        "python_numbers": _numbers,
+        "field_doc": _field_doc,
+        "block_doc": partial(about_block, binding),
+        "sources_text": sources,
+        "string": _string,
+        "stages": lambda names: (
+            "(" + "".join(f"{_string(name)}, " for name in names).rstrip(" ") + ")"
+        ),
+        "layout_ids": _layout_ids,
+        "format_size": _format_size,
+        "texture_row": _texture_row,
+        "target_row": _target_row,
+        "topology": lambda material: _string(to_json(material.reflection.draw)["topology"]),
+        "quoted": _quoted,
+        "literal": _literal,
+        "has_webgpu": any(each.name == "wgsl:webgpu" for each in profiles),
+    }
+
+
+def _kind_name(kind: Numbers) -> str:
+    """The name of a type of numbers: ``f32``, ``vec3``, ``mat3``."""
+    if kind.columns:
+        is_square = kind.columns == kind.lanes
+        return f"mat{kind.columns}" if is_square else f"mat{kind.columns}x{kind.lanes}"
+    if kind.lanes == 1:
+        return "flag" if kind.truth else _KINDS[kind.kind]
+    padded = "_padded" if kind.stored_lanes != kind.lanes else ""
+    return f"{'b' if kind.truth else _PREFIXES[kind.kind]}vec{kind.lanes}{padded}"
+
+
+def _python_type(kind: Numbers) -> str:
+    if kind.columns:
+        return "Columns"
+    number = "bool" if kind.truth else "float" if kind.kind == "float" else "int"
+    if kind.lanes == 1:
+        return number
+    return "Lanes" if number == "float" else f"Sequence[{number}]"
+
+
+def _number(kind: Numbers, value: Any) -> str:
+    if kind.kind == "float":
+        return single(value)
+    return repr(bool(value) if kind.truth else int(value))
+
+
+def _numbers(kind: Numbers, value: Any) -> str:
+    if isinstance(value, tuple | list):
+        return f"({', '.join(_numbers(kind, each) for each in value)})"
+    return _number(kind, value)
+
+
+def _field_doc(field: Field) -> list[str]:
+    text = about_field(field).replace("\\", "\\\\").replace('"""', '\\"""')
+    return [f'"""{text[:1].upper()}{text[1:]}."""'] if text else []
+
+
+def _string(value: object) -> str:
+    """A text, or ``None``, as Python writes it."""
+    return "None" if value is None else json.dumps(value, ensure_ascii=False)
+
+
+def _layout_ids(material: Material) -> str:
+    rows = {row.name: row.layout_id for row in material.reflection.blocks}
+    return "{" + ", ".join(f"{_string(k)}: {_string(v)}" for k, v in rows.items()) + "}"
+
+
+def _format_size(format_: str | None) -> int:
+    """The bytes of a vertex format: ``float32x3``."""
+    lanes = (format_ or "").partition("x")[2]
+    return 0 if format_ is None else 4 * int(lanes or 1)
+
+
+def _texture_row(material: Material, row: TextureRow) -> str:
+    state = next((each for each in material.reflection.samplers if each.texture == row.name), None)
+    layout = to_json(row.layout)
+    return ", ".join((
+        _string(row.name), _string(layout["viewDimension"]), _string(layout["sampleType"]),
+        _string(row.intent), repr(tuple(row.default_texel)), _string(layout["sampler"]),
+        _sampler(state),
+    ))  # fmt: skip
+
+
+def _sampler(row: SamplerRow | None) -> str:
+    """The state of a sampler as the arguments of WebGPU's ``createSampler`` in wgpu."""
+    if row is None:
+        return "None"
+    state = to_json(row.state)
+    found: dict[str, Any] = {"mag_filter": state["filter"], "min_filter": state["filter"]}
+    if state["mip"] != "none":
+        found["mipmap_filter"] = state["mip"]
+    else:
+        found["lod_max_clamp"] = 0
+    for axis in "uvw":
+        found[f"address_mode_{axis}"] = state.get(f"wrap_{axis}", state["wrap"])
+    if state.get("compare") is not None:
+        found["compare"] = state["compare"]
+    if "anisotropy" in state:
+        found["max_anisotropy"] = state["anisotropy"]
+    return _literal(found)
+
+
+def _target_row(row: TargetRow) -> str:
+    return _literal(to_json(row))
+
+
+def _literal(value: Any) -> str:
+    """Data of JSON as Python writes it."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_string(k)}: {_literal(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_literal, value))}]"
+    return _string(value) if isinstance(value, str) else repr(value)
+
+
+def _quoted(text: str) -> str:
+    """A text in triple quotes."""
+    return '"""\\\n' + text.replace("\\", "\\\\").replace('"""', '\\"""') + '"""'

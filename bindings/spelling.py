@@ -1,0 +1,54 @@
+"""The names of one binding in one language."""
+
+from __future__ import annotations
+
+from ..support.frozen import frozen
+from .naming import Case, Scope
+
+
+@frozen(kw_only=True)
+class Manner:
+    """How a language spells names."""
+
+    reserved: frozenset[str]
+    """The words that are no names, with those of the skeleton."""
+    type_case: Case
+    function_case: Case
+    value_case: Case
+    """The manner of fields and variables."""
+    constant_case: Case
+    only_ascii: bool = False
+    """True if not all compilers take letters beyond ASCII in names."""
+
+
+class Spelling:
+    """Spells all names of a binding; equal names of different things do not collide."""
+
+    def __init__(self, manner: Manner) -> None:
+        self._manner = manner
+        self._globals = self._scope()
+        self._members = self._scope()
+        self._locals = self._scope(self._globals)
+
+    def _scope(self, outer: Scope | None = None) -> Scope:
+        return Scope(self._manner.reserved, only_ascii=self._manner.only_ascii, outer=outer)
+
+    def type(self, name: str) -> str:
+        """The name of a block or a structure."""
+        return self._globals.name("type", name, self._manner.type_case)
+
+    def constant(self, name: str) -> str:
+        """The name of a constant of the whole text."""
+        return self._globals.name("constant", name, self._manner.constant_case)
+
+    def function(self, name: str) -> str:
+        """The name of a function of the whole text."""
+        return self._globals.name("function", name, self._manner.function_case)
+
+    def member(self, word: str) -> str:
+        """The name of a field. Fields of all structures share names, which does no harm."""
+        return self._members.name("field", word, self._manner.value_case)
+
+    def local(self, name: str) -> str:
+        """The name of a variable or a parameter of a function."""
+        return self._locals.name("local", name, self._manner.value_case)

@@ -1,0 +1,173 @@
+"""Bindings in C++: g++ accepts them without a warning, and their bytes are those of the runtime.
+
+One program has the blocks of all examples. It reads numbers, and writes the bytes of each block.
+"""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from burnish.bindings import registry
+from burnish.bindings.fields import Field, Numbers, Structure
+from burnish.bindings.model import Block
+from burnish.bindings.spelling import Spelling
+from burnish.bindings.writing import deriving, spelling_of, written
+
+from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
+from .kit import Sample, defaults, difference, everything, samples
+
+pytestmark = pytest.mark.xdist_group("bindings")
+
+_FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-O0")
+_HEAD = """\
+#include "builtins.hpp"
+#include "examples.hpp"
+#include <cstdio>
+#include <cstdlib>
+using namespace burnish::examples;
+static float next_float() {
+    double x = 0;
+    if (std::scanf("%la", &x) != 1) std::exit(2);
+    return float(x);
+}
+static long long next_whole() {
+    long long x = 0;
+    if (std::scanf("%lld", &x) != 1) std::exit(2);
+    return x;
+}
+template <class T> static T tell(const T& block) {
+    const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&block);
+    for (std::size_t i = 0; i < sizeof(T); ++i) std::printf("%02x", bytes[i]);
+    std::printf("\\n");
+    return block;
+}
+"""
+
+
+@cache
+def _spelling() -> Spelling:
+    return spelling_of(everything(), registry.load("cpp"))
+
+
+def _reads(field: Field, place: str, spelling: Spelling) -> Iterator[str]:
+    """The statements that read a field, or what is at its place."""
+    if field.capacity:
+        yield f"for (int i = 0; i < {field.capacity}; ++i) {{"
+        yield from _reads_value(field.type, f"{place}[i]", spelling)
+        yield "}"
+    else:
+        yield from _reads_value(field.type, place, spelling)
+
+
+def _reads_value(type_: Numbers | Structure, place: str, spelling: Spelling) -> Iterator[str]:
+    if isinstance(type_, Structure):
+        for field in type_.fields:
+            yield from _reads(field, f"{place}.{spelling.member(field.word)}", spelling)
+        return
+    read = "next_float()" if type_.kind == "float" else "next_whole()"
+    stored = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t"}[type_.kind]
+    for column in range(type_.columns) or [None]:
+        whole = place if column is None else f"{place}[{column}]"
+        lanes = [""] if type_.lanes == 1 else [f".{lane}" for lane in "xyzw"[: type_.lanes]]
+        yield from (f"{whole}{lane} = static_cast<{stored}>({read});" for lane in lanes)
+
+
+def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
+    name = spelling.type(block.name)
+    lines = [f"static {namespace}{name} read_{name}() {{", f"{namespace}{name} block;"]
+    for field in block.structure.fields:
+        lines += _reads(field, f"block.{spelling.member(field.word)}", spelling)
+    return "\n".join([*lines, "return block;", "}", ""])
+
+
+def _program() -> str:
+    """The program that reads all samples in their order, and then tells the defaults."""
+    readers = [
+        _reader(each, _spelling()) for each in everything().blocks if each.derivation is None
+    ]
+    binding, _ = every_builtin()
+    spelling = spelling_of(binding, registry.load("cpp"))
+    readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))
+    turns: list[str] = []
+    known: dict[tuple[str, int, str], str] = {}
+    for number, sample in enumerate(samples()):
+        name = _spelling().type(sample.block.name)
+        if sample.block.derivation is None:
+            known[sample.material, sample.seed, sample.block.plain_name] = f"b{number}"
+            turns.append(f"[[maybe_unused]] const {name} b{number} = tell(read_{name}());")
+        else:
+            sources = [known[sample.material, sample.seed, each] for each in sample.sources]
+            function = _spelling().function(deriving(sample.block))
+            turns.append(f"tell({function}({', '.join(sources)}));")
+    turns += [f"tell({_spelling().type(block.name)}{{}});" for block, _ in defaults()]
+    turn = "tell(burnish::builtins::derive_results(read_Operands()));"
+    turns += [turn] * ROUNDS
+    return _HEAD + "".join(readers) + "int main() {\n" + "\n".join(turns) + "\n}\n"
+
+
+def _numbers(value: Any) -> Iterator[str]:
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _numbers(each)
+    else:
+        yield value.hex() if isinstance(value, float) else str(int(value))
+
+
+def _input() -> str:
+    given = (sample for sample in samples() if sample.block.derivation is None)
+    values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
+    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
+    """The bytes of all blocks, as the program tells them."""
+    folder = tmp_path_factory.mktemp("cpp")
+    header = written(everything(), registry.load("cpp"))
+    (folder / "examples.hpp").write_text(header, "utf-8")
+    builtins = written(every_builtin()[0], registry.load("cpp"))
+    (folder / "builtins.hpp").write_text(builtins, "utf-8")
+    (folder / "main.cpp").write_text(_program(), "utf-8")
+    _run(["g++", *_FLAGS, "main.cpp", "-o", "main"], folder)
+    lines = _run([str(folder / "main")], folder, _input()).splitlines()
+    return [bytes.fromhex(line) for line in lines]
+
+
+def _run(command: list[str], folder: Path, text: str = "") -> str:
+    done = subprocess.run(
+        command, cwd=folder, input=text, capture_output=True, text=True, timeout=600, check=False
+    )
+    assert done.returncode == 0, done.stderr[:4000]
+    return done.stdout
+
+
+def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: list[bytes]) -> None:
+    def wrong(sample: Sample, found: bytes) -> str:
+        text = difference(sample.expected, found)
+        return text and f"{sample.block.name} of {sample.material}, {sample.seed}: {text}"
+
+    found = zip(samples(), told[: len(samples())], strict=True)
+    assert not [text for each in found if (text := wrong(*each))]
+
+
+def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
+    found = zip(defaults(), told[len(samples()) : -ROUNDS], strict=True)
+    assert not [block.name for (block, expected), bytes_ in found if bytes_ != expected]
+
+
+def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
+    wrong = []
+    for seed, block in enumerate(told[-ROUNDS:]):
+        values = operands(seed)
+        for row in every_builtin()[1]:
+            pair = expected(row, values), stored(row, block)
+            if not all(is_close(*each) for each in zip(*pair, strict=True)):
+                given = [values[field.word] for field, _ in row.operands]
+                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
+    assert not wrong, "\n".join(wrong[:20])

@@ -1,0 +1,165 @@
+"""Bindings of small programs: what examples lack, in every language."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+import burnish
+from burnish.bindings import registry
+from burnish.bindings.gathering import Compiled, gathered
+from burnish.bindings.writing import written
+from burnish.compiler.documents.steps import (
+    BoundStep,
+    CallStep,
+    ConstantStep,
+    FoldStep,
+    ParameterStep,
+)
+from burnish.support.frozen import changed
+
+from ..golden import assert_golden
+from .kit import EXAMPLES, difference
+
+GOLDEN = Path(__file__).parent / "golden"
+PLASTIC = EXAMPLES / "plastic.burnish"
+
+
+@cache
+def _module(source: str | Path) -> Any:
+    module = ModuleType("a_binding")
+    text = burnish.bind(source, "python", "wgsl")
+    exec(compile(text, "a_binding.py", "exec"), module.__dict__)
+    return module
+
+
+@pytest.mark.parametrize("language", registry.names())
+def test_plastic(language: str) -> None:
+    ending = registry.load(language).extension
+    text = burnish.bind(PLASTIC, language, ("wgsl", "glsl"))
+    assert_golden(text, GOLDEN / f"plastic.{ending}.txt")
+
+
+REFUSED = {
+    "power": (600.0, "`power` is declared in 1..512: 600.0 is not"),
+    "base": ((1.0, 2.0), "`base` takes 3 numbers: (1.0, 2.0) is not"),
+    "shine": ((1.0, float("nan"), 0.0), "`shine` takes finite numbers: (1.0, nan, 0.0) is not"),
+}
+
+
+@pytest.mark.parametrize(("name", "value", "told"), [(k, *v) for k, v in REFUSED.items()])
+def test_values_that_break_a_promise_are_refused(name: str, value: object, told: str) -> None:
+    block = _module(PLASTIC).PlasticMaterial()
+    before = bytes(block)
+    with pytest.raises(ValueError) as error:
+        setattr(block, name, value)
+    assert str(error.value) == told
+    assert bytes(block) == before
+
+
+def test_lengths_counts_and_names_are_checked() -> None:
+    module = _module(PLASTIC)
+    rig = module.Rig()
+    with pytest.raises(ValueError, match=r"^`torch_axis` has to be of length 1, not 2$"):
+        rig.torch_axis = (0.0, 2.0, 0.0)
+    with pytest.raises(ValueError, match=r"^`lamps` takes at most 8 elements, not 9$"):
+        rig.lamps = [module.Point()] * 9
+    with pytest.raises(AttributeError, match=r"^Rig has no field `lamp`$"):
+        module.Rig(lamp=1)
+    assert bytes(rig) == bytes(module.Rig())
+
+
+def test_a_stale_binding_is_told() -> None:
+    module = _module(PLASTIC)
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    reflection = burnish.to_json(material.reflection)
+    module.PLASTIC.check(reflection)
+    (rig,) = [row for row in reflection["blocks"] if row["name"] == "Rig"]
+    rig["layout_id"] = "0"
+    with pytest.raises(ValueError) as error:
+        module.PLASTIC.check(reflection)
+    assert str(error.value) == (
+        "the binding of Plastic is stale: `Rig` has another layout; run `burnish bind` again"
+    )
+
+
+NAMES = """
+material Odd : Surface {
+    param lambda : float in 0..1 = 0.5
+    param aB     : float = 1
+    param a_b    : float = 2
+    param int32_t : float = 3
+    param number : float[5]
+    color = rgb(lambda + aB, a_b, int32_t + number[3])
+}
+"""
+
+
+def test_names_that_a_language_has_itself_or_that_become_equal() -> None:
+    block = _module(NAMES).OddMaterial(lambda_=0.25, a_b=5.0, a_b_2=6.0, number=[1, 2, 3, 4, 5])
+    assert (block.lambda_, block.a_b, block.a_b_2) == (0.25, 5.0, 6.0)
+    assert tuple(block.number) == (1, 2, 3, 4, 5)
+    assert "float a_b_2 = 2.0f;" in burnish.bind(NAMES, "cpp", "wgsl")
+
+
+FOLD = (
+    ParameterStep(op="parameter", type="int", args=(), parameter="lamps.count"),
+    ConstantStep(op="constant", type="vec3", args=(), value=(0.5, 1.0, -2.0)),
+    ParameterStep(op="parameter", type="vec3", args=(), parameter="torch.place"),
+    BoundStep(op="bound", type="int", args=(), binder=0),
+    CallStep(op="native", type="float", args=(3,), function="to_float"),
+    CallStep(op="native", type="vec3", args=(2, 4), function="mul"),
+    FoldStep(op="fold", type="vec3", args=(0, 1, 5), operator="add", bound=6),
+    CallStep(op="native", type="float", args=(6, 2), function="dot"),
+)
+"""A sum over as many terms as lamps shine, but 6 at most; a loop in every language."""
+
+
+def test_folds_are_loops() -> None:
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    row, *others = material.reflection.derived
+    reflection = changed(material.reflection, derived=(changed(row, steps=FOLD), *others))
+    binding = gathered([Compiled(reflection=reflection, texts={})], (), (), "folds")
+    module: Any = ModuleType("a_binding")
+    exec(compile(written(binding, registry.load("python")), "a.py", "exec"), module.__dict__)
+    for count in (0, 3, 8):
+        instance = burnish.Instance(reflection)
+        instance.set("lamps.count", count)
+        instance.set("lamps", [{"place": (0.0, 0.0, 0.0)}] * count)
+        instance.set("torch.place", (2.0, -1.0, 3.5))
+        block = module.Rig(lamps_count=count, torch_place=(2.0, -1.0, 3.5))
+        found = bytes(module.derive_rig(block))
+        assert not difference(instance.blocks()["RigDerived"], found)
+
+
+def test_texts_are_embedded() -> None:
+    text = burnish.bind(PLASTIC, "python", "wgsl", embed=True)
+    module: Any = ModuleType("a_binding")
+    exec(compile(text, "a_binding.py", "exec"), module.__dict__)
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    found = {each.file: each.text for each in module.PLASTIC.profiles["wgsl:webgpu"].texts}
+    assert found == {file.name: file.text for file in material.files}
+
+
+def test_blocks_that_are_alike_are_there_once() -> None:
+    text = burnish.bind([PLASTIC, EXAMPLES / "phong.burnish"], "python", "wgsl")
+    assert text.count("class View(Block)") == 1
+    assert "class PlasticMaterial(Block)" in text and "class BilliardMaterial(Block)" in text
+
+
+@pytest.mark.parametrize(
+    ("language", "namespace", "told"),
+    [
+        ("perl", "", "no language of hosts is called `perl`: there are "),
+        ("python", "scene", "Python has no namespaces: a binding is a file of its own"),
+        ("cpp", "1::a", "`1::a` is no namespace, which would be like `scene` or `scene::glass`"),
+    ],
+)
+def test_what_there_is_not_is_told(language: str, namespace: str, told: str) -> None:
+    with pytest.raises(ValueError) as error:
+        burnish.bind(PLASTIC, language, "wgsl", namespace=namespace)
+    assert str(error.value).startswith(told)
