@@ -2,6 +2,7 @@
 #     [TARGETS NAME[:PROFILE]...]      the languages to write; by default, those of `burnish compile`
 #     [OUTPUT_DIRECTORY FOLDER]        by default `burnish/TARGET` in the current binary folder
 #     [INCLUDE_DIRECTORIES FOLDER...]  folders in which imported files are looked for
+#     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp
 #     [OPTIONS WORD...])               more options of `burnish compile`, such as --rig Night
 #
 # Compiles materials whenever they, or the files that they import, have changed. TARGET is a library
@@ -14,6 +15,9 @@
 # For each FILE there is a command of its own, which writes the outputs and touches a stamp. Outputs
 # that do not change keep their dates, so what is made of them is not made again.
 
+# The endings of bindings in languages that CMake builds.
+set(_BURNISH_ENDING_cpp hpp)
+
 set(_BURNISH_TAKE_OUTPUTS "${CMAKE_CURRENT_LIST_DIR}/BurnishTakeOutputs.cmake")
 
 define_property(TARGET PROPERTY BURNISH_OUTPUTS BRIEF_DOCS "The files that Burnish writes for it")
@@ -21,7 +25,7 @@ define_property(TARGET PROPERTY BURNISH_DIRECTORY BRIEF_DOCS "The folder of thes
 
 function(burnish_add_materials target)
     cmake_parse_arguments(
-        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;OPTIONS"
+        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;BINDINGS;OPTIONS"
     )
     set(files ${arg_UNPARSED_ARGUMENTS})
     if(NOT files)
@@ -33,6 +37,12 @@ function(burnish_add_materials target)
     foreach(word IN LISTS arg_OPTIONS)
         if(word MATCHES "^(-o|-t|--output|--target|--depfile|--depfile-target|--watch|--list-outputs)(=|$)")
             _burnish_refuse("OPTIONS cannot have ${word}, which CMake decides on")
+        endif()
+    endforeach()
+
+    foreach(language IN LISTS arg_BINDINGS)
+        if(NOT DEFINED _BURNISH_ENDING_${language})
+            _burnish_refuse("there are no BINDINGS in ${language} for CMake, but in cpp")
         endif()
     endforeach()
 
@@ -56,6 +66,12 @@ function(burnish_add_materials target)
         _burnish_compile("${file}" "${arg_OUTPUT_DIRECTORY}" "${options}" stamp outputs)
         list(APPEND stamps "${stamp}")
         list(APPEND all_outputs ${outputs})
+    endforeach()
+
+    foreach(language IN LISTS arg_BINDINGS)
+        _burnish_bind(${language} "${target}" "${files}" "${arg_OUTPUT_DIRECTORY}" "${options}" "${stamps}" stamp header)
+        list(APPEND stamps "${stamp}")
+        list(APPEND all_outputs "${header}")
     endforeach()
 
     get_property(count TARGET ${target} PROPERTY _BURNISH_CALLS)
@@ -99,11 +115,7 @@ function(_burnish_compile file folder options stamp outputs)
     endif()
     set(compile "${BURNISH_EXECUTABLE}" compile "${source}" --output "${folder}" ${options})
 
-    # The folder for notes has a name of its own for each file and each folder of outputs.
-    string(SHA256 digest "${source};${folder}")
-    string(SUBSTRING "${digest}" 0 12 digest)
-    cmake_path(GET source FILENAME name)
-    set(notes "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/burnish/${name}-${digest}")
+    _burnish_notes("${source}" "${folder}" notes)
     _burnish_outputs("${source}" "${compile}" "${notes}/outputs.txt" listed)
     _burnish_insist_on_own_outputs("${source}" "${listed}")
 
@@ -120,6 +132,38 @@ function(_burnish_compile file folder options stamp outputs)
     )
     set(${stamp} "${notes}/stamp" PARENT_SCOPE)
     set(${outputs} ${listed} PARENT_SCOPE)
+endfunction()
+
+# Adds the command that writes a binding of all files, behind their own commands, whose stamps say
+# when one has changed. `header` is the binding.
+function(_burnish_bind language target files folder options stamps stamp header)
+    set(made "${folder}/${target}.${_BURNISH_ENDING_${language}}")
+    _burnish_insist_on_own_outputs("${target}" "${made}")
+    _burnish_notes("${made}" "${folder}" notes)
+    file(MAKE_DIRECTORY "${notes}")
+    list(TRANSFORM files PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
+    string(MAKE_C_IDENTIFIER "${target}" namespace)
+    add_custom_command(
+        OUTPUT "${notes}/stamp"
+        BYPRODUCTS "${made}"
+        COMMAND
+            "${BURNISH_EXECUTABLE}" bind ${files} --lang ${language} --namespace ${namespace}
+            --output "${made}" ${options}
+        COMMAND "${CMAKE_COMMAND}" -E touch "${notes}/stamp"
+        DEPENDS ${stamps}
+        COMMENT "Binding ${target} in ${language}"
+        VERBATIM
+    )
+    set(${stamp} "${notes}/stamp" PARENT_SCOPE)
+    set(${header} "${made}" PARENT_SCOPE)
+endfunction()
+
+# The folder for notes on a file. It has a name of its own for each folder of outputs.
+function(_burnish_notes file folder notes)
+    string(SHA256 digest "${file};${folder}")
+    string(SUBSTRING "${digest}" 0 12 digest)
+    cmake_path(GET file FILENAME name)
+    set(${notes} "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/burnish/${name}-${digest}" PARENT_SCOPE)
 endfunction()
 
 # The paths that a compile writes. CMake asks for them again when the file or the command line has

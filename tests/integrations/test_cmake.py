@@ -29,6 +29,10 @@ GENERATORS = {"Ninja": "Ninja", "Make": "Unix Makefiles"}
 COMPILING = "Compiling materials/{}.burnish"
 
 
+LINEAR = ((0xB5 / 255 + 0.055) / 1.055) ** 2.4
+"""The red of the material's base colour, `#b5651d`, as light."""
+
+
 class Built:
     """A folder with the project of the page, and its build."""
 
@@ -91,7 +95,9 @@ def same_after(built: Built) -> Iterator[None]:
 def test_the_program_has_the_shaders(built: Built) -> None:
     program = built.folder / "build" / "viewer"
     (material,) = burnish.compile(built.materials / "plastic.burnish", ("glsl:gl330",))
-    assert run([str(program)], check=True).stdout == material.text("glsl:gl330", "fragment")
+    text, value = run([str(program)], check=True).stdout.rsplit("//", 1)
+    assert text == material.text("glsl:gl330", "fragment")
+    assert float(value) == pytest.approx(LINEAR / 2, rel=1e-5)
 
 
 def test_nothing_is_made_twice(built: Built) -> None:
@@ -104,7 +110,8 @@ def test_what_depends_on_a_changed_import_is_made_again(built: Built) -> None:
     replaced(built.materials / "shared" / "tints.burnish", "0.5", "0.25")
     assert built.compiled(built.build()) == {"plastic"}
     after = built.dates()
-    assert {name for name in after if after[name] != before[name]} == {"Plastic.json"}
+    changed = {name for name in after if after[name] != before[name]}
+    assert changed == {"Plastic.json", "materials.hpp"}
     assert built.compiled(built.build()) == set()
 
 
@@ -191,6 +198,7 @@ WRONG_CALLS = {
     "m a.burnish OPTIONS -o x": "OPTIONS cannot have -o, which CMake decides on",
     "m a.burnish OPTIONS --wath": "No such option '--wath'",
     "m a.burnish OPTIONS --target=x": "OPTIONS cannot have --target=x, which CMake decides on",
+    "m a.burnish BINDINGS cobol": "there are no BINDINGS in cobol for CMake, but in cpp",
     "m a.burnish b.burnish": "give one of them another OUTPUT_DIRECTORY",
 }
 

@@ -132,7 +132,6 @@ def unknown(_):
 
 pwd.getpwuid = unknown
 import burnish
-from burnish.commands.integration import WHAT
 assert burnish.__file__.startswith(sys.prefix), burnish.__file__
 from burnish.commands.cli import main
 try:
@@ -191,7 +190,6 @@ import json
 from burnish.compiler.precomputed import precomputed
 from burnish.targets.web_host.serving.builtin_table import module_to_generate
 import burnish
-from burnish.commands.integration import WHAT
 from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 (key,) = module_to_generate()
@@ -216,7 +214,6 @@ import json, sys
 sys.path.insert(0, "/wheel")
 sys.dont_write_bytecode = True
 import burnish
-from burnish.commands.integration import WHAT
 texts = [
     [{file.name: file.text for file in made.files}, burnish.to_json(made.reflection)]
     for example in ("plastic", "frames/deferred")
