@@ -18,6 +18,8 @@
 # The endings of bindings in languages that CMake builds.
 set(_BURNISH_ENDING_cpp hpp)
 
+include("${CMAKE_CURRENT_LIST_DIR}/BurnishOutputs.cmake")
+
 set(_BURNISH_TAKE_OUTPUTS "${CMAKE_CURRENT_LIST_DIR}/BurnishTakeOutputs.cmake")
 
 define_property(TARGET PROPERTY BURNISH_OUTPUTS BRIEF_DOCS "The files that Burnish writes for it")
@@ -60,16 +62,32 @@ function(burnish_add_materials target)
         list(APPEND options --include "${folder}")
     endforeach()
 
+    set(sources)
+    foreach(file IN LISTS files)
+        cmake_path(
+            ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE
+            OUTPUT_VARIABLE source
+        )
+        if(NOT EXISTS "${source}")
+            _burnish_refuse("there is no file `${file}`")
+        endif()
+        list(APPEND sources "${source}")
+    endforeach()
+    _burnish_note_outputs("${sources}" "${arg_OUTPUT_DIRECTORY}" "${options}")
+
     set(stamps)
     set(all_outputs)
-    foreach(file IN LISTS files)
-        _burnish_compile("${file}" "${arg_OUTPUT_DIRECTORY}" "${options}" stamp outputs)
+    foreach(file source IN ZIP_LISTS files sources)
+        _burnish_compile("${file}" "${source}" "${arg_OUTPUT_DIRECTORY}" "${options}" stamp outputs)
         list(APPEND stamps "${stamp}")
         list(APPEND all_outputs ${outputs})
     endforeach()
 
     foreach(language IN LISTS arg_BINDINGS)
-        _burnish_bind(${language} "${target}" "${files}" "${arg_OUTPUT_DIRECTORY}" "${options}" "${stamps}" stamp header)
+        _burnish_bind(
+            ${language} ${target} "${sources}" "${arg_OUTPUT_DIRECTORY}" "${options}" "${stamps}"
+            stamp header
+        )
         list(APPEND stamps "${stamp}")
         list(APPEND all_outputs "${header}")
     endforeach()
@@ -83,11 +101,6 @@ function(burnish_add_materials target)
     set_property(TARGET ${target} APPEND PROPERTY BURNISH_OUTPUTS ${all_outputs})
     set_property(TARGET ${target} PROPERTY BURNISH_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
 endfunction()
-
-# Ends the configuration with a message about the call in the user's file.
-macro(_burnish_refuse message)
-    message(FATAL_ERROR "burnish_add_materials: ${message}")
-endmacro()
 
 # Makes the target if there is none; `scope` is how its folders for headers are said.
 function(_burnish_use_target target scope)
@@ -107,17 +120,18 @@ function(_burnish_use_target target scope)
     endif()
 endfunction()
 
-# Adds the command that compiles one file. `stamp` is what depends on it, `outputs` what it writes.
-function(_burnish_compile file folder options stamp outputs)
-    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE OUTPUT_VARIABLE source)
-    if(NOT EXISTS "${source}")
-        _burnish_refuse("there is no file `${file}`")
-    endif()
-    set(compile "${BURNISH_EXECUTABLE}" compile "${source}" --output "${folder}" ${options})
-
+# Adds the command that compiles `source`, which the user calls `file`. `stamp` is what depends on it,
+# `outputs` what it writes.
+function(_burnish_compile file source folder options stamp outputs)
+    _burnish_command("${source}" "${folder}" "${options}" compile)
     _burnish_notes("${source}" "${folder}" notes)
-    _burnish_outputs("${source}" "${compile}" "${notes}/outputs.txt" listed)
+    _burnish_outputs("${source}" "${compile}" "${notes}" listed)
     _burnish_insist_on_own_outputs("${source}" "${listed}")
+    # Another version of Burnish compiles anew.
+    set(program)
+    if(EXISTS "${BURNISH_EXECUTABLE}")
+        set(program "${BURNISH_EXECUTABLE}")
+    endif()
 
     add_custom_command(
         OUTPUT "${notes}/stamp"
@@ -125,7 +139,7 @@ function(_burnish_compile file folder options stamp outputs)
         COMMAND ${compile} --depfile "${notes}/made.d" --format line
         COMMAND
             "${CMAKE_COMMAND}" "-DNOTES=${notes}" "-DSOURCE=${source}" -P "${_BURNISH_TAKE_OUTPUTS}"
-        DEPENDS "${source}"
+        DEPENDS "${source}" ${program}
         DEPFILE "${notes}/stamp.d"
         COMMENT "Compiling ${file}"
         VERBATIM
@@ -136,18 +150,17 @@ endfunction()
 
 # Adds the command that writes a binding of all files, behind their own commands, whose stamps say
 # when one has changed. `header` is the binding.
-function(_burnish_bind language target files folder options stamps stamp header)
+function(_burnish_bind language target sources folder options stamps stamp header)
     set(made "${folder}/${target}.${_BURNISH_ENDING_${language}}")
     _burnish_insist_on_own_outputs("${target}" "${made}")
     _burnish_notes("${made}" "${folder}" notes)
     file(MAKE_DIRECTORY "${notes}")
-    list(TRANSFORM files PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
     string(MAKE_C_IDENTIFIER "${target}" namespace)
     add_custom_command(
         OUTPUT "${notes}/stamp"
         BYPRODUCTS "${made}"
         COMMAND
-            "${BURNISH_EXECUTABLE}" bind ${files} --lang ${language} --namespace ${namespace}
+            "${BURNISH_EXECUTABLE}" bind ${sources} --lang ${language} --namespace ${namespace}
             --output "${made}" ${options}
         COMMAND "${CMAKE_COMMAND}" -E touch "${notes}/stamp"
         DEPENDS ${stamps}
@@ -156,63 +169,4 @@ function(_burnish_bind language target files folder options stamps stamp header)
     )
     set(${stamp} "${notes}/stamp" PARENT_SCOPE)
     set(${header} "${made}" PARENT_SCOPE)
-endfunction()
-
-# The folder for notes on a file. It has a name of its own for each folder of outputs.
-function(_burnish_notes file folder notes)
-    string(SHA256 digest "${file};${folder}")
-    string(SUBSTRING "${digest}" 0 12 digest)
-    cmake_path(GET file FILENAME name)
-    set(${notes} "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/burnish/${name}-${digest}" PARENT_SCOPE)
-endfunction()
-
-# The paths that a compile writes. CMake asks for them again when the file or the command line has
-# changed; the answer is kept in `list`, with the command line first. While there is a mistake in
-# the file, the last answer stays: the build tells the mistake.
-function(_burnish_outputs source compile list outputs)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}" "${list}")
-    set(kept)
-    if(EXISTS "${list}")
-        file(STRINGS "${list}" kept)
-        list(POP_FRONT kept asked)
-    endif()
-    string(REPLACE ";" " " question "${compile}")
-    if("${asked}" STREQUAL "${question}" AND NOT "${source}" IS_NEWER_THAN "${list}")
-        set(${outputs} ${kept} PARENT_SCOPE)
-        return()
-    endif()
-
-    execute_process(
-        COMMAND ${compile} --list-outputs
-        OUTPUT_VARIABLE printed
-        ERROR_VARIABLE said
-        RESULT_VARIABLE status
-    )
-    if(status EQUAL 0)
-        string(REPLACE "\n" ";" kept "${printed}")
-        list(REMOVE_ITEM kept "")
-        list(JOIN kept "\n" lines)
-        file(WRITE "${list}" "${question}\n${lines}\n")
-    elseif(status EQUAL 1)
-        list(JOIN kept "\n" lines)
-        file(WRITE "${list}" "not known\n${lines}\n")
-    else()
-        _burnish_refuse("`${BURNISH_EXECUTABLE}` does not take its command line:\n${said}")
-    endif()
-    set(${outputs} ${kept} PARENT_SCOPE)
-endfunction()
-
-# Ends the configuration if another call writes one of the files, too.
-function(_burnish_insist_on_own_outputs source outputs)
-    foreach(path IN LISTS outputs)
-        string(SHA256 key "${path}")
-        get_property(owner GLOBAL PROPERTY "_BURNISH_OWNER_${key}")
-        if(owner)
-            _burnish_refuse(
-                "`${path}` would be written for `${source}` and for `${owner}`: give one of them \
-another OUTPUT_DIRECTORY"
-            )
-        endif()
-        set_property(GLOBAL PROPERTY "_BURNISH_OWNER_${key}" "${source}")
-    endforeach()
 endfunction()

@@ -31,7 +31,7 @@ list(JOIN escaped " \\\n  " outputs)
 
 file(READ "${NOTES}/made.d" rule)
 string(FIND "${rule}" "${outputs}: \\\n" place)
-if(expected AND place EQUAL 0)
+if(place EQUAL 0)
     string(LENGTH "${outputs}" length)
     string(SUBSTRING "${rule}" ${length} -1 read)
     escape("${NOTES}/stamp" stamp)
