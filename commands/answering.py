@@ -52,9 +52,9 @@ class Collected:
 
     def text(self, exit_code: int) -> str:
         """The document."""
-        from ..compiler.diagnostics.serialise import serialise
         from ..compiler.documents.answer import Answer, RemarkRow
         from ..compiler.documents.writing import to_text
+        from .diagnostic_rows import diagnostic_row
 
         return to_text(
             Answer(
@@ -62,7 +62,7 @@ class Collected:
                 burnish=__version__,
                 command=self._command,
                 exit_code=exit_code,
-                diagnostics=tuple(map(serialise, self._diagnostics.values())),
+                diagnostics=tuple(map(diagnostic_row, self._diagnostics.values())),
                 remarks=tuple(RemarkRow(severity=s, text=t) for s, t in self._remarks),
                 written=tuple(self._written),
                 text=tuple(self._lines),

@@ -14,7 +14,6 @@ from ..support.frozen import changed
 from .compile_options import CompileRequest
 from .compiled_files import Compiled, compiled
 from .console import print_rendered
-from .message_forms import DOCUMENTS, document, messages, tell
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output
 from .written_files import owners_of, written_of
@@ -36,18 +35,34 @@ def succeeds(request: CompileRequest, question: Question | None) -> bool:
     diagnostics = [one for each in found for one in each.diagnostics]
     inputs = [each.inputs for each in found if each.inputs is not None]
     if len(inputs) < len(found):
-        return tell(request.form, "compile", diagnostics)
+        return _failed(request, diagnostics)
     first, *others = inputs
     together = first.joined(others)
     try:
         output = _output(request, found, together, diagnostics)
         _deliver(output)
     except CompileError as error:
-        return tell(request.form, "compile", (*diagnostics, *error.diagnostics))
+        return _failed(request, (*diagnostics, *error.diagnostics))
     print_rendered(output.warnings)
     if question is not None:
         keep(question, output, together)
     return True
+
+
+def _failed(request: CompileRequest, diagnostics: Sequence[Diagnostic]) -> bool:
+    """Report why there is no output; False."""
+    from .message_forms import tell
+
+    return tell(request.form, "compile", diagnostics)
+
+
+def _warnings(request: CompileRequest, diagnostics: Sequence[Diagnostic]) -> str:
+    """The text for standard error. Most compiles have nothing to say, and load nothing for it."""
+    if not diagnostics:
+        return ""
+    from .message_forms import messages
+
+    return messages(request.form, diagnostics)
 
 
 def _told(request: CompileRequest, question: Question | None) -> Iterable[Compiled]:
@@ -78,7 +93,7 @@ def _output(
 
     Raises ``CompileError`` if it would write one file twice.
     """
-    warnings = messages(request.form, diagnostics)
+    warnings = _warnings(request, diagnostics)
     if request.prints:
         depfile = _depfile(request, (), inputs)
         return Output(STDOUT, {}, None, depfile, _printed(found), warnings)
@@ -89,7 +104,7 @@ def _output(
     if request.list_outputs:
         lines = [f"{path}\n" for path in paths]
     printed = "".join(lines)
-    if request.form in DOCUMENTS:
+    if request.form not in ("text", "line"):
         printed = _document(request, found, inputs, diagnostics, lines)
     if request.list_outputs:
         return Output(STDOUT, {}, printed=printed, warnings=warnings)
@@ -107,6 +122,7 @@ def _document(
 ) -> str:
     """The document for standard output."""
     from .compile_answer import compile_answer
+    from .message_forms import document
 
     answer = compile_answer(request, found, inputs, lines)
     written = [] if request.list_outputs else [row.path for row in answer.outputs]

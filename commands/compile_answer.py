@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 from typing import Literal
 
-from ..compiler.documents.answer import CompileAnswer, OutputRow
+from ..compiler.documents.answer import CompileAnswer, CompiledFileRow
 from ..compiler.inputs import Inputs
 from .compile_options import CompileRequest
 from .compiled_files import Compiled
@@ -27,7 +27,7 @@ def compile_answer(
     )
 
 
-def _outputs(request: CompileRequest, found: Sequence[Compiled]) -> Iterator[OutputRow]:
+def _outputs(request: CompileRequest, found: Sequence[Compiled]) -> Iterator[CompiledFileRow]:
     """A row for each output, in the order in which they are put in place."""
     owners = owners_of(request.files, found)
     source_of = {name: source for source, names in owners.items() for name in names}
@@ -37,7 +37,7 @@ def _outputs(request: CompileRequest, found: Sequence[Compiled]) -> Iterator[Out
         kind_of |= dict.fromkeys(each.reflections, "reflection")
         kind_of |= dict.fromkeys(each.plans, "plan")
     for name in written_of(request.files, found):
-        yield OutputRow(
+        yield CompiledFileRow(
             path=os.path.join(request.output, name),  # noqa: PTH118
             kind=kind_of.get(name, "text"),
             source=source_of[name],

@@ -16,7 +16,7 @@ from .replacing import ForeignFileError, replace_all, replace_tree
 from .results import encoded
 
 if TYPE_CHECKING:
-    from .replacing import Guard
+    from .ownership import Ownership
 
 
 def obstacle(folder: Path, file: str = "") -> str | None:
@@ -43,7 +43,9 @@ def obstacle(folder: Path, file: str = "") -> str | None:
     return f"nobody but its owner may write into `{nearest}`"
 
 
-def write_all(folder: Path, texts: Mapping[str, str | bytes], guard: Guard | None = None) -> None:
+def write_all(
+    folder: Path, texts: Mapping[str, str | bytes], guard: Ownership | None = None
+) -> None:
     """Write each text under its name, or raise ``CompileError`` and change nothing."""
     try:
         replace_all(str(folder), encoded(texts), guard)

@@ -25,7 +25,7 @@ _MODULES = (b"\x03\x02\x23\x07", b"DXBC")
 
 
 class Ownership:
-    """Guards one folder while files are written into it; see ``Guard`` of ``replacing.py``."""
+    """Guards one folder while files are written into it; ``replacing.py`` asks it."""
 
     def __init__(self, folder: str, sources: Mapping[str, Sequence[str]]) -> None:
         """``sources`` has the names of the new files, by the path of the source of each."""

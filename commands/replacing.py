@@ -33,16 +33,9 @@ from stat import S_ISDIR, S_ISREG
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Protocol, Self
+    from typing import Self
 
-    class Guard(Protocol):
-        """Protects files of others; ``ownership.py`` has the one of ``burnish compile``."""
-
-        def objection(self, name: str, head: bytes) -> str | None:
-            """The reason why a file with this beginning must not be replaced; else ``None``."""
-
-        def settle(self) -> None:
-            """Take note that all new files are in place; other processes still wait."""
+    from .ownership import Ownership
 
 
 PATIENCE = 10.0
@@ -60,18 +53,18 @@ class ForeignFileError(FileExistsError):
     """A file that must not be replaced has the name of a new one."""
 
 
-def replace_all(folder: str, contents: Mapping[str, bytes], guard: Guard | None = None) -> None:
+def replace_all(folder: str, contents: Mapping[str, bytes], guard: Ownership | None = None) -> None:
     """Write each content under its name into a folder, or raise ``OSError`` and change nothing.
 
     The folder is made if need be. A link that has one of the names is replaced, not followed. The
     error's ``filename`` is the path that could not be written: the folder, or a file in it. It is a
-    ``ForeignFileError`` where the ``guard`` has an objection to replacing a file.
+    ``ForeignFileError`` where the ``guard`` objects to replacing a file; it settles at the end.
     """
     replace_tree(folder, {(name,): content for name, content in contents.items()}, guard)
 
 
 def replace_tree(
-    folder: str, contents: Mapping[tuple[str, ...], bytes], guard: Guard | None = None
+    folder: str, contents: Mapping[tuple[str, ...], bytes], guard: Ownership | None = None
 ) -> None:
     """Do the same for a folder with folders in it: each content has the names on the way to it.
 
@@ -248,7 +241,7 @@ class _File:
     has another one. If the old file has the new content already, neither happens.
     """
 
-    def __init__(self, folder: _Folder, name: str, content: bytes, guard: Guard | None) -> None:
+    def __init__(self, folder: _Folder, name: str, content: bytes, guard: Ownership | None) -> None:
         self.name = name
         self.path = join(folder.path, name)
         self._folder = folder

@@ -103,7 +103,7 @@ class RemarkRow:
 
 
 @frozen(kw_only=True)
-class OutputRow:
+class CompiledFileRow:
     """A file that a compile writes."""
 
     path: str
@@ -118,7 +118,7 @@ class OutputRow:
 class CompileAnswer:
     """The result of ``burnish compile``."""
 
-    outputs: tuple[OutputRow, ...]
+    outputs: tuple[CompiledFileRow, ...]
     """The outputs, in the order in which they are put in place."""
     read: tuple[str, ...]
     """The files that were read."""

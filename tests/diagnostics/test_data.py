@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import re
 
+from burnish.commands.diagnostic_rows import diagnostic_row
 from burnish.compiler.diagnostics import rules
 from burnish.compiler.diagnostics.diagnostic import Diagnostic, Label, Rule
 from burnish.compiler.diagnostics.fixes import Edit, Fix
 from burnish.compiler.diagnostics.nearest import nearest, suggestion
-from burnish.compiler.diagnostics.serialise import serialise
 from burnish.compiler.diagnostics.source import Source, Span
 from burnish.compiler.documents.writing import to_text
 
@@ -28,7 +28,7 @@ def test_the_json_form_is_complete() -> None:
         "end": {"line": 2, "column": 8, "offset": 13},
     }
     begin = {"line": 1, "column": 1, "offset": 0}
-    assert json.loads(to_text(serialise(diagnostic))) == {
+    assert json.loads(to_text(diagnostic_row(diagnostic))) == {
         "code": "B9999",
         "severity": "warning",
         "message": "wrong",
@@ -53,7 +53,7 @@ def test_the_json_form_is_complete() -> None:
 
 
 def test_a_finding_without_place_has_no_span() -> None:
-    assert serialise(Diagnostic(rules.MISSING_FILE, "gone")).span is None
+    assert diagnostic_row(Diagnostic(rules.MISSING_FILE, "gone")).span is None
 
 
 def test_the_nearest_name_is_suggested() -> None:

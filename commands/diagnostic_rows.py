@@ -1,14 +1,21 @@
-"""Diagnostics as records of documents, for editors and build tools."""
+"""Diagnostics as records of the answer, for editors and build tools; see ``answering.py``."""
 
 from __future__ import annotations
 
-from ..documents.answer import DiagnosticRow, EditRow, FixRow, LabelRow, PositionRow, SpanRow
-from .diagnostic import Diagnostic
-from .fixes import Fix
-from .source import Source, Span
+from ..compiler.diagnostics.diagnostic import Diagnostic
+from ..compiler.diagnostics.fixes import Fix
+from ..compiler.diagnostics.source import Source, Span
+from ..compiler.documents.answer import (
+    DiagnosticRow,
+    EditRow,
+    FixRow,
+    LabelRow,
+    PositionRow,
+    SpanRow,
+)
 
 
-def serialise(diagnostic: Diagnostic) -> DiagnosticRow:
+def diagnostic_row(diagnostic: Diagnostic) -> DiagnosticRow:
     """Everything a tool needs; lines and columns count from 1, offsets in characters from 0."""
     return DiagnosticRow(
         code=diagnostic.rule.code,
