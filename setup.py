@@ -84,6 +84,11 @@ setup(
                 f"examples/**/*.{ending}"
                 for ending in ("burnish", "md", "mtlx", "said", "png", "hdr")
             ),
+            # What GitHub runs is in the repository alone.
+            *(
+                f"integrations/**/*.{ending}"
+                for ending in ("cmake", "toml", "rs", "json", "js", "ts")
+            ),
         ],
         "burnish.stdlib": ["**/*.burnish", "*.toml", "*.txt"],
         # Not every folder below these is a package.

@@ -142,16 +142,22 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
         _warn_of_demands(shader, staged, printed, report)
         made.append(_printed(shader, staged, printed, asked.emit, to_textures=frames is not None))
-    if frames and not asked.emit.line_directives:
-        # With directives, a text says which material each line is of.
-        made = shared_texts(made)
     if frames:
-        programs = {each.shader.name: each.staged.program for each in made}
-        check_filtering(frames, lambda shader: programs[shader.name], report)
+        made = _of_frames(made, frames, asked.emit, report)
     if report.failed:
         raise CompileError(report.diagnostics)
     graphs = ResultGraphs(tuple(made), tuple(frames or ()))
     return _Computed(graphs, tuple(lacking), chosen, variant)
+
+
+def _of_frames(
+    made: list[ShaderGraphs], frames: Iterable[Frame], options: EmitOptions, report: Report
+) -> list[ShaderGraphs]:
+    """The shaders of frames, which share texts; reports what they filter and cannot."""
+    programs = {each.shader.name: each.staged.program for each in made}
+    check_filtering(frames, lambda shader: programs[shader.name], report)
+    # With directives, a text says which material each line is of.
+    return made if options.line_directives else shared_texts(made)
 
 
 def _bound(

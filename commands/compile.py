@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import click
 
 from .compilation import succeeds
 from .compile_options import OPTIONS, CompileRequest
-from .options import each_once, option
+from .options import each_once, files_argument, option
 from .results import Question
 from .terminal import FAILED
 
@@ -21,7 +20,7 @@ def _with_options(command: click.decorators.FC) -> click.decorators.FC:
 
 
 @click.command("compile")
-@click.argument("files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…")
+@files_argument
 @_with_options
 @click.option("--watch", is_flag=True, help="Compile again whenever a source changes.")
 def compile_(watch: bool, **chosen: Any) -> None:

@@ -141,9 +141,9 @@ FORMAT = Option(
     "form",
     ("--format",),
     "How messages are told: as texts for people, one line for each, one JSON document (`burnish "
-    "schema answer`), or a log in SARIF 2.1.0.",
+    "schema answer`), a log in SARIF 2.1.0, or annotations for a workflow of GitHub.",
     metavar="FORM",
-    choices=("text", "line", "json", "sarif"),
+    choices=("text", "line", "json", "sarif", "github"),
 )
 FORCE = Option(
     "force", ("--force",), "Overwrite files that another source, or another program, has made."

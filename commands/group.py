@@ -34,6 +34,7 @@ COMMANDS = (
     "doctor",
     "docs",
     "example",
+    "integration",
     "explain",
     "schema",
 )

@@ -29,6 +29,9 @@ TONES = ("none", "reinhard", "hable", "aces_narkowicz", "aces", "agx", "khronos_
 off."""
 
 file_argument = click.argument("file", type=click.Path(path_type=Path))
+files_argument = click.argument(
+    "files", type=click.Path(path_type=Path), nargs=-1, required=True, metavar="FILE…"
+)
 
 
 def option(row: Option) -> Callable[[FC], FC]:

@@ -1,6 +1,7 @@
-"""Finds the pages and the examples that come with Burnish, for ``burnish docs`` and ``example``.
+"""Finds what comes with Burnish beside its code: pages, examples, and files for build systems.
 
-A wheel has both folders within the package, as a checkout has.
+A wheel has these folders within the package, as a checkout has. ``burnish docs``, ``example`` and
+``integration`` list what is in them.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from .console import say
 _PACKAGE = Path(__file__).parents[1]
 DOCS = _PACKAGE / "docs"
 EXAMPLES = _PACKAGE / "examples"
+INTEGRATIONS = _PACKAGE / "integrations"
 
 _HEADING = re.compile(r"## +(.+)")
 _ROW = re.compile(r"\| (?P<page>.+?) \| (?P<what>.+) \|")

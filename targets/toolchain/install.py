@@ -35,7 +35,16 @@ from .places import is_trusted
 from .sources import Debian, Extra, OwnInstaller
 from .surroundings import environment as isolated
 from .surroundings import which
-from .tools import DXC_LIBRARY, TOOLS, Tool, cache_folder, inspect, judge, tool_named
+from .tools import (
+    CARGO_PACKAGES,
+    DXC_LIBRARY,
+    TOOLS,
+    Tool,
+    cache_folder,
+    inspect,
+    judge,
+    tool_named,
+)
 
 ON_WINDOWS = os.name == "nt"
 PARTIAL = ".partial-"
@@ -51,11 +60,12 @@ archive."""
 NAGA_CRATE = "naga-cli"
 NAGA_HASH = "45283c11b8b1da1936214eefc9caf9c1bc74ae5c090023eaea84ba317a194c8c"
 """The SHA-256 of the crate, which contains a lock with those of all crates that it needs."""
-CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
-"""Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
-it.
-"""
-NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript", "pyodide": "pyodide"}
+NPM_PACKAGES = {
+    "tint": "webgpu",
+    "typescript": "typescript",
+    "pyodide": "pyodide",
+    "vite": "vite",
+}
 """The packages of npm, by the tool that each of them is."""
 
 PATIENCE = 1800.0
@@ -353,6 +363,7 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "tint": partial(_npm, "tint"),
     "typescript": partial(_npm, "typescript"),
     "pyodide": partial(_npm, "pyodide"),
+    "vite": partial(_npm, "vite"),
 }
 
 

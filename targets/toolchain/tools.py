@@ -44,7 +44,13 @@ from .versions import (
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mjs")
+VITE = ("node_modules/vite/package.json", "node_modules/vite/bin/vite.js")
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
+
+CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
+"""Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
+it.
+"""
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
 MESA_SAYS = rb"Mesa (\d+\.\d+\.\d+)"
@@ -150,7 +156,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         name="node",
-        purpose="runs tint, typescript and pyodide",
+        purpose="runs tint, typescript, pyodide and vite",
         place=Programs(("node",)),
         version=says("--version", r"v(\S+)"),
         source=Debian(("nodejs", "npm")),
@@ -168,6 +174,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles(TYPESCRIPT),
         version=stated("version"),
         source=OwnInstaller("6.0.3"),
+    ),
+    Tool(
+        name="vite",
+        purpose="bundles web pages with the plugin; only tests need it",
+        place=FolderFiles(VITE),
+        version=stated("version"),
+        source=OwnInstaller("6.4.6"),  # the last that runs on the Node.js of Debian 12
     ),
     Tool(
         name="pyodide",
@@ -193,8 +206,23 @@ TOOLS: tuple[Tool, ...] = (
         minimum=(1, 63),  # the one of Debian 12
     ),
     Tool(
+        name="cargo",
+        purpose="builds naga; runs the build script of the crate in tests",
+        place=Programs(("cargo",)),
+        version=says_by_rustup("--version", r"cargo (\d+\.\d+\.\d+)"),
+        source=Debian(CARGO_PACKAGES),
+    ),
+    Tool(
+        name="cmake",
+        purpose="builds with materials by the CMake function; only tests need it",
+        place=Programs(("cmake",)),
+        version=says("--version", r"cmake version (\d+\.\d+\.\d+)"),
+        source=Debian(("cmake",)),
+        minimum=(3, 25),  # the one of Debian 12, which the function needs
+    ),
+    Tool(
         name="ninja",
-        purpose="runs graphs that burnish build has written; only tests need it",
+        purpose="builds what CMake and `burnish build` have described; only tests need it",
         place=Programs(("ninja",)),
         version=says("--version", r"(\d+\.\d+\.\d+)"),
         source=Debian(("ninja-build",)),

@@ -17,6 +17,7 @@ from burnish.commands.group import COMMANDS, burnish
 from .kit import PLAIN, invoke
 
 WITHOUT = {
+    "bind": "what it prints is a binding, and `compile` answers for the same files",
     "export": "its --format chooses the document that it writes, and the JSON has a version",
     "graph": "its --format chooses the picture; `export` has the graph as JSON with a version",
     "view": "it serves pages until it is ended",
@@ -43,6 +44,7 @@ LINES: dict[str, Sequence[str]] = {
         "16",
     ),
     "import": ("chair.mtlx", "-o", "chair"),
+    "integration": (),
     "judge": ("golden", "golden"),
     "render": ("m.burnish", "-o", "m.png", "--size", "4"),
     "same": ("m.burnish", "m.burnish"),

@@ -52,6 +52,38 @@ def test_a_line_for_each() -> None:
     assert tree(Path.cwd()) == {"wrong.burnish"}
 
 
+ANNOTATIONS = """\
+::error file=wrong.burnish,line=3,col=11,endLine=3,endColumn=15,title=B0202::`tint` is declared \
+twice
+::error file=wrong.burnish,line=4,col=13,endLine=4,endColumn=16,title=B0201::unknown name `tnt`; \
+did you mean `tint`?
+::warning file=wrong.burnish,line=6,col=1,endLine=6,endColumn=15,title=B0113::this doc comment \
+describes nothing
+"""
+
+
+def test_annotations_for_github() -> None:
+    done = invoke("check", "wrong.burnish", "--format", "github")
+    assert (done.exit_code, done.stdout, done.stderr) == (1, "", ANNOTATIONS)
+    done = invoke("check", "none%.burnish", "--format", "github")
+    assert done.stderr == "::error title=B0001::there is no file `none%25.burnish`\n"
+
+
+def test_a_name_cannot_begin_another_command() -> None:
+    name = "a,line=9::\n::set-env name=X::.burnish"
+    Path(name).write_text("material M { color = tnt }\n")
+    (line,) = invoke("check", name, "--format", "github").stderr.splitlines()
+    assert line.startswith(
+        "::error file=a%2Cline=9%3A%3A%0A%3A%3Aset-env name=X%3A%3A.burnish,line=1,"
+    )
+
+
+def test_many_files_are_checked_at_once() -> None:
+    Path("right.burnish").write_text(PLAIN)
+    done = invoke("check", "right.burnish", "wrong.burnish", "wrong.burnish", "--format", "line")
+    assert (done.exit_code, done.stderr) == (1, LINES)
+
+
 def test_a_line_without_a_place() -> None:
     done = invoke("check", "none.burnish", "--format", "line")
     assert done.stderr == "burnish: error: B0001: there is no file `none.burnish`\n"

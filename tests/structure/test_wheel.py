@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 import burnish
+from burnish.commands.integration import WHAT
 from burnish.targets.toolchain.tools import program
 from burnish.targets.web_host.serving.modules import host_modules
 
@@ -84,7 +85,7 @@ def test_content(wheel: Path) -> None:
     assert {"burnish/__init__.py", "burnish/__main__.py"} <= top
     wanted |= {
         f"burnish/{path.relative_to(ROOT).as_posix()}"
-        for folder in ("docs", "examples")
+        for folder in ("docs", "examples", *(f"integrations/{name}" for name in WHAT))
         for path in files(ROOT / folder)
     }
     wanted |= {f"burnish/{name}" for name in LINKED}

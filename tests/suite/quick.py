@@ -57,6 +57,7 @@ LEFT_OUT: Mapping[str, str] = {
     "examples/test_accepted.py": _COMPILERS,
     "examples/test_own_materials.py": _COMPILERS,
     "fuzz": _LARGE,
+    "integrations": "run other build systems",
     "judging/test_assertions.py": "start pytest again and again",
     "layout/test_compilers.py": _COMPILERS,
     "library/test_mutants.py": _LARGE,

@@ -1,0 +1,15 @@
+// Prints a shader, as a program would load it, and a value that hosts compute.
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "materials.hpp"
+
+int main() {
+    namespace bound = burnish::materials;
+    for (const auto& profile : bound::plastic.profiles)
+        for (const auto& text : profile.texts)
+            if (std::string(profile.name) == "glsl:gl330" && std::string(text.stage) == "fragment")
+                std::cout << std::ifstream(std::string(SHADERS "/") + text.file).rdbuf();
+    std::cout << "// " << bound::derive_plastic_material({}).color_faded.x << "\n";
+}

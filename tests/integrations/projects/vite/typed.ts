@@ -1,0 +1,10 @@
+import burnish, { type Frame, type Shader } from "vite-plugin-burnish";
+import plastic from "./materials/plastic.burnish";
+
+const shader: Shader | undefined = plastic["Plastic"];
+const text: string | undefined = shader?.texts["wgsl"]?.fragment;
+const frame: Frame | undefined = plastic["Frame"];
+export const found = [text, frame?.shaders[0]?.reflection, burnish({ targets: ["wgsl"] }).name];
+
+// @ts-expect-error - there is no such stage
+export const wrong = shader?.texts["wgsl"]?.fragmnt;
