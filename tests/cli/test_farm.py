@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, Future
 from contextlib import ExitStack
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from threading import RLock
@@ -94,7 +95,7 @@ def dask(what: str, *arguments: object) -> list[str]:
 def test_rows_are_the_same_whoever_dies(start: Start, scheduler: str, files: list[str]) -> None:
     """One of two workers is killed in the middle, and a third one lacks a tool."""
     alone = invoke("conform", *files, *LINE)
-    first, _second, _third = start(), start(), start(PATH="/nowhere")
+    first, second, _third = start(), start(), start(PATH="/nowhere")
     command = [sys.executable, "-m", "burnish", "conform", *files, *LINE, "--scheduler", scheduler]
     wait_for_workers(scheduler, 3)
     with started(command) as judging:
@@ -108,6 +109,7 @@ def test_rows_are_the_same_whoever_dies(start: Start, scheduler: str, files: lis
     assert warning.startswith("warning: the worker at tcp://127.0.0.1:")
     assert f"gets nothing: it cannot draw with {ROUTE}: glslang is missing" in warning
     assert done.returncode == alone.exit_code == 0
+    until(lambda: not judges_of(second), "the end of the processes behind a worker")
 
 
 def test_what_is_known_is_told_if_all_workers_have_gone(
@@ -176,14 +178,24 @@ def test_options_of_this_machine_do_not_go_with_a_farm(files: list[str]) -> None
         assert f"and {option[0]} works on this one: leave out one of them" in done.stderr
 
 
+def judges_of(worker: Program) -> list[str]:
+    """The command lines of the processes that judge for a worker."""
+    return [text for text in worker.family().values() if "judging_process" in text]
+
+
 class Task:
     """A task of Dask that has ended."""
 
-    def __init__(self, error: BaseException) -> None:
-        self._error = error
+    def __init__(self, error: BaseException | None = None, packed: bytes = b"") -> None:
+        self._error, self._packed = error, packed
 
     def result(self) -> bytes:
-        raise self._error
+        if self._error is not None:
+            raise self._error
+        return self._packed
+
+    def add_done_callback(self, call: Callable[[Task], None]) -> None:
+        self.end = partial(call, self)
 
 
 def settled(error: BaseException) -> Any:
@@ -195,6 +207,23 @@ def settled(error: BaseException) -> Any:
     nobody._settle(lambda: nobody._failed(unit), task)
     nobody._settle(lambda: None, task)  # Whoever ends once more has no effect.
     return made.result(timeout=0)
+
+
+def test_the_scheduler_has_few_tasks_at_a_time() -> None:
+    """Dask suspects all tasks that it has given to a worker that dies."""
+    nobody, given, most = farm_of_nobody(), list[Task](), 2 * farm.AHEAD
+
+    def submit(_work: object, _name: str, _key: str, packed: bytes, **_options: object) -> Task:
+        given.append(Task(packed=packed))
+        return given[-1]
+
+    nobody.__dict__.update(_client=Mock(submit=submit), _size=2, _key="key", _work=None)
+    works = [nobody._task("rows", number, lambda: None) for number in range(10)]
+    assert len(given) == most
+    for number in range(10):
+        given[number].end()
+        assert len(given) == min(10, most + number + 1)
+    assert [work.result(timeout=0) for work in works] == list(range(10))
 
 
 def farm_of_nobody() -> Farm:
