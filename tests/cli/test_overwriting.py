@@ -57,7 +57,7 @@ def test_passes_and_rigs_are_in_names_where_there_are_several() -> None:
         expected |= of(stem)
         assert names("out") == expected
         reflection = json.loads(Path(f"out/{stem}.json").read_text())
-        files = {row["name"] for row in reflection["backends"]["wgsl:webgpu"]["files"]}
+        files = {row["file"] for row in reflection["backends"]["wgsl:webgpu"]["files"]}
         assert files == of(stem) - {f"{stem}.json"}
 
 
