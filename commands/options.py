@@ -46,10 +46,9 @@ def option(row: Option) -> Callable[[FC], FC]:
             *row.names, row.field, type=click.Choice(row.choices), default=row.choices[0],
             show_default=True, help=row.help,
         )  # fmt: skip
-    # To click, a default of `None` would be a value, with which nothing is required.
-    default: dict[str, Any] = (
-        {} if row.default is None else {"default": row.default, "show_default": True}
-    )
+    default: dict[str, Any] = {}
+    if row.default is not None:  # To click, no value is one as well.
+        default = {"default": row.default, "show_default": True}
     return click.option(
         *row.names, row.field, metavar=row.metavar, required=row.required, multiple=row.many,
         type=click.Path(path_type=Path) if row.is_path else None, help=row.help, **default,
