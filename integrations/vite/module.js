@@ -3,17 +3,6 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 
-const LANGUAGES = { wgsl: "wgsl", glsl: "glsl", hlsl: "hlsl", metal: "msl" };
-/** The names of stages as hosts know them, by what names of files have. */
-const STAGES = {
-  vert: "vertex",
-  frag: "fragment",
-  comp: "compute",
-  geom: "geometry",
-  tesc: "tessellation_control",
-  tese: "tessellation_evaluation",
-};
-
 /** The text of a module whose default export has each material, kernel and frame by its name. */
 export async function moduleOf(outputs) {
   const read = await Promise.all(
@@ -24,15 +13,13 @@ export async function moduleOf(outputs) {
     })),
   );
   const ofKind = (kind) => read.filter((each) => each.kind === kind);
+  const written = new Map(ofKind("text").map(({ name, text }) => [name, text]));
   const shaders = new Map(
-    ofKind("reflection").map(({ name, text }) => [
-      name,
-      { texts: {}, reflection: JSON.parse(text) },
-    ]),
+    ofKind("reflection").map(({ name, text }) => {
+      const reflection = JSON.parse(text);
+      return [name, { texts: textsOf(reflection, written), reflection }];
+    }),
   );
-  for (const { name, text } of ofKind("text")) {
-    place(shaders, name, text);
-  }
 
   const exported = {};
   for (const { text } of ofKind("plan")) {
@@ -48,18 +35,19 @@ export async function moduleOf(outputs) {
 }
 
 /**
- * Put a text where its name says: `Plastic.es300.frag.glsl` is for the stage `fragment` of the
- * target `glsl:es300`, and belongs to `Plastic.json`. A text of all stages names none.
+ * The texts of a shader by target and stage. Its reflection says which files have them: shaders of
+ * a frame may share one. The target's default profile is not in the names of files, nor here. One
+ * text of several stages is `all`.
  */
-function place(shaders, name, text) {
-  const [owner] = [...shaders.keys()]
-    .map((key) => key.replace(/json$/, ""))
-    .filter((stem) => name.startsWith(stem))
-    .sort((one, other) => other.length - one.length);
-  const parts = name.slice(owner.length).split(".");
-  const language = LANGUAGES[parts.pop()];
-  const stage = parts.at(-1) in STAGES ? STAGES[parts.pop()] : "all";
-  const target = [language, ...parts].join(":");
-  const { texts } = shaders.get(`${owner}json`);
-  texts[target] = { ...texts[target], [stage]: text };
+function textsOf(reflection, written) {
+  const texts = {};
+  for (const [full, { files }] of Object.entries(reflection.backends)) {
+    const [language, profile] = full.split(":");
+    const isOne = files.length > 1 && files.every(({ file }) => file === files[0].file);
+    for (const { stage, file } of files) {
+      const target = file.includes(`.${profile}.`) ? full : language;
+      texts[target] = { ...texts[target], [isOne ? "all" : stage]: written.get(file) };
+    }
+  }
+  return texts;
 }
