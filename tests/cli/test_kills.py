@@ -104,7 +104,7 @@ def test_killed_at_any_time(tmp_path: Path) -> None:
         (tmp_path / f"{name}.burnish").write_text(f"/// {name * 20_000}\n{PLAIN}")
         assert shell("compile", f"{name}.burnish", "-o", name, folder=tmp_path).returncode == 0
     out = tmp_path / "out"
-    command = [sys.executable, "-m", "burnish", "compile", "-o", "out"]
+    command = [sys.executable, "-m", "burnish", "compile", "--force", "-o", "out"]
     for turn in range(12):
         name = ("old", "new")[turn % 2]
         with started([*command, f"{name}.burnish"], cwd=tmp_path) as program:
@@ -116,7 +116,7 @@ def test_killed_at_any_time(tmp_path: Path) -> None:
         for name in contents(out):
             whole = [(tmp_path / each / name).read_bytes() for each in ("old", "new")]
             assert (out / name).read_bytes() in whole
-    assert shell("compile", "new.burnish", "-o", "out", folder=tmp_path).returncode == 0
+    assert shell("compile", "new.burnish", "--force", "-o", "out", folder=tmp_path).returncode == 0
     assert contents(out) == contents(tmp_path / "new")
 
 
