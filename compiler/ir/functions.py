@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from ...support.frozen import EMPTY, frozen
 from .shader import Shader
 
+
 @frozen
 class FunctionsAsked:
     """The functions that somebody wants of a material."""
@@ -29,6 +30,8 @@ class FunctionsAsked:
 
     They are the library's names: ``std.prelude.Surface.object_position``.
     """
+    words: Mapping[str, str] = EMPTY
+    """The engines' words for slots, by the library's names; they are made without being named."""
     of_surface: Mapping[str, str] = EMPTY
     """The engines' words for slots whose interpolated values they have, by the library's names."""
 
@@ -42,6 +45,8 @@ class SlotInfo:
     declared_type: str
     """The type as it is written, or its meaning: ``rgb``, ``normal<world>``, ``float``."""
     doc: str
+    word: str = ""
+    """The engines' word for it, if the library declares it and they have one."""
 
 
 @frozen
