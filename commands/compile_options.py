@@ -141,8 +141,8 @@ PREFIX = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, EMIT, ENGINE, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE,
-    SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
+    TARGET, OUTPUT, EMIT, ENGINE, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE, SET, WHY,
+    VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -171,7 +171,8 @@ class CompileRequest:
     hoist: bool = True
     native_stages: bool = False
     cache: bool = True
-    emit: str = SHADERS
+    emit: str | None = None
+    """The kind of what is written: that of shaders unless it is named."""
     slots: tuple[str, ...] = ()
     """Slots as they were given, each perhaps several with commas."""
     together: bool = False
@@ -187,7 +188,7 @@ class CompileRequest:
     @property
     def misfit(self) -> str:
         """What is wrong with options that do not go together, as a sentence; else empty."""
-        if self.emit not in (SHADERS, FUNCTIONS):
+        if self.emit not in (None, SHADERS, FUNCTIONS):
             return f"--emit takes `{SHADERS}` or `{FUNCTIONS}`, not `{self.emit}`"
         if self.engine is not None and self.targets:
             return "--engine says the targets itself: leave --target out"
@@ -251,8 +252,7 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
         return None
     if chosen.get("why") and chosen["output"] == STDOUT:
         return None
-    request = CompileRequest(**chosen)
-    return None if request.misfit else request
+    return CompileRequest(**chosen)
 
 
 def _may_be_read(path: Path) -> bool:

@@ -40,7 +40,7 @@ def compiled_functions(request: CompileRequest) -> Compiled:
 
 def _engine(name: str) -> Engine:
     """The engine called so. Raises ``CompileError`` if there is none."""
-    from ..engines import registry as engines
+    from ..engines import known as engines
 
     if name not in engines.names():
         report = Report()

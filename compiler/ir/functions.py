@@ -28,7 +28,7 @@ class FunctionsAsked:
     at_vertices: frozenset[str] = frozenset()
     """The slots that are computed for vertices unless something else is said.
 
-    They are the library's names: ``std.prelude.Surface.object_position``.
+    They are the library's names: ``std.file.Record.name``.
     """
     words: Mapping[str, str] = EMPTY
     """The engines' words for slots, by the library's names; they are made without being named."""

@@ -117,7 +117,7 @@ FLOORS: dict[str, str] = {
     "targets.web_view": "documents runner",
     # Engines.
     "engines.engine": "frozen diagnostics documents emit",
-    "engines.registry": "engine",
+    "engines.known": "engine",
     "engines.three": "frozen diagnostics documents emit engine",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
@@ -158,7 +158,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points frame_sameness materialx compiled_functions engine engines.registry"
+        "entry_points frame_sameness materialx compiled_functions engine known"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

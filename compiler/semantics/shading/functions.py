@@ -140,7 +140,7 @@ def _word(record: Record, name: str, asked: FunctionsAsked) -> str:
 
 
 def _library_slot(record: Record, name: str) -> str:
-    """The slot as the library declares it: ``std.prelude.Surface.normal``."""
+    """The slot as the library declares it: ``std.file.Record.name``."""
     return f"{library_name(record.declaration(name).owner)}.{name}"
 
 
