@@ -15,7 +15,7 @@ from ..engines.engine import Engine
 from ..targets import registry
 from ..targets.selection import DEFAULT
 from .compile_options import CompileRequest, name_and_value
-from .compiled_files import Compiled
+from .compiled_record import Compiled
 
 
 def compiled_functions(request: CompileRequest) -> Compiled:

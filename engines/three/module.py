@@ -213,7 +213,7 @@ class _Writer:
             doc=tuple(document.doc.splitlines()),
             base=base,
             classes=tuple(name for name in CLASSES if name in used | own),
-            type_classes=tuple(name for name in CLASSES if name in types),
+            type_classes=tuple(name for name in (*CLASSES, "Texture") if name in types),
             words=tuple(name for name in WORDS if name in words),
             texture_helpers=tuple(texts),
             has_switches=switches,
@@ -271,7 +271,7 @@ class _Writer:
         for row in self._document.textures:
             code = inputs.TEXTURES[row.type].format(", ".join(map(_number, row.default_texel)))
             space = (
-                "Its colours are decoded: give it `SRGBColorSpace`."
+                "(Its colours are decoded: give it `SRGBColorSpace`.)"
                 if row.intent == "color"
                 else ""
             )

@@ -159,6 +159,7 @@ def test_what_is_wrong_is_told_and_nothing_is_written(
 
 def test_each_row_of_the_table_is_a_property_of_three(site: Path) -> None:
     """A misspelt property would be set in vain: JavaScript says nothing of it."""
-    text = (site / "three" / "three.webgpu.js").read_text(encoding="utf-8")
+    files = (site / "three" / f"three.{name}.js" for name in ("webgpu", "tsl"))
+    text = "".join(file.read_text(encoding="utf-8") for file in files)
     for row in (*PHYSICAL, *UNLIT, *SHARED):
         assert f"this.{row.node} = null;" in text, row.node
