@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         Texture,
         check,
         compile,
+        functions,
         same,
         to_json,
     )
@@ -53,6 +54,7 @@ __all__ = [
     "bind",
     "check",
     "compile",
+    "functions",
     "same",
     "to_json",
 ]

@@ -15,7 +15,10 @@ from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent.resolve()
-ROOTS = ("api", "bindings", "commands", "compiler", "materialx", "stdlib", "support", "targets")
+ROOTS = (
+    "api", "bindings", "commands", "compiler", "engines", "materialx", "stdlib", "support",
+    "targets",
+)  # fmt: skip
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = (

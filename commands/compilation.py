@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
-from .compiled_files import Compiled, compiled
+from .compiled_files import compiled
+from .compiled_record import Compiled
 from .console import print_rendered
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output

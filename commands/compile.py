@@ -39,6 +39,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --target glsl --emit spirv --optimize -o build/
         burnish compile materials/*.burnish -o build/
         burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
+        burnish compile plastic.burnish --emit functions --slots tint,normal --target wgsl -o build/
     """
     each_once(chosen["values"])
     request = CompileRequest(**chosen)

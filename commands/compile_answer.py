@@ -9,7 +9,7 @@ from typing import Literal
 from ..compiler.documents.answer import CompileAnswer, CompiledFileRow
 from ..compiler.inputs import Inputs
 from .compile_options import CompileRequest
-from .compiled_files import Compiled
+from .compiled_record import Compiled
 from .depfiles import files_read
 from .written_files import owners_of, written_of
 
@@ -31,10 +31,12 @@ def _outputs(request: CompileRequest, found: Sequence[Compiled]) -> Iterator[Com
     """A row for each output, in the order in which they are put in place."""
     owners = owners_of(request.files, found)
     source_of = {name: source for source, names in owners.items() for name in names}
-    kind_of: dict[str, Literal["module", "reflection", "plan"]] = {}
+    kind_of: dict[str, Literal["module", "reflection", "functions", "plan"]] = {}
     for each in found:
         kind_of |= dict.fromkeys(each.modules, "module")
-        kind_of |= dict.fromkeys(each.reflections, "reflection")
+        kind_of |= dict.fromkeys(
+            each.reflections, "functions" if request.has_functions else "reflection"
+        )
         kind_of |= dict.fromkeys(each.plans, "plan")
     for name in written_of(request.files, found):
         yield CompiledFileRow(

@@ -53,19 +53,49 @@ OUTPUT = Option(
     metavar="FOLDER",
     required=True,
 )
-SHADERS = "shaders"
+SHADERS, FUNCTIONS = "shaders", "functions"
 MODULES = ("spirv", "dxil")
 EMIT = Option(
     "emit",
     ("--emit",),
-    "What to write: `shaders`, and with `spirv` or `dxil` also what drivers take: SPIR-V of the "
-    "GLSL for Vulkan, or DXIL of the HLSL. These need glslang, or DXC: see `burnish doctor`.",
+    "What to write: whole `shaders`, and with `spirv` or `dxil` also what drivers take: SPIR-V of "
+    "the GLSL for Vulkan, or DXIL of the HLSL, by glslang or DXC (see `burnish doctor`). Or "
+    "`functions`, which an engine that lights surfaces itself calls: one for each slot, such as "
+    "`tint` or `normal`.",
     metavar="KIND,…",
     default=SHADERS,
 )
 OPTIMIZE = Option(
     "optimize", ("--optimize",), "With `--emit spirv`: let spirv-opt make the modules shorter."
 )
+SLOTS = Option(
+    "slots",
+    ("--slots",),
+    "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
+    "follows its name. Default: those that the material itself, or its model, gives a value, and "
+    "that need no lights.",
+    metavar="NAME[@vertex],…",
+    many=True,
+)
+TOGETHER = Option(
+    "together",
+    ("--together",),
+    "With `--emit functions`: one function for pixels and one for vertices, each for all slots.",
+)
+ENGINE = Option(
+    "engine",
+    ("--engine",),
+    "Write what an engine takes, instead of texts: a module with a material for `three` "
+    "(three.js). It implies `--emit functions`.",
+    metavar="NAME",
+)
+PREFIX = Option(
+    "prefix",
+    ("--prefix",),
+    "With `--emit functions`: what names in the text begin with, instead of the material's name.",
+    metavar="NAME",
+)
+
 MATERIAL = Option(
     "material",
     ("--material",),
@@ -156,9 +186,9 @@ CACHE = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, EMIT, OPTIMIZE, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE,
-    FLIP_Y, LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES, DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS,
-    FORMAT, FORCE, CACHE,
+    TARGET, OUTPUT, EMIT, OPTIMIZE, ENGINE, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE,
+    SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES,
+    DEPFILE, DEPFILE_TARGET, LIST_OUTPUTS, FORMAT, FORCE, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -174,8 +204,13 @@ class CompileRequest:
     """The targets as they were given, each perhaps several with commas; empty for the default
     ones."""
     emit: str = SHADERS
-    """Words, with commas: ``shaders``, and the formats of modules."""
+    """Words, with commas: ``shaders``, the formats of modules, or ``functions``."""
     optimize: bool = False
+    engine: str | None = None
+    slots: tuple[str, ...] = ()
+    """Slots as they were given, each perhaps several with commas."""
+    together: bool = False
+    prefix: str | None = None
     material: str | None = None
     rig: str | None = None
     pass_: str | None = None
@@ -196,6 +231,11 @@ class CompileRequest:
     form: str = "text"
     force: bool = False
     cache: bool = True
+
+    @property
+    def has_functions(self) -> bool:
+        """True if functions are written, or what an engine takes of them."""
+        return self.emit == FUNCTIONS or self.engine is not None
 
     @property
     def prints(self) -> bool:
@@ -228,9 +268,33 @@ class CompileRequest:
     @property
     def contradiction(self) -> str | None:
         """What is wrong with options that go with each other; ``None`` if nothing is."""
-        for word in self.emit.split(","):
-            if word not in (SHADERS, *MODULES):
-                return f"--emit takes {SHADERS}, {' and '.join(MODULES)}, not '{word}'"
+        words = self.emit.split(",")
+        for word in words:
+            if word not in (SHADERS, *MODULES, FUNCTIONS):
+                known = (SHADERS, *MODULES)
+                return f"--emit takes {', '.join(known)} or {FUNCTIONS}, not '{word}'"
+        if FUNCTIONS in words and len(words) > 1:
+            return f"--emit {FUNCTIONS} writes nothing else: leave the other words out"
+        return self._misfit or self._contradiction
+
+    @property
+    def _misfit(self) -> str | None:
+        """What is wrong between options about whole shaders and those about functions."""
+        if self.engine is not None and self.targets:
+            return "--engine says the targets itself: leave --target out"
+        if self.engine is not None and self.together:
+            return "an engine takes one function for each slot: leave --together out"
+        of_others = _OF_SHADERS if self.has_functions else _OF_FUNCTIONS
+        given = [row.names[-1] for row in of_others if getattr(self, row.field) not in _NOTHING]
+        if self.has_functions:
+            given += [] if self.hoist else [HOIST.off]
+            words = "is about whole shaders: leave it out, or `--emit functions` and `--engine`"
+            return f"{given[0]} {words}" if given else None
+        return f"{given[0]} goes with `--emit functions` only" if given else None
+
+    @property
+    def _contradiction(self) -> str | None:
+        """What is wrong between options about what is written and told."""
         if self.modules and self.prints:
             return "--emit makes files of bytes: it goes with a folder, not with -o -"
         if self.optimize and "spirv" not in self.modules:
@@ -252,6 +316,12 @@ class CompileRequest:
             return "--depfile-target is a name in the file of --depfile, which is not given"
         return None
 
+
+_OF_FUNCTIONS = (SLOTS, TOGETHER, PREFIX)
+_OF_SHADERS = (
+    OPTIMIZE, PASS, WHY, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, BINDINGS, NATIVE_STAGES,
+)  # fmt: skip
+_NOTHING: tuple[object, ...] = (None, False, ())
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
 _FLAGS = {

@@ -9,14 +9,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..support.frozen import frozen
 from .compile_options import CompileRequest, name_and_value
+from .compiled_record import Compiled
 
 if TYPE_CHECKING:
     from ..api.compiled import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.documents.reflection import Reflection
-    from ..compiler.inputs import Inputs
     from .modules import Module
 
 
@@ -26,30 +25,15 @@ _UNSIGNED = (
 """Said of DXIL, as the tool that signs it is Microsoft's, and not part of DXC's sources."""
 
 
-@frozen
-class Compiled:
-    """What one file has become."""
-
-    texts: Mapping[str, str]
-    """The shaders, by the name of the file for them."""
-    reflections: Mapping[str, str]
-    plans: Mapping[str, str]
-    modules: Mapping[str, bytes]
-    """What compilers have made of the texts for drivers."""
-    lines: tuple[str, ...]
-    """A line for each material and frame, which says what it has become."""
-    remarks: tuple[str, ...]
-    """Lines about languages."""
-    diagnostics: tuple[Diagnostic, ...]
-    inputs: Inputs | None
-    """The files that were read; ``None`` if there are errors."""
-
-
 def compiled(request: CompileRequest) -> Compiled:
     """What the only file of a request becomes."""
     from ..compiler.diagnostics.diagnostic import CompileError
 
     (file,) = request.files
+    if request.has_functions:
+        from .function_files import compiled_functions
+
+        return compiled_functions(request)
     warnings: tuple[Diagnostic, ...] = ()
     try:
         result = _result(request, file)

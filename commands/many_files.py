@@ -13,7 +13,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from .compile_options import CompileRequest
-from .compiled_files import Compiled, compiled
+from .compiled_files import compiled
+from .compiled_record import Compiled
 from .kept_files import KeptFiles
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _NAME = "outputs"
-_OWN = (b"by Burnish.", b'{\n  "format": ', b'{\n  "plan": ')
+_OWN = (b"by Burnish.", b'{\n  "format": ', b'{\n  "plan": ', b'{\n  "signatures": ')
 """What is among the first bytes of each text, reflection and plan."""
 _MODULES = (b"\x03\x02\x23\x07", b"DXBC")
 """The first bytes of SPIR-V and of DXIL, which nobody writes by hand."""

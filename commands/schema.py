@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 DOCUMENTS = (
     "reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph", "answer",
-    "actions",
+    "actions", "functions",
 )  # fmt: skip
 
 
@@ -28,9 +28,10 @@ def schema(document: str) -> None:
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
     what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
     A graph has the equations of materials, as `burnish export` writes them, an answer is what
-    commands say with `--format json`, and actions are what `burnish build` has to run. Each has the
-    version of its format as `format`, `plan`, `package`, `version`, `corpus`, `graph`, `answer` or
-    `build`.
+    commands say with `--format json`, actions are what `burnish build` has to run, and a document
+    of functions (Plastic.functions.json) says how an engine calls them. Each has the version of its
+    format as `format`, `plan`, `package`, `version`, `corpus`, `graph`, `answer`, `build` or
+    `signatures`.
 
     \b
     Example:
@@ -50,6 +51,7 @@ def _kinds() -> Mapping[str, type]:
     from ..compiler.documents.actions import BuildActions
     from ..compiler.documents.answer import Answer
     from ..compiler.documents.equation_graph import EquationGraphs
+    from ..compiler.documents.functions import Functions
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
     from ..targets.conformance.corpus.records import Corpus, CorpusIndex
@@ -58,6 +60,6 @@ def _kinds() -> Mapping[str, type]:
 
     kinds = (
         Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, Answer,
-        BuildActions,
+        BuildActions, Functions,
     )  # fmt: skip
     return dict(zip(DOCUMENTS, kinds, strict=True))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from .compiled_files import Compiled
+from .compiled_record import Compiled
 
 
 def written_of(files: Sequence[Path], found: Sequence[Compiled]) -> dict[str, str | bytes]:

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
 from ...support.frozen import frozen
-from ..compiled_files import Compiled, compiled
+from ..compiled_files import compiled
+from ..compiled_record import Compiled
 from ..many_files import made_in_processes
 from ..output import write_all
 from ..ownership import Ownership

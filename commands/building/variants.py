@@ -18,7 +18,9 @@ from click.decorators import FC
 
 from ...support.frozen import changed
 from ..compile_options import (
+    BINDINGS,
     EMIT,
+    ENGINE,
     FLIP_Y,
     FORCE,
     HOIST,
@@ -26,10 +28,13 @@ from ..compile_options import (
     NATIVE_STAGES,
     OPTIMIZE,
     PASS,
+    PREFIX,
     RIG,
     SET,
     SINGLE_FILE,
+    SLOTS,
     TARGET,
+    TOGETHER,
     VALIDATE,
     CompileRequest,
 )
@@ -37,8 +42,8 @@ from ..options import each_once, option
 from .actions import Variant, options_of
 
 OF_VARIANTS = (
-    TARGET, EMIT, OPTIMIZE, RIG, PASS, SET, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST,
-    NATIVE_STAGES, FORCE,
+    TARGET, EMIT, OPTIMIZE, ENGINE, SLOTS, TOGETHER, PREFIX, RIG, PASS, SET, VALIDATE, SINGLE_FILE,
+    FLIP_Y, LINE_DIRECTIVES, HOIST, BINDINGS, NATIVE_STAGES, FORCE,
 )  # fmt: skip
 """The options of ``burnish compile`` that a build has, and each of its variants."""
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")

@@ -108,7 +108,7 @@ class CompiledFileRow:
 
     path: str
     """The path."""
-    kind: Literal["text", "module", "reflection", "plan"]
+    kind: Literal["text", "module", "reflection", "functions", "plan"]
     """What it is; a ``module`` is SPIR-V or DXIL."""
     source: str
     """The source that becomes it."""

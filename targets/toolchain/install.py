@@ -64,6 +64,7 @@ NPM_PACKAGES = {
     "tint": "webgpu",
     "typescript": "typescript",
     "pyodide": "pyodide",
+    "three": "three",
     "vite": "vite",
 }
 """The packages of npm, by the tool that each of them is."""
@@ -364,6 +365,7 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "typescript": partial(_npm, "typescript"),
     "pyodide": partial(_npm, "pyodide"),
     "vite": partial(_npm, "vite"),
+    "three": partial(_npm, "three"),
 }
 
 

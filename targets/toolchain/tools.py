@@ -45,6 +45,7 @@ DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mjs")
 VITE = ("node_modules/vite/package.json", "node_modules/vite/bin/vite.js")
+THREE = ("node_modules/three/package.json", "node_modules/three/build/three.webgpu.js")
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
 
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
@@ -181,6 +182,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles(VITE),
         version=stated("version"),
         source=OwnInstaller("6.4.6"),  # the last that runs on the Node.js of Debian 12
+    ),
+    Tool(
+        name="three",
+        purpose="three.js, in which tests draw what is made for it",
+        place=FolderFiles(THREE),
+        version=stated("version"),
+        source=OwnInstaller("0.187.0"),
     ),
     Tool(
         name="pyodide",

@@ -121,6 +121,10 @@ FLOORS: dict[str, str] = {
     "targets.web_view": "documents runner",
     # What hosts set, compute and bind, in their own languages.
     "bindings": "frozen ir packing documents reference tracing",
+    # Engines.
+    "engines.engine": "frozen diagnostics documents emit",
+    "engines.known": "engine",
+    "engines.three": "frozen diagnostics documents emit engine",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -136,10 +140,16 @@ FLOORS: dict[str, str] = {
         "frontend description emit legalise availability selection binding_schemes graphs "
         "shared_texts compiled specialising"
     ),
+    "api.compiled_functions": "frozen diagnostics documents inputs emit",
+    "api.compiling_functions": (
+        "frozen garbage diagnostics inputs ir passes reflection frontend description legalise emit "
+        "selection compiling specialising compiled_functions"
+    ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
-        "selection runner compiled remembered compiling sameness"
+        "selection runner compiled remembered compiling sameness compiled_functions "
+        "compiling_functions"
     ),
     "api.binding": ("frozen arguments selection bindings compiled entry_points"),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
@@ -157,7 +167,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points binding frame_sameness materialx bindings"
+        "entry_points binding frame_sameness materialx bindings compiled_functions engine known"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

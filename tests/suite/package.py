@@ -6,7 +6,10 @@ import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("api", "bindings", "commands", "compiler", "materialx", "stdlib", "support", "targets")
+FOLDERS = (
+    "api", "bindings", "commands", "compiler", "engines", "materialx", "stdlib", "support",
+    "targets",
+)  # fmt: skip
 """The folders that a wheel contains, beside ``generated``; tests are not among them."""
 
 

@@ -1,0 +1,1 @@
+"""Puts functions into engines: a folder for each engine, as languages have one each."""

@@ -1,0 +1,35 @@
+"""The record that describes an engine: ``Engine``.
+
+To add an engine, make a folder beside the others in ``engines`` with an ``engine.py`` that defines
+``ENGINE``. Nothing else has to change, since the registry finds the folder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from ..compiler.diagnostics.diagnostic import Report
+from ..compiler.documents.functions import Functions
+from ..support.frozen import frozen
+from ..targets.emit.functions import FunctionEmission
+
+Emissions = Mapping[str, FunctionEmission]
+"""The texts of functions by profile (``glsl:es300``)."""
+
+
+@frozen
+class Engine:
+    """An engine, and what it takes."""
+
+    name: str
+    title: str
+    """The engine's name in prose."""
+    targets: tuple[str, ...]
+    """The profiles in which it takes functions."""
+    write: Callable[[Functions, Emissions, Report], Mapping[str, str]]
+    """Makes the engine's own files of the functions of one material: texts by the files' names.
+
+    What the engine cannot do is reported.
+    """
+    unproven: str = ""
+    """The reason why nobody should rely on the files yet: "never compiled by …"."""
