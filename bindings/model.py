@@ -21,7 +21,7 @@ class Block:
 
     structure: Structure
     plain_name: str
-    """Name in the reflection of its material: ``View``, ``RigDerived``."""
+    """Name in the reflection of its material: ``View``, ``DerivedFromRig``."""
     group: str
     layout_id: str
     """The digest of its layout; empty where no text has it, and only derived values are of it."""

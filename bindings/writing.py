@@ -62,7 +62,7 @@ def _embedded(text: str, embedded: list[str]) -> str:
 
 def deriving(block: Block) -> str:
     """The name of the function that computes a derived block: ``derive Rig``."""
-    return f"derive.{block.name.removesuffix('Derived')}"
+    return f"derive.{block.name.removesuffix('Derived').replace('DerivedFrom', '')}"
 
 
 def _headline(binding: Binding) -> str:

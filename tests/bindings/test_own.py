@@ -133,7 +133,7 @@ def test_folds_are_loops() -> None:
         instance.set("torch.place", (2.0, -1.0, 3.5))
         block = module.Rig(lamps_count=count, torch_place=(2.0, -1.0, 3.5))
         found = bytes(module.derive_rig(block))
-        assert not difference(instance.blocks()["RigDerived"], found)
+        assert not difference(instance.blocks()["DerivedFromRig"], found)
 
 
 def test_texts_are_embedded() -> None:

@@ -165,9 +165,10 @@ def test_one_layout_for_the_view_and_one_for_a_rig(variant: Variant, find: Find)
     materials = find(variant).result.materials
     for material in materials:
         check_layouts(material)
-    of_rig = [layouts(material, 1) for material in materials]
+    lit = [material for material in materials if material.reflection.extent is None]
+    of_rig = [layouts(material, 1) for material in lit]
     every = {name: layout for found in of_rig for name, layout in found.items()}
-    assert every
+    assert every or not lit
     for found in of_rig:
         assert found.items() <= every.items()
 
