@@ -97,7 +97,7 @@ def test_the_program_has_the_shaders(built: Built) -> None:
     (material,) = burnish.compile(built.materials / "plastic.burnish", ("glsl:gl330",))
     text, value = run([str(program)], check=True).stdout.rsplit("//", 1)
     assert text == material.text("glsl:gl330", "fragment")
-    assert float(value) == pytest.approx(LINEAR / 2, rel=1e-5)
+    assert float(value) == pytest.approx(LINEAR, rel=1e-5)
 
 
 def test_nothing_is_made_twice(built: Built) -> None:
@@ -111,7 +111,7 @@ def test_what_depends_on_a_changed_import_is_made_again(built: Built) -> None:
     assert built.compiled(built.build()) == {"plastic"}
     after = built.dates()
     changed = {name for name in after if after[name] != before[name]}
-    assert changed == {"Plastic.json", "materials.hpp"}
+    assert changed == {"Plastic.frag.wgsl", "Plastic.gl330.frag.glsl"}
     assert built.compiled(built.build()) == set()
 
 

@@ -181,7 +181,7 @@ def test_the_texts_of_the_shaders(page: Page, viewer: Viewer) -> None:
         "Flat · vertex", "Flat · fragment",
     ]  # fmt: skip
     text = page.locator("#text")
-    assert "return material_derived.color;" in text.inner_text()
+    assert "material.base * material.level" in text.inner_text()
     write(viewer, FLAT.replace("base * level", "base * level * uv.x"))
     until(lambda: "input.uv" in text.inner_text(), "the new text")
     page.keyboard.press("Escape")

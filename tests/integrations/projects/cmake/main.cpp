@@ -1,4 +1,4 @@
-// Prints a shader, as a program would load it, and a value that hosts compute.
+// Prints a shader, as a program would load it, and the default of a parameter.
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -11,5 +11,5 @@ int main() {
         for (const auto& text : profile.texts)
             if (std::string(profile.name) == "glsl:gl330" && std::string(text.stage) == "fragment")
                 std::cout << std::ifstream(std::string(SHADERS "/") + text.file).rdbuf();
-    std::cout << "// " << bound::derive_plastic_material({}).color_faded.x << "\n";
+    std::cout << "// " << bound::PlasticMaterial{}.base.x << "\n";
 }
