@@ -20,7 +20,7 @@ from .compiler.reflection.roles import scene_names_to_generate
 from .compiler.syntax.lalr_tables import tables_to_generate
 from .support.initialisers import texts_to_generate
 from .targets import registry
-from .targets.emit.templates import functions_to_generate
+from .targets.emit.templates import FUNCTIONS, functions_to_generate
 from .targets.web_host.checking import write_for_checking
 from .targets.web_host.serving.builtin_table import module_to_generate
 
@@ -52,7 +52,7 @@ def _modules() -> dict[str, Precomputations]:
         "grammar": tables_to_generate(),
         "library": trees_to_generate(),
         "scene": scene_names_to_generate(),
-        "skeletons": functions_to_generate(dict.fromkeys(skeletons)),
+        "skeletons": functions_to_generate(dict.fromkeys((*skeletons, FUNCTIONS))),
         "builtin_table": module_to_generate(),
         "initialisers": dict.fromkeys(texts_to_generate(), str),  # Their keys are all of them.
     }

@@ -119,7 +119,9 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     for elaborated in shaders:
         shader = keep_stages(elaborated) if asked.native_stages else lower_stages(elaborated)
         staged = stage(shader, asked.options)
-        lacking.append(_lacking(shader, staged, chosen))
+        lacking.append(
+            lacking_features(shader, partial(_program_for, staged), chosen)
+        )
         if not asked.partial:
             report.extend(chain.from_iterable(lacking[-1].values()))
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]
@@ -255,8 +257,14 @@ def _material(
     return CompiledMaterial(graphs.shader.name, files, reasons, tuple(found), place)
 
 
-def _lacking(
-    shader: Shader, staged: Staged, chosen: list[tuple[Language, Profile]]
+def _program_for(staged: Staged, profile: Profile) -> Program:
+    return form_for(staged, profile).program
+
+
+def lacking_features(
+    shader: Shader,
+    program_for: Callable[[Profile], Program],
+    chosen: Iterable[tuple[Language, Profile]],
 ) -> dict[str, tuple[Diagnostic, ...]]:
     """For each profile, the features that it lacks and a shader needs."""
     found = {}
@@ -271,7 +279,7 @@ def _lacking(
     }
     for target, profile in chosen:
         name, report = full_name(target, profile), Report()
-        program = form_for(staged, profile).program
+        program = program_for(profile)
         for excess in excesses(program, profile):
             report.add(
                 rules.TOO_MANY, expanded if excess.of_expansion else places.get(excess.declared),

@@ -28,6 +28,7 @@ from .watching import is_watched
 
 if TYPE_CHECKING:
     from .ir.frame import Frame
+    from .ir.functions import FunctionsAsked, FunctionsShader
     from .semantics.equations.model import Equations
 
 
@@ -124,6 +125,27 @@ class Frontend:
             return []
         found = self._elaborated(module, *parts, set())
         return [(setting, shader) for setting, shader in found if shader is not None]
+
+    def functions(
+        self, module: Module, material: str | None, rig: str | None, asked: FunctionsAsked
+    ) -> list[FunctionsShader]:
+        """The slots of the materials of a file as functions, or of the named one.
+
+        Errors are in the report. Without a name of a rig, lights are those of any.
+        """
+        from .semantics.shading.functions import functions_of
+
+        materials = self._materials(module, material)
+        lights = self._rigs_of(module)[0] if rig is None else self._rig(module, rig)
+        if lights is None:
+            return []
+        made = []
+        for setting, shader in self._elaborated(module, lights, self._forward(), materials, set()):
+            if shader is not None:
+                before = setting.ctx.report.count
+                made.append(functions_of(setting, shader, asked))
+                self._report.extend(setting.ctx.report.since(before))
+        return [each for each in made if each is not None]
 
     def _parts(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None

@@ -117,6 +117,20 @@ class Buffer(Leaf):
 
 
 @frozen(key=True)
+class Argument(Leaf):
+    """An argument of a function that an engine calls: a value that whoever calls it has.
+
+    The passes make arguments of parameters, vertex inputs, varyings and the pipeline's values, once
+    the guards are decided (``stage_functions``). Each has a name of its own, also beside textures.
+    """
+
+    KIND = "argument"
+
+    fact: Fact = UNKNOWN
+    member_facts: tuple[tuple[str, Fact], ...] = ()
+
+
+@frozen(key=True)
 class Attribute(Leaf):
     """A vertex input: a number or vector, or a matrix's column (``bend.0``)."""
 

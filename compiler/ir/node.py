@@ -16,7 +16,8 @@ from ...support.frozen import frozen
 from .types import INT, Type
 
 Op = Literal[
-    "constant", "parameter", "texture", "buffer", "attribute", "input", "bound", "formal",
+    "constant", "parameter", "texture", "buffer", "attribute", "argument", "input", "bound",
+    "formal",
     "call", "native",
     "vector", "splat", "matrix", "struct", "array",
     "swizzle", "index", "member",

@@ -21,7 +21,7 @@ from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import nowhere
 from ...support.frozen import frozen
 from . import result_types
-from .leaves import Attribute, Buffer, Parameter, Texture
+from .leaves import Argument, Attribute, Buffer, Parameter, Texture
 from .meaning import Meaning
 from .node import Applying, Folding, Formal, Iterating, Node, Op
 from .stages import Crossing, SystemInput
@@ -145,6 +145,12 @@ its stored type.
 
 ATTRIBUTE = Operation("attribute", "outside", Attribute, result_types.declared, rate="varying")
 """A vertex input."""
+
+ARGUMENT = Operation("argument", "outside", Argument, result_types.declared, rate="varying")
+"""An argument of a function that an engine calls.
+
+It is no global value: the functions that this one calls get it as an argument of their own.
+"""
 
 INPUT = Operation("input", "outside", SystemInput, result_types.declared, rate="varying")
 """A value that the pipeline supplies to a stage, such as ``front_facing``."""
@@ -289,7 +295,7 @@ Semantics makes these and erases them.
 
 
 def _rows() -> Iterator[Operation[Any]]:
-    yield from (CONSTANT, PARAMETER, TEXTURE, BUFFER, ATTRIBUTE, INPUT, BOUND, FORMAL)
+    yield from (CONSTANT, PARAMETER, TEXTURE, BUFFER, ATTRIBUTE, ARGUMENT, INPUT, BOUND, FORMAL)
     yield from (CALL, NATIVE)
     yield from (VECTOR, SPLAT, MATRIX, STRUCT, ARRAY)
     yield from (SWIZZLE, INDEX, MEMBER)

@@ -16,7 +16,7 @@ from .leaves import Buffer, HostPlace, Parameter, Texture
 from .node import Formal, Node
 from .operations import NATIVE, builtin_of
 from .scattering import Scattered, scattered
-from .shader import Shader, Store
+from .shader import ArgumentInfo, Shader, Store
 from .stages import (
     VERTICES,
     Domain,
@@ -259,13 +259,17 @@ class Stage:
 
     The stage's region then has the values that these share.
     """
+    function: str = ""
+    """The function that an engine calls, which this is instead of a whole stage; else empty."""
+    arguments: tuple[ArgumentInfo, ...] = ()
+    """The arguments of that function."""
     emitting: tuple[Node, ...] = ()
     """For each group of the expansion, a condition: a strip of it is emitted. All share a graph."""
 
     @property
     def name(self) -> StageName:
-        """The stage's name in its row."""
-        return self.row.name
+        """The stage's name in its row, or that of the function that it is instead."""
+        return self.function or self.row.name
 
     @property
     def outputs(self) -> tuple[Field, ...]:
@@ -343,6 +347,11 @@ class Program:
         return self.stages[0].inputs
 
     @property
+    def has_functions(self) -> bool:
+        """True if its stages are functions that an engine calls."""
+        return self.shader.has_functions
+
+    @property
     def input_locations(self) -> int:
         """The number of locations of these; unread locations before a read one count, too."""
         return max((field.location + 1 for field in self.vertex_inputs), default=0)
@@ -389,7 +398,8 @@ class Program:
         """The stored structs that blocks and buffers use, in order of definition."""
         of_buffers = structs_in(stored_type(buffer.type) for buffer in self.buffers)
         of_blocks = (struct for block in self.blocks for struct in block.structs)
-        return tuple(dict.fromkeys((*of_blocks, *of_buffers)))
+        arguments = (info.leaf.type for stage in self.stages for info in stage.arguments)
+        return tuple(dict.fromkeys((*of_blocks, *of_buffers, *structs_in(arguments))))
 
     @property
     def reads(self) -> tuple[TextureRead, ...]:

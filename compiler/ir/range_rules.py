@@ -20,7 +20,7 @@ from ...stdlib.builtins.weakest import ROUNDING
 from ...support.frozen import changed, frozen
 from . import rulebook
 from .build import in_body
-from .leaves import Buffer, Parameter
+from .leaves import Argument, Buffer, Parameter
 from .node import Formal, Node
 from .operations import (
     ASCRIBE,
@@ -99,8 +99,8 @@ def _contract(node: Node) -> str:
     return rulebook.UNIT if _leaf(node).fact.unit else rulebook.DECLARED
 
 
-def _leaf(node: Node) -> Parameter | Buffer:
-    leaf: Parameter | Buffer = OPERATIONS[node.op].data(node)
+def _leaf(node: Node) -> Parameter | Buffer | Argument:
+    leaf: Parameter | Buffer | Argument = OPERATIONS[node.op].data(node)
     return leaf
 
 
@@ -164,7 +164,7 @@ def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
         return _union(known)
     while source.op in ("index", "as"):
         source = source.operands[0]
-    if isinstance(source.data, Parameter | Buffer) and isinstance(node.operands[0].type, Struct):
+    if isinstance(source.data, Parameter | Buffer | Argument) and isinstance(node.operands[0].type, Struct):
         return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
     return UNKNOWN
 
@@ -275,6 +275,7 @@ _BUILTIN = RangeRule(CALL.data, _call)
 RULES: Mapping[str, RangeRule] = {
     "constant": _named(rulebook.CONSTANT, _constant),
     "parameter": RangeRule(_contract, _declared),
+    "argument": RangeRule(_contract, _declared),
     "buffer": RangeRule(_contract, _declared),
     "as": _named(rulebook.UNIT, _ascribed),
     "call": _BUILTIN,

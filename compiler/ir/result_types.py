@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from . import signatures
 from .build import parts_of, states_type
-from .leaves import Attribute, Buffer, Parameter, Texture
+from .leaves import Argument, Attribute, Buffer, Parameter, Texture
 from .node import Applying, Folding, Iterating, Node
 from .stages import Crossing, SystemInput
 from .types import (
@@ -30,7 +30,7 @@ from .types import (
     with_width,
 )
 
-_DECLARED = (Attribute, Buffer, Parameter, Texture, SystemInput)
+_DECLARED = (Argument, Attribute, Buffer, Parameter, Texture, SystemInput)
 _LANES: Mapping[ScalarKind, type] = {"float": float, "int": int, "uint": int, "bool": bool}
 
 

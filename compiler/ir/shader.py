@@ -6,7 +6,7 @@ Semantics makes a ``Shader``; the passes, the reference and the reflection read 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 from ...support.frozen import cached_property, fresh, frozen, record
 from ..diagnostics.source import Span
@@ -14,10 +14,19 @@ from .blending import REPLACES, Blend, Mask
 from .capture import Capture
 from .expansion import Expansion
 from .kernel import ScatterOperator, WorkGroup
-from .leaves import Attribute, Buffer, HostPlace, Leaf, Parameter, Texture
+from .leaves import Argument, Attribute, Buffer, HostPlace, Leaf, Parameter, Texture
 from .node import Graph, Node, Roots
 from .render_state import RenderState
-from .stages import PLACING, RASTERISED, TARGET, VERTEX, Chain, StageRow
+from .stages import (
+    PLACING,
+    RASTERISED,
+    TARGET,
+    VALUE,
+    VERTEX,
+    Chain,
+    InterpolationMode,
+    StageRow,
+)
 from .tessellation import Tessellation
 from .types import Intent
 
@@ -178,6 +187,33 @@ class AttributeInfo(LeafInfo):
     """For a lowered expansion, the input of the mesh that it comes from."""
 
 
+ArgumentSource = Literal["surface", "attribute", "varying", "pipeline", "parameter"]
+"""What an argument is: a value of the surface that engines have, a vertex input (interpolated,
+where the function is called for pixels), a result of one of the functions for vertices that is
+interpolated, a value that the pipeline supplies, or a parameter."""
+
+
+@frozen
+class ArgumentInfo:
+    """An argument of functions that an engine calls."""
+
+    leaf: Argument
+    declared_type: str
+    """The type as written, if the argument is made of a declaration; else its own."""
+    doc: str
+    source: ArgumentSource
+    name_there: str
+    """What it is called where it comes from.
+
+    It is the engines' word, or the name of a vertex input, a function, a value of the pipeline, or
+    a parameter.
+    """
+    mode: InterpolationMode = "perspective"
+    """How the engine interpolates it, if it lies between vertices and pixels."""
+    parameter: ParameterInfo | None = None
+    attribute: AttributeInfo | None = None
+
+
 @frozen
 class RenderTarget:
     """The state of a render target, which a host has to set up."""
@@ -245,6 +281,11 @@ class Result:
     """The place of a result of the kind ``STORE`` or ``SCATTER``, and of those beside it."""
     span: Span | None = None
     """The span that declares a result of the kind ``TARGET``."""
+    function: str = ""
+    """The function that returns a result of the kind ``VALUE``: for an engine, a name of its own.
+
+    Results with the same one are members of what it returns.
+    """
 
 
 @record
@@ -392,6 +433,8 @@ class Shader:
     """The work group: the invocations of a kernel that run together."""
     render_state: RenderState = RenderState()
     """The pipeline state that the pass asks for."""
+    arguments: tuple[ArgumentInfo, ...] = ()
+    """The arguments of functions that an engine calls, once it is known what they are made of."""
 
     @property
     def leaves(self) -> tuple[LeafInfo, ...]:
@@ -416,6 +459,11 @@ class Shader:
         """The states of the render targets, in order."""
         states = (result.state for result in self.results_of(TARGET))
         return tuple(state for state in states if state is not None)
+
+    @property
+    def has_functions(self) -> bool:
+        """True if its results are returned by functions that an engine calls."""
+        return any(result.kind == VALUE for result in self.results)
 
     @property
     def is_lowered(self) -> bool:

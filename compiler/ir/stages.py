@@ -80,6 +80,13 @@ EXTENT = "extent"
 
 For images, it is the number of texels in a row and in a column.
 """
+VALUE = "value"
+"""The kind of a result that a function returns to the engine that calls it, instead of a stage."""
+SURFACE = "surface"
+"""The kind of a varying that an engine has itself, such as the place of a pixel in the world.
+
+Functions get it as an argument; it is no result for anybody else.
+"""
 VARYING = "varying"
 """The kind of a varying that a stage delivers to the next one; packing makes these results."""
 
@@ -193,7 +200,7 @@ VERTEX = StageRow(
         SystemInput("instance_index", UINT, INSTANCES),
         VIEW_INDEX,
     ),
-    delivers=(CLIP_POSITION, CAPTURE),
+    delivers=(CLIP_POSITION, CAPTURE, VALUE),
 )  # fmt: skip
 
 PATCH_INDEX = SystemInput("patch_index", UINT, PATCHES)
@@ -249,7 +256,7 @@ FRAGMENT = StageRow(
         SystemInput("front_facing", BOOL, FRAGMENTS),
         VIEW_INDEX,
     ),
-    delivers=(TARGET, DISCARD, FRAGMENT_DEPTH),
+    delivers=(TARGET, DISCARD, FRAGMENT_DEPTH, VALUE, SURFACE),
     has_derivatives=True,
 )  # fmt: skip
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..ir.leaves import Attribute, Buffer, Parameter, Texture
+from ..ir.leaves import Argument, Attribute, Buffer, Parameter, Texture
 from ..ir.node import Formal, Node
 from ..ir.operations import OPERATIONS, builtin_of
 from ..ir.shader import Notes
@@ -58,6 +58,8 @@ class Naming:
         body = node.operands[0] if node.op == "apply" else node
         if body.id in self._notes.terms:
             return self._notes.functions[body.id]
+        if isinstance(node.data, Argument):
+            return node.data.name
         builtin = builtin_of(node)
         if builtin == "dot":
             left, right = (self._short(operand) for operand in node.operands)
@@ -88,6 +90,6 @@ class Naming:
         """The name of a value by itself; ``None`` if it has none."""
         if node.id in self._notes.names:
             return self._notes.names[node.id]
-        if isinstance(node.data, Parameter | Attribute | Texture | Buffer | Formal):
+        if isinstance(node.data, Parameter | Attribute | Argument | Texture | Buffer | Formal):
             return node.data.name.replace(".", "_")
         return None

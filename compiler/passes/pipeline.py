@@ -107,10 +107,20 @@ class Staged:
         return Form(self.program, self.undecided)
 
 
-def stage(shader: Shader, options: Options) -> Staged:
-    """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
+@frozen
+class Guarded:
+    """The values of a shader once they are simplified and guarded, for whatever is made of it."""
+
+    roots: Roots
+    apart: InvariantResults
+    ranges: Ranges
+    decisions: Decisions
+    evidence: Evidence
+
+
+def guarded(shader: Shader, options: Options) -> Guarded:
+    """The values of a shader's results, simplified and guarded: the passes that know no stages."""
     announce(shader)
-    shader = _without_lengths(shader)
     graph, notes = shader.graph, shader.notes
     results = verified_results(shader)
     roots = verified("semantics", "semantics", Roots([result.value for result in results]))
@@ -131,6 +141,15 @@ def stage(shader: Shader, options: Options) -> Staged:
         before,
         first_notes,
     )
+    return Guarded(roots, apart, ranges, decisions, evidence)
+
+
+def stage(shader: Shader, options: Options) -> Staged:
+    """The program of a shader: optimised, guarded, laid out, split into stages and scheduled."""
+    shader = _without_lengths(shader)
+    found = guarded(shader, options)
+    graph, notes = shader.graph, shader.notes
+    roots, apart, ranges, decisions = found.roots, found.apart, found.ranges, found.decisions
     roots = verified("move_to_vertices", "guarded", move_to_vertices(graph, roots, notes))
     derived: tuple[Derived, ...] = ()
     if options.hoist:
@@ -142,7 +161,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     roots = verified("lift_lambdas", "guarded", lift_lambdas(graph, roots, notes))
     roots = verified("lower_reads", "stored", lower_reads(graph, roots, notes.follow))
     roots = verified("rename_variables", "stored", rename_variables(graph, roots, notes.follow))
-    results = tuple(changed(r, value=v) for r, v in zip(results, roots, strict=True))
+    results = tuple(changed(r, value=v) for r, v in zip(shader.results, roots, strict=True))
     made = partial(_form, derived=derived, ranges=ranges if decisions.undecided else None)
     shader = changed(shader, results=results)
     form = made(whole_texels(shader))
@@ -152,7 +171,7 @@ def stage(shader: Shader, options: Options) -> Staged:
         form = made(corners_in_buffer(shader))
     drawn = made(full_screen(shader)) if writes_images(shader) else None
     guards = tuple(decisions.kept.values())
-    return Staged(form.program, derived, guards, evidence, form.undecided, drawn)
+    return Staged(form.program, derived, guards, found.evidence, form.undecided, drawn)
 
 
 def _without_lengths(shader: Shader) -> Shader:
@@ -206,11 +225,11 @@ def _guarded(
     decisions = Decisions()
     guardings: list[Guarding] = []
 
-    def guarded(some: Roots, using: Roots) -> Roots:
+    def examined(some: Roots, using: Roots) -> Roots:
         guardings.append(Guarding(graph, ranges, notes, PathConditions(using, ranges)))
         return guardings[-1].simplified(some)
 
-    roots = verified("guard", "guarded", apart.each(roots, guarded))
+    roots = verified("guard", "guarded", apart.each(roots, examined))
     again = iter(guardings)
 
     def inlined(some: Roots, _: Roots) -> Roots:

@@ -61,7 +61,7 @@ def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
     """
     blocks = blocks_of(shader, [value.parameter for value in derived])
     _name_levels(shader.results, shader.notes)
-    works: list[_Work] = []
+    works: list[Work] = []
     interfaces = Interfaces(shader.notes, shader.results)
     for row, before in reversed(list(zip(shader.chain, (None, *shader.chain), strict=False))):
         own = [result for result in shader.results if result.stage == row]
@@ -77,8 +77,8 @@ def split_stages(shader: Shader, derived: tuple[Derived, ...]) -> Program:
         if before is not None:
             interfaces.enter(row, before, nodes, _placing(shader, groups, delivered))
         emitting = tuple(output.value for output in outputs if output.kind == EMITTING)
-        works.insert(0, _Work(row, delivered, emitting, groups, nodes))
-    stages = [_stage(work, shader, blocks, interfaces.all) for work in works]
+        works.insert(0, Work(row, delivered, emitting, groups, nodes))
+    stages = [stage_of(work, shader, blocks, interfaces.all) for work in works]
     textures = tuple(
         info.leaf
         for info in shader.textures
@@ -202,7 +202,7 @@ def _attributes(shader: Shader, nodes: Iterable[Node]) -> tuple[Field, ...]:
 
 
 @frozen
-class _Work:
+class Work:
     """The work of a stage."""
 
     row: StageRow
@@ -211,10 +211,12 @@ class _Work:
     groups: tuple[GroupValues, ...]
     nodes: list[Node]
     """The nodes that it computes for its outputs, including those in bodies."""
+    function: str = ""
+    """The function that an engine calls, which it is the work of."""
 
 
-def _stage(
-    work: _Work, shader: Shader, blocks: tuple[Block, ...], interfaces: Sequence[Interface]
+def stage_of(
+    work: Work, shader: Shader, blocks: tuple[Block, ...], interfaces: Sequence[Interface]
 ) -> Stage:
     """The stage that does this."""
     row, outputs, groups, nodes = work.row, work.outputs, work.groups, work.nodes
@@ -230,6 +232,7 @@ def _stage(
     )
     parameters = {node.data for node in nodes if node.op == "parameter"}
     textures = {node.data for node in nodes if node.op == "texture"}
+    arguments = {node.data for node in nodes if node.op == "argument"}
     buffers = {node.data for node in nodes if node.op == "buffer"}
     buffers |= {output.store.buffer for output in outputs if output.store}
     scheduler = Scheduler(roots, shader.notes, naming, together, groups)
@@ -250,6 +253,8 @@ def _stage(
         reads=texture_reads(nodes),
         natives=native_uses(nodes),
         handed_on=_fields(handing),
+        function=work.function,
+        arguments=tuple(info for info in shader.arguments if info.leaf in arguments),
         emitting=work.emitting,
         emitted=scheduler.emitted,
     )

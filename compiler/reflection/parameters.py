@@ -111,14 +111,14 @@ def _declaration(info: ParameterInfo) -> Declared:
         "type": info.declared_type,
         "representation": str(info.leaf.type),
         "range": info.range,
-        "choices": _choices(info.leaf),
+        "choices": choices_of(info.leaf),
         "default": info.default,
         "doc": info.doc,
         "library": info.library or None,
     }
 
 
-def _choices(parameter: Parameter) -> tuple[ChoiceRow, ...] | None:
+def choices_of(parameter: Parameter) -> tuple[ChoiceRow, ...] | None:
     """The members of the enumeration that a value is of, if it is of any."""
     meaning = parameter.meaning
     if meaning is None or meaning.enumeration is None:

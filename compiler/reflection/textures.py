@@ -28,7 +28,7 @@ class TextureRows:
     def samplers(self) -> tuple[SamplerRow, ...]:
         """The states of all samplers, by texture."""
         return tuple(
-            SamplerRow(texture=info.leaf.name, state=_state(info.leaf))
+            SamplerRow(texture=info.leaf.name, state=sampler_state(info.leaf))
             for info in self._infos
             if self._has_sampler(info.leaf)
         )
@@ -89,7 +89,7 @@ def _type(texture: Texture) -> TextureType:
     return texture.type
 
 
-def _state(texture: Texture) -> SamplerState:
+def sampler_state(texture: Texture) -> SamplerState:
     state: dict[str, Any] = dict(texture.state)
     if "anisotropy" in state:
         state["anisotropy"] = int(state["anisotropy"])

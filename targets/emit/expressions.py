@@ -109,6 +109,9 @@ class Expressions:
     def _attribute(self, node: Node) -> Printed:
         return self._leaves.attribute(node)
 
+    def _argument(self, node: Node) -> Printed:
+        return self._leaves.argument(node)
+
     def _interpolated(self, node: Node) -> Printed:
         return self._leaves.interpolated(node, self._corner(node))
 
@@ -259,6 +262,7 @@ class Expressions:
         "texture": _texture,
         "buffer": _buffer,
         "attribute": _attribute,
+        "argument": _argument,
         "cross": _interpolated,
         "input": _input,
         "native": _native,

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from ...compiler.ir.node import Node
-from ...compiler.ir.operations import ATTRIBUTE, BUFFER, CROSS, PARAMETER, TEXTURE
+from ...compiler.ir.operations import ARGUMENT, ATTRIBUTE, BUFFER, CROSS, PARAMETER, TEXTURE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.stages import PATCHES, SystemInput
 from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width, with_width
@@ -96,6 +96,10 @@ class LeafPrinter:
     def attribute(self, node: Node) -> Printed:
         """A vertex input."""
         return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
+
+    def argument(self, node: Node) -> Printed:
+        """An argument of a function that an engine calls."""
+        return self._names.arguments[ARGUMENT.data(node)], NAME
 
     def input(self, row: SystemInput, wanted: Sequence[int] | None = None) -> tuple[str, Type]:
         """A value that the pipeline supplies, and its type in the language.

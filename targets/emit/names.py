@@ -11,10 +11,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
+from ...compiler.ir.leaves import Argument
 from ...compiler.ir.node import Node
 from ...compiler.ir.program import Field, Function, Program, Stage, StageName
 from ...compiler.ir.stages import TARGET
-from ...support.frozen import frozen
+from ...support.frozen import EMPTY, frozen
 from ..description.shading_language import Language
 from .namer import Namer
 from .own_words import taken_words
@@ -52,6 +53,8 @@ class Names:
     """The names of functions, by stage and the function's body."""
     common: Namer
     """The scope around all functions: locals of any stage must not hide its names."""
+    arguments: Mapping[Argument, str] = EMPTY
+    """The names of arguments of the functions that an engine calls."""
 
     def member(self, block: str, member: str) -> str:
         """The identifier of a block's or struct's member."""
@@ -156,7 +159,7 @@ class _Naming:
     def _variables(self, blocks: Mapping[str, str]) -> dict[str, str]:
         if self._language.global_members:
             return {}
-        return {name: self._declare(_snake(final)) for name, final in blocks.items()}
+        return {name: self._declare(snake(final)) for name, final in blocks.items()}
 
     def _members(self) -> Iterator[tuple[tuple[str, str], str]]:
         for block in self._program.blocks:
@@ -228,5 +231,6 @@ def _all_functions(program: Program) -> Iterator[tuple[Stage, Function]]:
 
 
 @lru_cache(maxsize=1024)
-def _snake(name: str) -> str:
+def snake(name: str) -> str:
+    """A name in small letters, with underscores between its words."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()

@@ -30,14 +30,16 @@ if TYPE_CHECKING:
 
     from ..description.forms import Forms
     from ..description.profile import Profile
-    from .views import FileView
+    from .views import FileView, FunctionFileView
 
 _HERE = Path(__file__).parent
+FUNCTIONS = _HERE / "functions.j2"
+"""The skeleton of functions that an engine calls, which all languages share."""
 _EXTENDS = re.compile(r'\{% extends "([\w.]+)" %\}\n')
 _BRANCHES = ("body", "elif_", "else_")
 """The fields of Jinja's statements that hold other statements."""
 
-Renderer = Callable[["FileView", "Forms", "Profile", bool], str]
+Renderer = Callable[["FileView | FunctionFileView", "Forms", "Profile", bool], str]
 """Fills a skeleton in. Its parameters are called ``file``, ``forms``, ``profile`` and
 ``flip_y``."""
 

@@ -242,3 +242,18 @@ class FileView:
     host_uniforms: list[str]
     """Loose float uniforms."""
     entries: list[EntryView]
+
+
+@frozen
+class PartView:
+    """A part as the skeleton prints it."""
+
+    lines: tuple[str, ...]
+
+
+@frozen
+class FunctionFileView:
+    """A file of functions."""
+
+    header: list[str]
+    parts: list[PartView]

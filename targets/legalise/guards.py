@@ -23,6 +23,7 @@ from ...compiler.passes.invariant_results import InvariantResults
 from ...compiler.passes.path_conditions import PathConditions
 from ...compiler.passes.pipeline import Undecided
 from ...compiler.passes.rename_variables import rename_variables
+from ...compiler.passes.split_functions import split_functions
 from ...compiler.passes.split_stages import split_stages
 from ...stdlib.builtins import BUILTINS
 from ...stdlib.builtins.row import Domain
@@ -45,7 +46,7 @@ def with_guards(program: Program, undecided: Undecided, profile: Profile) -> Pro
     made = zip(shader.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
     guarded = changed(shader, graph=graph, notes=notes, results=results)
-    return split_stages(guarded, undecided.derived)
+    return split_functions(guarded) if guarded.has_functions else split_stages(guarded, undecided.derived)
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:

@@ -1,7 +1,7 @@
 """Finds what every function reads from outside, for languages without global resources.
 
 In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
-arguments. A function gets what it reads itself, or hands on to the functions that it calls.
+arguments. In every language, a function that an engine calls does. A function gets what it reads itself, or hands on to the functions that it calls.
 Samplers go with their textures.
 """
 
@@ -37,7 +37,7 @@ out."""
 
 def resource_arguments(program: Program, language: Language) -> ResourceArguments:
     """The resources that each function of ``program`` gets; empty if they are global variables."""
-    if not language.resource_arguments:
+    if not (language.resource_arguments or program.has_functions):
         return {}
     return {
         (stage.name, body): passed

@@ -16,3 +16,4 @@ from .b05_stages import *
 from .b06_lights import *
 from .b07_targets import *
 from .b08_frames import *
+from .b09_functions import *

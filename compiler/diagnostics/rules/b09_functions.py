@@ -1,0 +1,45 @@
+"""B09: materials as functions that an engine calls."""
+
+from __future__ import annotations
+
+from .row import error
+
+NO_SUCH_SLOT = error(
+    "B0901",
+    "`{name}` has no slot `{slot}`",
+    "Functions return slots: names that a material, its bases or mixins give a value by an "
+    "equation. Parameters, textures and vertex inputs are arguments of functions.",
+)
+SLOT_NEEDS_LIGHTS = error(
+    "B0902",
+    "`{slot}` needs lights, and a function has none",
+    "An engine lights a surface itself, so functions say what the surface is like: its colour "
+    "without light, its roughness, its normal. Where a rig is named, its lights are arguments.",
+)
+NO_RESULT_OF_FUNCTION = error(
+    "B0903",
+    "`{slot}` is a {type}, which no function returns",
+    "A function returns numbers, bools, vectors and matrices.",
+)
+NOT_AN_ARGUMENT = error(
+    "B0904",
+    "`{slot}` reads the storage buffer `{buffer}`, which is no argument of a function",
+    "No language has functions to which any storage buffer can be given.",
+)
+VERTICES_OF_ITS_OWN = error(
+    "B0905",
+    "`{name}` makes vertices of its own, and a function makes none",
+    "An engine draws the vertices of its meshes. A material that expands primitives or divides "
+    "patches is drawn by whole shaders.",
+)
+NO_FUNCTIONS = error(
+    "B0906",
+    "`{name}` gives no value to a slot that a function returns without lights",
+    "Without a list of slots, functions are made of those to which the material itself gives a "
+    "value, and which need no lights.",
+)
+UNKNOWN_STAGE_OF_SLOT = error(
+    "B0907",
+    "`{text}` names no stage for a slot",
+    "A slot is computed for pixels, or for vertices where its name is followed by `@vertex`.",
+)

@@ -1,0 +1,67 @@
+"""The types of functions that an engine calls: what is asked for, and what semantics makes of it.
+
+Semantics makes a ``Shader`` whose results are values of slots. ``stage_functions`` finds out what
+the arguments of the functions are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...support.frozen import EMPTY, frozen
+from .shader import Shader
+
+@frozen
+class FunctionsAsked:
+    """The functions that somebody wants of a material."""
+
+    slots: tuple[str, ...] = ()
+    """Slots by name, perhaps followed by ``@vertex`` or ``@fragment``; empty for the own slots."""
+    together: bool = False
+    """True for one function that returns all slots, instead of a function for each slot.
+
+    There is one for pixels and one for vertices.
+    """
+    lit: bool = False
+    """True if lights may be arguments: those of a rig that was asked for."""
+    at_vertices: frozenset[str] = frozenset()
+    """The slots that are computed for vertices unless something else is said.
+
+    They are the library's names: ``std.prelude.Surface.object_position``.
+    """
+    of_surface: Mapping[str, str] = EMPTY
+    """The engines' words for slots whose interpolated values they have, by the library's names."""
+
+
+@frozen
+class SlotInfo:
+    """A slot whose value a function returns."""
+
+    name: str
+    function: str
+    declared_type: str
+    """The type as it is written, or its meaning: ``rgb``, ``normal<world>``, ``float``."""
+    doc: str
+
+
+@frozen
+class SurfaceInfo:
+    """A value of the surface that engines have, as the library declares it."""
+
+    name: str
+    word: str
+    """The engines' word for it."""
+    declared_type: str
+    doc: str
+
+
+@frozen
+class FunctionsShader:
+    """The values of a material's slots as a shader, with what hosts are told of them."""
+
+    shader: Shader
+    """Its results are of the kind ``VALUE``, and, for pixels, of the kind ``SURFACE``."""
+    slots: tuple[SlotInfo, ...]
+    """The slots in the order of the results of the kind ``VALUE``."""
+    surface: tuple[SurfaceInfo, ...]
+    """The values that engines have, in the order of the results of the kind ``SURFACE``."""

@@ -1,0 +1,249 @@
+"""The slots of a material as functions that an engine calls.
+
+``Frontend.functions`` calls ``functions_of`` for each material, after ``elaborate`` has found it
+right. The values of slots become the results of a shader of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from ....support.frozen import changed, frozen
+from ...diagnostics import rules
+from ...diagnostics.diagnostic import Label
+from ...diagnostics.nearest import suggestion
+from ...diagnostics.source import Span
+from ...ir.functions import FunctionsAsked, FunctionsShader, SlotInfo, SurfaceInfo
+from ...ir.leaves import Buffer, Leaf, Parameter, Texture
+from ...ir.node import Node, reachable
+from ...ir.operations import CROSS
+from ...ir.shader import Result, Shader, TextureInfo
+from ...ir.stages import (
+    FRAGMENT,
+    FRAGMENTS,
+    RASTERISED,
+    STAGES,
+    SURFACE,
+    VALUE,
+    VERTEX,
+    StageRow,
+)
+from ...ir.types import Matrix, Scalar, Type, Vector
+from ...syntax import ast
+from ..checking.slots import slot
+from ..declarations.parameters import library_name, of_kind
+from ..inheritance.records import Record
+from ..lowering.outlining import lowered
+from ..state.scope import Failure
+from .assembly import Setting
+from .intents import with_intents
+
+TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
+"""What the function is called that returns all slots of a stage."""
+OF_RIG = "rig"
+"""The group of parameters and textures that belong to lights."""
+
+
+@frozen
+class _Slot:
+    """A slot that was asked for, or that the material has."""
+
+    name: str
+    stage: StageRow
+    is_named: bool
+    """True if somebody asked for it by name, so that what is wrong with it is an error."""
+
+
+@frozen
+class _Value:
+    """The checked value of a slot."""
+
+    slot: _Slot
+    tree: Node
+    span: Span
+
+
+def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> FunctionsShader | None:
+    """The functions of a material; ``None`` after reporting why there are none.
+
+    ``shader`` is what ``elaborate`` made of the same setting.
+    """
+    ctx, record = setting.ctx, setting.surface.record
+    name = record.symbol.declaration.name
+    if setting.surface.steps:
+        ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
+        return None
+    values = list(_values(setting, _wanted(setting, asked)))
+    ctx.deferred.report()
+    if ctx.report.failed:
+        return None
+    surface = list(_surface_values(setting, asked.of_surface))
+    roots = [*(value.tree for value in values), *(tree for _, tree in surface)]
+    found, graph, notes = lowered(ctx, roots)
+    made = zip(values, found[: len(values)], strict=True)
+    kept = [pair for pair in made if _is_free(setting, shader, asked, *pair)]
+    if not kept and not ctx.report.failed:
+        ctx.report.add(rules.NO_FUNCTIONS, name.span, name=record.name)
+    if ctx.report.failed:
+        return None
+    results = [_result(value, node, asked) for value, node in kept]
+    delivered = zip((info for info, _ in surface), found[len(values) :], strict=True)
+    known = {node: info for info, node in reversed(list(_crossings(delivered)))}
+    results += [Result(SURFACE, FRAGMENT, node, info.name) for node, info in known.items()]
+    textures = of_kind(TextureInfo, setting.all_leaves)
+    made_of = changed(
+        shader,
+        graph=graph,
+        notes=notes,
+        results=tuple(results),
+        textures=with_intents(textures, ctx.meanings, [value.tree for value, _ in kept]),
+        chain=RASTERISED,
+    )
+    slots = tuple(_slot_info(setting, value, asked) for value, _ in kept)
+    return FunctionsShader(made_of, slots, tuple(known.values()))
+
+
+# --- which slots ---------------------------------------------------------------------------------
+
+
+def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
+    """The slots that are asked for, or those to which the user's own records give a value."""
+    record, report = setting.surface.record, setting.ctx.report
+    span = record.symbol.declaration.name.span
+    if not asked.slots:
+        for name in _slots_of(record):
+            if not record.definitions[name][0].owner.module.is_standard:
+                yield _Slot(name, _usual_stage(record, name, asked), is_named=False)
+    for text in dict.fromkeys(asked.slots):
+        name, _, place = (part.strip() for part in text.partition("@"))
+        if place and STAGES.get(place) not in RASTERISED:
+            report.add(rules.UNKNOWN_STAGE_OF_SLOT, span, text=text)
+        elif name not in _slots_of(record):
+            hint = suggestion(name, list(_slots_of(record)))
+            report.add(rules.NO_SUCH_SLOT, span, name=record.name, slot=name, hint=hint)
+        else:
+            stage = STAGES[place] if place else _usual_stage(record, name, asked)
+            yield _Slot(name, stage, is_named=True)
+
+
+def _slots_of(record: Record) -> Sequence[str]:
+    found = record.definitions.items()
+    return [name for name, of in found if isinstance(of[0].member, ast.Slot)]
+
+
+def _usual_stage(record: Record, name: str, asked: FunctionsAsked) -> StageRow:
+    owner = library_name(record.declaration(name).owner)
+    return VERTEX if f"{owner}.{name}" in asked.at_vertices else FRAGMENT
+
+
+def _values(setting: Setting, slots: Iterable[_Slot]) -> Iterator[_Value]:
+    """The values of slots, without those that no function returns."""
+    ctx, surface = setting.ctx, setting.surface
+    for each in slots:
+        span = surface.record.definitions[each.name][0].member.name.span
+        tree = slot(ctx, surface, each.name, span)
+        if isinstance(tree, Failure):
+            continue
+        if not _is_returned(tree.type):
+            if each.is_named:
+                shown = ctx.meanings.of(tree) or tree.type
+                ctx.report.add(
+                    rules.NO_RESULT_OF_FUNCTION, span, slot=each.name, type=shown
+                )
+            continue
+        at_stage: Node | Failure = tree
+        if each.stage == VERTEX:
+            at_stage = ctx.crossings.checked_at_vertex(tree, span)
+        if isinstance(at_stage, Node):
+            yield _Value(each, at_stage, span)
+
+
+def _is_returned(type_: Type) -> bool:
+    return isinstance(type_, Scalar | Vector | Matrix)
+
+
+def _is_free(
+    setting: Setting, shader: Shader, asked: FunctionsAsked, value: _Value, node: Node
+) -> bool:
+    """True if a function can return a value; otherwise this is reported of a slot that is named."""
+    report = setting.ctx.report
+    leaves = [each.data for each in reachable((node,)) if isinstance(each.data, Leaf)]
+    buffers = [leaf for leaf in leaves if isinstance(leaf, Buffer)]
+    lights = [] if asked.lit else [leaf for leaf in leaves if _is_of_lights(leaf)]
+    if buffers and value.slot.is_named:
+        report.add(
+            rules.NOT_AN_ARGUMENT, value.span, slot=value.slot.name, buffer=buffers[0].name
+        )
+    elif lights and value.slot.is_named:
+        infos = {info.leaf: info for info in (*shader.parameters, *shader.textures)}
+        read = infos.get(lights[0])
+        labels = [] if read is None else [Label(read.span, f"reads `{lights[0].name}`")]
+        report.add(
+            rules.SLOT_NEEDS_LIGHTS, value.span, slot=value.slot.name, labels=labels,
+            hint=_way_out(setting),
+        )  # fmt: skip
+    return not buffers and not lights
+
+
+def _is_of_lights(leaf: Leaf) -> bool:
+    return isinstance(leaf, Parameter | Texture) and leaf.group == OF_RIG
+
+
+def _way_out(setting: Setting) -> str:
+    return (
+        "leave the slot to the engine, or name a rig to make its lights arguments: "
+        f"`--rig {setting.parts.rig.name}`"
+    )
+
+
+# --- results -------------------------------------------------------------------------------------
+
+
+def _result(value: _Value, node: Node, asked: FunctionsAsked) -> Result:
+    return Result(
+        VALUE, value.slot.stage, node, value.slot.name, function=_function_of(value, asked)
+    )
+
+
+def _function_of(value: _Value, asked: FunctionsAsked) -> str:
+    return TOGETHER[value.slot.stage] if asked.together else value.slot.name
+
+
+def _slot_info(setting: Setting, value: _Value, asked: FunctionsAsked) -> SlotInfo:
+    record, name = setting.surface.record, value.slot.name
+    definitions = record.definitions[name]
+    doc = next((d.member.doc for d in definitions if d.member.doc), "")
+    typing = record.typing(name)
+    shown = str(setting.ctx.meanings.of(value.tree) or value.tree.type)
+    if typing is not None and typing.member.type is not None:
+        shown = " ".join(typing.member.type.span.text.split())
+    return SlotInfo(name, _function_of(value, asked), shown, doc)
+
+
+def _surface_values(
+    setting: Setting, words: Mapping[str, str]
+) -> Iterator[tuple[SurfaceInfo, Node]]:
+    """The values of slots that engines know, as the library declares them."""
+    ctx, surface = setting.ctx, setting.surface
+    for name in _slots_of(surface.record):
+        first = surface.record.declaration(name)
+        word, member = words.get(f"{library_name(first.owner)}.{name}"), first.member
+        if word is not None:
+            tree = slot(ctx, surface, name, member.name.span, first.level)
+            if isinstance(tree, Node):
+                type_ = "" if member.type is None else member.type.span.text
+                yield SurfaceInfo(name, word, type_, member.doc), tree
+
+
+def _crossings(
+    surface: Iterable[tuple[SurfaceInfo, Node]],
+) -> Iterator[tuple[SurfaceInfo, Node]]:
+    """The varying in each of these values, if it is of the same type and the only one."""
+    for info, value in surface:
+        crossing = [node for node in reachable((value,)) if _enters_fragments(node)]
+        if len(crossing) == 1 and crossing[0].type == value.type:
+            yield info, crossing[0]
+
+
+def _enters_fragments(node: Node) -> bool:
+    return node.op == "cross" and CROSS.data(node).destination == FRAGMENTS
