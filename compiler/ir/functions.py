@@ -12,11 +12,29 @@ from ...support.frozen import EMPTY, frozen
 from .shader import Shader
 
 @frozen
+class Offer:
+    """A slot that an engine takes of a material that has it."""
+
+    name: str
+    stage: str = "fragment"
+    """The stage for which it is computed."""
+    changed: bool = False
+    """True if it counts only where something else is said than where it is declared.
+
+    The engine itself has what the declaration says.
+    """
+    owner: str = ""
+    """The record of the library that has to declare it; empty for any: names are enough."""
+
+
+@frozen
 class FunctionsAsked:
     """The functions that somebody wants of a material."""
 
     slots: tuple[str, ...] = ()
     """Slots by name, perhaps followed by ``@vertex`` or ``@fragment``; empty for the own slots."""
+    offers: tuple[Offer, ...] = ()
+    """Slots to return as far as the material has them, instead of these."""
     together: bool = False
     """True for one function that returns all slots, instead of a function for each slot.
 
