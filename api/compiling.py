@@ -119,9 +119,7 @@ def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     for elaborated in shaders:
         shader = keep_stages(elaborated) if asked.native_stages else lower_stages(elaborated)
         staged = stage(shader, asked.options)
-        lacking.append(
-            lacking_features(shader, partial(_program_for, staged), chosen)
-        )
+        lacking.append(lacking_features(shader, partial(_program_for, staged), chosen))
         if not asked.partial:
             report.extend(chain.from_iterable(lacking[-1].values()))
         printed = [each for each in chosen if full_name(*each) not in lacking[-1]]

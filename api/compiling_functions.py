@@ -57,11 +57,7 @@ def functions_of(asked: AskedFunctions) -> FunctionsResult:
     frontend = Frontend(report, asked.search_path, inputs)
     module = opened(asked.source, frontend)
     wanted = _wanted(asked)
-    made = (
-        []
-        if module is None
-        else frontend.functions(module, asked.material, asked.rig, wanted)
-    )
+    made = [] if module is None else frontend.functions(module, asked.material, asked.rig, wanted)
     if asked.values and not report.failed:
         made = _specialised(made, asked, report)
     if report.failed:

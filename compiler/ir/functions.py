@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from ...support.frozen import EMPTY, frozen
 from .shader import Shader
 
+
 @frozen
 class Offer:
     """A slot that an engine takes of a material that has it."""

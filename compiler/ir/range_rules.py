@@ -164,7 +164,9 @@ def _member(_ranges: Analysis, node: Node, known: Sequence[Fact]) -> Fact:
         return _union(known)
     while source.op in ("index", "as"):
         source = source.operands[0]
-    if isinstance(source.data, Parameter | Buffer | Argument) and isinstance(node.operands[0].type, Struct):
+    if isinstance(source.data, Parameter | Buffer | Argument) and isinstance(
+        node.operands[0].type, Struct
+    ):
         return dict(source.data.member_facts).get(MEMBER.data(node), UNKNOWN)
     return UNKNOWN
 

@@ -35,6 +35,7 @@ NATIVES: Spellings = {
     ),
 }
 
+
 @cache
 def language() -> tuple[Language, Profile]:
     """The language, and its only profile."""

@@ -15,7 +15,12 @@ TYPES = frozenset(
 COLORS = ("rgb", "rgba")
 """The written types whose values are colours, which people choose in sRGB."""
 
-SAMPLERS = {"2d": "sampler2D", "2d_array": "sampler2DArray", "3d": "sampler3D", "cube": "samplerCube"}
+SAMPLERS = {
+    "2d": "sampler2D",
+    "2d_array": "sampler2DArray",
+    "3d": "sampler3D",
+    "cube": "samplerCube",
+}
 KINDS = {"float": "", "int": "i", "uint": "u"}
 DEFAULTS = {
     "white": "hint_default_white", "black": "hint_default_black",

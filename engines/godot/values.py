@@ -21,9 +21,7 @@ class Between:
     """What a vertex has of it."""
 
 
-WORLD_POSITION = Between(
-    "vec3", "world_position", "(MODEL_MATRIX * vec4(VERTEX, 1.0)).xyz"
-)
+WORLD_POSITION = Between("vec3", "world_position", "(MODEL_MATRIX * vec4(VERTEX, 1.0)).xyz")
 WORLD_NORMAL = Between("vec3", "world_normal", "MODEL_NORMAL_MATRIX * NORMAL")
 WORLD_TANGENT = Between("vec3", "world_tangent", "(MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz")
 
@@ -108,8 +106,6 @@ UNLIT = (
 MOVED = (
     Output("object_position", "vec3", "VERTEX = {value};"),
     Output("object_normal", "vec3", "NORMAL = {value};"),
-    Output(
-        "position", "vec3", "VERTEX = (inverse(MODEL_MATRIX) * vec4({value}, 1.0)).xyz;"
-    ),
+    Output("position", "vec3", "VERTEX = (inverse(MODEL_MATRIX) * vec4({value}, 1.0)).xyz;"),
 )
 """Where a vertex is."""

@@ -30,9 +30,7 @@ def _function(signature: EmittedSignature) -> FunctionTextRow:
         returns=signature.returns,
         members=signature.members,
         arguments=tuple(
-            ArgumentTextRow(
-                identifier=each.name, type=each.type, kind=each.kind, given=each.given
-            )
+            ArgumentTextRow(identifier=each.name, type=each.type, kind=each.kind, given=each.given)
             for each in signature.arguments
         ),
         needs=signature.part.needs,

@@ -113,8 +113,12 @@ class _FunctionEmitter:
         parts = _parts({**found, **own})
         signatures = [printer.signature(parts[printer.name]) for printer in printers]
         header = self._header()
-        view = FunctionFileView(header, [PartView(lines) for lines in (*found.values(), *own.values())])
-        text, _ = wrapped(renderer(FUNCTIONS)(view, self._language.forms, self._context.profile, False))
+        view = FunctionFileView(
+            header, [PartView(lines) for lines in (*found.values(), *own.values())]
+        )
+        text, _ = wrapped(
+            renderer(FUNCTIONS)(view, self._language.forms, self._context.profile, False)
+        )
         return FunctionEmission(
             text, self._requires(), tuple(parts[name] for name in found), tuple(signatures)
         )
@@ -283,7 +287,9 @@ class _FunctionPrinter:
         owners = {name: texture for texture, name in names.samplers.items()}
         owners |= {name: texture for texture, name in names.textures.items()}
         for view in self._declarations.textures((self._stage,)):
-            kind: Literal["texture", "sampler"] = "texture" if view.name in names.textures.values() else "sampler"
+            kind: Literal["texture", "sampler"] = (
+                "texture" if view.name in names.textures.values() else "sampler"
+            )
             yield EmittedArgument(view.name, view.type, owners[view.name], kind)
 
     def _type(self, type_: Type) -> str:
@@ -335,9 +341,7 @@ class _FunctionPrinter:
     def _expressions(self) -> Expressions:
         return Expressions(self._context, self._leaves, self._natives, self._functions)
 
-    def _text(
-        self, comments: Iterable[str], head: str, lines: Iterable[str]
-    ) -> tuple[str, ...]:
+    def _text(self, comments: Iterable[str], head: str, lines: Iterable[str]) -> tuple[str, ...]:
         found = (*comments, head, *(f"    {line}" for line in lines), self._forms.end)
         return tuple(_renamed(line, self._named) for line in found)
 
@@ -345,4 +349,3 @@ class _FunctionPrinter:
 def _unmarked(text: str, _node: Node) -> str:
     """A statement without a mark: the text has no source map."""
     return text
-

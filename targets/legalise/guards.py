@@ -46,7 +46,11 @@ def with_guards(program: Program, undecided: Undecided, profile: Profile) -> Pro
     made = zip(shader.results, roots, strict=True)
     results = tuple(changed(result, value=value) for result, value in made)
     guarded = changed(shader, graph=graph, notes=notes, results=results)
-    return split_functions(guarded) if guarded.has_functions else split_stages(guarded, undecided.derived)
+    return (
+        split_functions(guarded)
+        if guarded.has_functions
+        else split_stages(guarded, undecided.derived)
+    )
 
 
 def keeps(profile: Profile, guard: Guard) -> bool:

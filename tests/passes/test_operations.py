@@ -32,9 +32,7 @@ OPS = frozenset(get_args(Op))
 UNKNOWN_RANGE = frozenset({"texture", "attribute", "bound", "matrix", "struct"})
 """Nothing is known of their values, or a range of them would say nothing."""
 
-BARE = frozenset(
-    {"constant", "argument", "input", "bound", "formal", "vector", "splat", "matrix"}
-)
+BARE = frozenset({"constant", "argument", "input", "bound", "formal", "vector", "splat", "matrix"})
 """The operations without a meaning of their own: a node ``as`` ascribes one."""
 
 WITHOUT_STATEMENT = frozenset(OPS - LOOPS)

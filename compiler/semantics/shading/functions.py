@@ -171,9 +171,7 @@ def _values(setting: Setting, slots: Iterable[_Slot]) -> Iterator[_Value]:
         if not _is_returned(tree.type):
             if each.is_named:
                 shown = ctx.meanings.of(tree) or tree.type
-                ctx.report.add(
-                    rules.NO_RESULT_OF_FUNCTION, span, slot=each.name, type=shown
-                )
+                ctx.report.add(rules.NO_RESULT_OF_FUNCTION, span, slot=each.name, type=shown)
             continue
         at_stage: Node | Failure = tree
         if each.stage == VERTEX:
@@ -195,9 +193,7 @@ def _is_free(
     buffers = [leaf for leaf in leaves if isinstance(leaf, Buffer)]
     lights = [] if asked.lit else [leaf for leaf in leaves if _is_of_lights(leaf)]
     if buffers and value.slot.is_named:
-        report.add(
-            rules.NOT_AN_ARGUMENT, value.span, slot=value.slot.name, buffer=buffers[0].name
-        )
+        report.add(rules.NOT_AN_ARGUMENT, value.span, slot=value.slot.name, buffer=buffers[0].name)
     elif lights and value.slot.is_named:
         infos = {info.leaf: info for info in (*shader.parameters, *shader.textures)}
         read = infos.get(lights[0])

@@ -1,0 +1,202 @@
+"""Whether what Godot computes of a surface lies inside the bounds of its meaning.
+
+A probe is the shader of a material, without lights, that shows one of the values which it gives to
+Godot: ``ROUGHNESS`` as grey, a normal as a colour. The reference draws the slot in the same scene,
+as a target of a pass, with the bounds of what devices may make of it; ``compare`` judges, as it
+does for ``burnish conform``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import burnish
+from burnish.api.compiling_engines import surfaces_of
+from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.reference.bounds.errors import Errors
+from burnish.engines import registry
+from burnish.engines.engine import Surface
+from burnish.targets.conformance.bounds import precise, rules_of
+from burnish.targets.conformance.compare import Comparison
+from burnish.targets.conformance.drivers import DRIVERS
+from burnish.targets.conformance.judging import Compared
+from burnish.targets.conformance.sample import sample_textures, sample_values
+from burnish.targets.runner.cameras import looking
+from burnish.targets.runner.drivers.device import Device
+from burnish.targets.runner.instances.instance import Instance
+from burnish.targets.runner.meshes import Mesh, torus
+from burnish.targets.runner.reference import expected
+from burnish.targets.runner.routes import ROUTES
+from burnish.targets.runner.scene import Scene, with_inputs
+from burnish.targets.runner.scene_state import SceneState, set_up
+
+from burnish.engines.godot.values import ROLES
+
+from .godot import Picture
+
+SIZE = (40, 32)
+SEED = 7
+ROUTE = ROUTES["lavapipe:glsl"]
+"""The route whose driver Godot draws with, too."""
+LAVAPIPE = DRIVERS[ROUTE.driver]
+DEVICE = Device(ROUTE.driver, "", subpixel_bits=8, subtexel_bits=8, mip_bits=8)
+FILTERS = replace(LAVAPIPE.assumed, fixed_bits=7)
+"""What it may make of textures. Of the samplers that Godot makes, it filters textures of eight bits
+in eight bits, with several roundings; of those that our routes make, in floats."""
+
+TURNED = np.array([
+    [1.1, -0.5, 0.0, 0.1], [0.35, 0.5, 0.0, -0.15], [0.0, 0.0, 0.9, 0.2], [0.0, 0.0, 0.0, 1.0],
+])  # fmt: skip
+"""The object's transform: it is turned, and scaled differently along each axis."""
+
+SHOWN = {
+    "ALBEDO": ("ALBEDO", "{slot}"),
+    "METALLIC": ("vec3(METALLIC)", "vec3({slot})"),
+    "ROUGHNESS": ("vec3(ROUGHNESS)", "vec3({slot})"),
+    "CLEARCOAT": ("vec3(CLEARCOAT)", "vec3({slot})"),
+    "EMISSION": ("EMISSION", "{slot}"),
+    "AO": ("vec3(AO)", "vec3({slot})"),
+    "ALPHA": ("vec3(probed_alpha)", "vec3({slot})"),
+    "NORMAL": (
+        "(INV_VIEW_MATRIX * vec4(NORMAL, 0.0)).xyz * 0.5 + 0.5", "normalize(vec3({slot})) * 0.5 + 0.5"
+    ),
+}  # fmt: skip
+"""How Godot's values are shown, and how the same is written of a slot in a pass."""
+
+ASSIGNED = re.compile(r"^    ([A-Z]+) = (.*);$", re.M)
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Probe:
+    """One value of a surface in one scene."""
+
+    label: str
+    picture: Picture
+    material: burnish.CompiledMaterial
+    state: SceneState
+
+    def judged(self, got: Floats) -> Comparison:
+        """Compare what Godot has drawn with the bounds."""
+        rules = rules_of(self.state, DEVICE, LAVAPIPE, FILTERS, bottom_up=False)
+        shader = self.material.shader
+        allowed = expected(shader, self.state, rules, Errors(ROUTE.platforms))
+        meant = expected(shader, self.state, precise(rules), None)
+        compared = Compared.of([got], allowed, meant, ["rgba16f"], lambda: allowed)
+        return compared.comparison("guaranteed")
+
+
+def probes_of(file: Path, material: str) -> Iterator[Probe]:
+    """A probe for each value that a material gives Godot. Raises what ``surfaces_of`` raises."""
+    engine = registry.load("godot")
+    (surface,) = surfaces_of(file, engine, material=material)
+    text = engine.write(surface)
+    fragment = text[text.rindex("void fragment()") :]
+    for name, value in ASSIGNED.findall(fragment):
+        if name in SHOWN:
+            slot = _slot_of(surface, value)
+            if slot is not None:
+                yield _probe(file, surface, text, name, slot)
+
+
+def _slot_of(surface: Surface, value: str) -> str | None:
+    """The expression of slots that a value is made of, as the material writes it."""
+    slots = []
+    for functions in surface.inputs.values():
+        calls = [
+            each.signature.arguments[0].name if each.is_parameter else each.signature.part.name
+            for each in functions
+        ]
+        if re.search(rf"\b{re.escape(calls[0])}\b", value):
+            slots = functions
+    return " * ".join(_rgb(each) for each in slots) if slots else None
+
+
+def _rgb(given: object) -> str:
+    slot, type_ = given.slot, given.type  # type: ignore[attr-defined]
+    return f"{slot}.rgb" if type_ == "vec4" else slot
+
+
+def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Probe:
+    shown, written = SHOWN[name]
+    hidden = "    discard when material.is_hidden\n" if "hidden" in surface.inputs else ""
+    form = f"sqrt({slot})" if slot == "width" else slot
+    pass_ = (
+        f"\npass Probe {{\n    target value : rgba16f = vec4({written.format(slot=form)}, 1)\n"
+        f"{hidden}}}\n"
+    )
+    source = file.read_text("utf-8") + pass_
+    (material,) = burnish.compile(
+        source,
+        [ROUTE.profile],
+        material=surface.name,
+        pass_="Probe",
+        hoist=False,
+        search_path=[file.parent],
+    ).materials
+    mesh = torus(24, 16)
+    state = _state(material.reflection, mesh)
+    label = f"{file.stem}.{surface.name}.{name}"
+    picture = _picture(label, surface, _probing(text, name, shown), mesh, state)
+    return Probe(label, picture, material, state)
+
+
+def _probing(text: str, name: str, shown: str) -> str:
+    """The shader without lights that shows a value, and is opaque."""
+    head, _, fragment = text.rpartition("void fragment() {")
+    fragment = fragment.replace("    ALPHA = ", "    float probed_alpha = ")
+    fragment = fragment.rstrip().removesuffix("}") + f"    ALBEDO = {shown};\n}}\n"
+    head = head.replace("render_mode unshaded;\n", "")
+    head = head.replace(
+        "shader_type spatial;\n", "shader_type spatial;\nrender_mode unshaded, fog_disabled;\n"
+    )
+    return f"{head}void fragment() {{{fragment}"
+
+
+SCENE = Scene(looking(eye=(-0.7, 1.1, 2.6)), object_to_world=tuple(map(tuple, TURNED.tolist())))
+
+
+def _state(reflection: Reflection, mesh: Mesh) -> SceneState:
+    instance = Instance(reflection)
+    sample_values(instance, SEED)
+    sample_textures(instance, SEED)
+    clear = (0.0, 0.0, 0.0, 0.0)
+    return set_up(instance, with_inputs(reflection, mesh), SCENE, SIZE, clear)
+
+
+def _picture(label: str, surface: Surface, text: str, mesh: Mesh, state: SceneState) -> Picture:
+    camera = SCENE.camera
+    given = {
+        argument.name: surface.arguments[argument.given]
+        for function in surface.emission.functions
+        for argument in function.arguments
+        if argument.kind == "value"
+    }
+    values = state.instance.values()
+    uniforms = {
+        name: (row.representation, values[row.given])
+        for name, row in given.items()
+        if row.source == "parameter" and row.given in values and row.role not in ROLES
+        and f" {name}" in text
+    }  # fmt: skip
+    textures = state.instance.textures()
+    bound = {
+        argument.name: textures[argument.given]
+        for function in surface.emission.functions
+        for argument in function.arguments
+        if argument.kind == "texture" and argument.given in textures
+    }
+    assert camera.fov is not None
+    return Picture(
+        name=label, shader=text, mesh=mesh, size=SIZE, object_to_world=TURNED,
+        camera_to_world=np.linalg.inv(camera.world_to_camera), fov=math.degrees(camera.fov),
+        near=camera.near, far=camera.far, values=uniforms, textures=bound,
+    )  # fmt: skip

@@ -1,0 +1,65 @@
+"""Draws all examples in engines: ``python -m burnish.tests.engines.suite [NAME...]``.
+
+A row for each material says whether all that it gives to Godot lies inside the bounds of its
+meaning, or why it is not drawn. The tests do this with a few of them.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.engines.engine import EngineError
+
+from .godot import MISSING, drawn, is_there
+from .probes import Probe, probes_of
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+MATERIAL = re.compile(r"^material (\w+)", re.M)
+
+
+def materials(names: Sequence[str] = ()) -> Iterator[tuple[Path, str]]:
+    """The materials of the examples, or of those named, each with its file."""
+    for file in sorted(EXAMPLES.glob("*.burnish")):
+        if not names or file.stem in names:
+            for name in MATERIAL.findall(file.read_text("utf-8")):
+                yield file, name
+
+
+def main(names: Sequence[str]) -> int:
+    """Print the rows and their sum; returns the process's exit code."""
+    if not is_there():
+        print(MISSING)
+        return 1
+    probes: dict[str, list[Probe]] = {}
+    verdicts: Counter[str] = Counter()
+    for file, name in materials(names):
+        label = f"{file.stem}.{name}"
+        try:
+            probes[label] = list(probes_of(file, name))
+        except (CompileError, EngineError) as error:
+            print(f"{label}: not drawn: {error}".splitlines()[0])
+            verdicts["not drawn"] += 1
+    with TemporaryDirectory() as folder:
+        pictures = [probe.picture for found in probes.values() for probe in found]
+        got = drawn(pictures, Path(folder))
+    for label, found in probes.items():
+        verdict = "agrees"
+        for probe in found:
+            compared = probe.judged(got[probe.label])
+            if not compared.agrees:
+                verdict = "disagrees"
+                print(f"{probe.label}: {compared.wrong} pixels out of bounds: {compared.worst}")
+        verdicts[verdict if found else "nothing to show"] += 1
+        print(f"{label}: {verdict if found else 'nothing to show'}: {len(found)} values")
+    print(", ".join(f"{count} {verdict}" for verdict, count in verdicts.items()))
+    return 1 if verdicts["disagrees"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
