@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         Texture,
         check,
         compile,
+        functions,
         same,
         to_json,
     )
@@ -51,6 +52,7 @@ __all__ = [
     "__version__",
     "check",
     "compile",
+    "functions",
     "same",
     "to_json",
 ]

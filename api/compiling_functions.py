@@ -46,14 +46,16 @@ class AskedFunctions(NamedTuple):
     prefix: str | None
     values: tuple[tuple[str, str], ...]
     offers: tuple[Offer, ...] = ()
-    chosen: tuple[tuple[Language, Profile], ...] = ()
+    """Slots to return as far as a material has them, instead of ``slots``."""
+    languages: tuple[tuple[Language, Profile], ...] = ()
+    """Languages of engines, instead of ``targets``."""
 
 
 @seldom_collected
 def functions_of(asked: AskedFunctions) -> FunctionsResult:
     """Compile the materials of a file, or of a text, to functions. Raises ``CompileError``."""
     report, inputs = Report(), Inputs()
-    chosen = asked.chosen or select_targets(asked.targets, report, single_file=False)
+    chosen = list(asked.languages) or select_targets(asked.targets, report, single_file=False)
     frontend = Frontend(report, asked.search_path, inputs)
     module = opened(asked.source, frontend)
     wanted = _wanted(asked)
@@ -73,7 +75,7 @@ def _wanted(asked: AskedFunctions) -> FunctionsAsked:
     names = scene_names()
     return FunctionsAsked(
         asked.slots, asked.offers, asked.together, asked.rig is not None,
-        frozenset(names["at_vertices"]), names["surface"],
+        frozenset(names["at_vertices"]), names["slots"], names["surface"],
     )  # fmt: skip
 
 

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from ..targets.runner.instances.values import ParameterError
     from ..targets.runner.textures.kinds import PictureError
     from ..targets.runner.textures.texture import Texture
+    from .compiled_functions import FunctionsResult
     from .sameness import Comparison, SameError, same
 
 __all__ = [
@@ -50,6 +51,7 @@ __all__ = [
     "Texture",
     "check",
     "compile",
+    "functions",
     "same",
     "to_json",
 ]
@@ -142,6 +144,43 @@ def check(
         if not report.failed:
             check_filtering(frames, cache(program_of), report)
     return report.diagnostics
+
+
+def functions(
+    source: str | Path,
+    targets: str | Iterable[str] = DEFAULT,
+    *,
+    material: str | None = None,
+    rig: str | None = None,
+    slots: Sequence[str] = (),
+    together: bool = False,
+    prefix: str | None = None,
+    search_path: Sequence[str | Path] = (),
+    values: Mapping[str, GivenValue] = EMPTY,
+) -> FunctionsResult:
+    """Compile slots of the materials of a file, or a text, to functions that an engine calls.
+
+    ``slots`` are names such as ``"roughness"``; ``"height@vertex"`` is computed for vertices.
+    Without them, all slots are compiled to which a material itself, or a model that it extends,
+    gives a value, and which need no lights. Where ``rig`` is named, its lights are arguments, and
+    slots may need them. There is one function for each slot; with ``together``, one for pixels and
+    one for vertices, which return structures. All names in a text begin with ``prefix``, or else
+    with that of the material. ``source``, ``targets``, ``material``, ``search_path`` and ``values``
+    are as for ``compile``.
+
+    Raises ``CompileError``, whose ``diagnostics`` are all errors, and ``TypeError`` for arguments
+    of other types.
+    """
+    from .compiling_functions import AskedFunctions, functions_of
+
+    _check_names(material=material, rig=rig, prefix=prefix)
+    _check_flags(together=together)
+    expect_all("slots", slots, str, "names of slots")
+    asked = AskedFunctions(
+        tuple(_names_of_targets(targets)), *sources(source, search_path), material, rig,
+        tuple(slots), together, prefix, _texts_of(values),
+    )  # fmt: skip
+    return functions_of(asked)
 
 
 def has_frames(

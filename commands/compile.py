@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from .compilation import succeeds
-from .compile_options import OPTIONS, CompileRequest
+from .compile_options import OPTIONS, SHADERS, CompileRequest
 from .options import each_once, option
 from .results import Question
 from .terminal import FAILED
@@ -38,9 +38,12 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --target wgsl --single-file -o - | less
         burnish compile materials/*.burnish -o build/
         burnish compile car.burnish --set coat_weight=0 --set specular_roughness=0.3..0.5 -o build/
+        burnish compile plastic.burnish --emit functions --slots tint,normal --target wgsl -o build/
     """
     each_once(chosen["values"])
-    request = CompileRequest(**chosen)
+    request = CompileRequest(**{**chosen, "emit": chosen["emit"] or SHADERS})
+    if request.misfit:
+        raise click.UsageError(request.misfit)
     if request.why and request.prints:
         raise click.UsageError("--why prints reasons: it goes with a folder, not with -o -")
     context = click.get_current_context()

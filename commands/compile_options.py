@@ -104,9 +104,38 @@ CACHE = Option(
     off="--no-cache",
 )
 
+SHADERS, FUNCTIONS = "shaders", "functions"
+EMIT = Option(
+    "emit",
+    ("--emit",),
+    "Write whole `shaders` (the default), or `functions`, which an engine that lights surfaces "
+    "itself calls: one for each slot, such as `tint` or `normal`.",
+    metavar="KIND",
+)
+SLOTS = Option(
+    "slots",
+    ("--slots",),
+    "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
+    "follows its name. Default: those that the material itself, or its model, gives a value, and "
+    "that need no lights.",
+    metavar="NAME[@vertex],…",
+    many=True,
+)
+TOGETHER = Option(
+    "together",
+    ("--together",),
+    "With `--emit functions`: one function for pixels and one for vertices, each for all slots.",
+)
+PREFIX = Option(
+    "prefix",
+    ("--prefix",),
+    "With `--emit functions`: what names in the text begin with, instead of the material's name.",
+    metavar="NAME",
+)
+
 OPTIONS = (
-    TARGET, OUTPUT, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE, SINGLE_FILE, FLIP_Y,
-    LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
+    TARGET, OUTPUT, EMIT, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE,
+    SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
 
@@ -135,12 +164,37 @@ class CompileRequest:
     hoist: bool = True
     native_stages: bool = False
     cache: bool = True
+    emit: str = SHADERS
+    slots: tuple[str, ...] = ()
+    """Slots as they were given, each perhaps several with commas."""
+    together: bool = False
+    prefix: str | None = None
+
+    @property
+    def misfit(self) -> str:
+        """What is wrong with options that do not go together, as a sentence; else empty."""
+        if self.emit not in (SHADERS, FUNCTIONS):
+            return f"--emit takes `{SHADERS}` or `{FUNCTIONS}`, not `{self.emit}`"
+        of_others = _OF_SHADERS if self.emit == FUNCTIONS else _OF_FUNCTIONS
+        given = [row for row in of_others if getattr(self, row.field) not in _NOTHING]
+        if self.emit == FUNCTIONS and not self.hoist:
+            given.append(HOIST)
+        if not given:
+            return ""
+        name = HOIST.off if given[0] is HOIST else given[0].names[-1]
+        if self.emit == FUNCTIONS:
+            return f"{name} is about whole shaders: leave it out, or `--emit functions`"
+        return f"{name} goes with `--emit functions` only"
 
     @property
     def prints(self) -> bool:
         """True if the shaders are printed instead of written."""
         return self.output == STDOUT
 
+
+_OF_FUNCTIONS = (SLOTS, TOGETHER, PREFIX)
+_OF_SHADERS = (PASS, WHY, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, NATIVE_STAGES)
+_NOTHING = (None, False, ())
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
 _FLAGS = {
@@ -182,7 +236,8 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
         return None
     if chosen.get("why") and chosen["output"] == STDOUT:
         return None
-    return CompileRequest(**chosen)
+    request = CompileRequest(**chosen)
+    return None if request.misfit else request
 
 
 def _may_be_read(path: Path) -> bool:

@@ -139,13 +139,21 @@ class Frontend:
         lights = self._rigs_of(module)[0] if rig is None else self._rig(module, rig)
         if lights is None:
             return []
-        made = []
+        made, without = [], []
         for setting, shader in self._elaborated(module, lights, self._forward(), materials, set()):
-            if shader is not None:
-                before = setting.ctx.report.count
-                made.append(functions_of(setting, shader, asked))
-                self._report.extend(setting.ctx.report.since(before))
-        return [each for each in made if each is not None]
+            if shader is None:
+                continue
+            before = setting.ctx.report.count
+            found = functions_of(setting, shader, asked)
+            self._report.extend(setting.ctx.report.since(before))
+            if found is not None:
+                made.append(found)
+            elif not setting.ctx.report.failed:
+                without.append(setting.parts.material)
+        rule = rules.LEFT_OUT if made else rules.NO_FUNCTIONS
+        for each in () if self._report.failed else without:
+            self._report.add(rule, each.declaration.name.span, name=each.name)
+        return made
 
     def _parts(
         self, module: Module, material: str | None, rig: str | None, pass_: str | None

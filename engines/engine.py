@@ -59,15 +59,18 @@ class Surface:
         return self.document.material
 
     @cached_property
-    def inputs(self) -> Mapping[str, tuple[Given, ...]]:
-        """The functions for each input that the material gives; factors follow."""
+    def inputs(self) -> Mapping[str, Given]:
+        """The function for each value that the material gives."""
         found = {}
         for row in with_names(self.renamed):
-            stage = "vertex" if row.at_vertices else "fragment"
-            own = [each for each in map(self._of_slot(stage), row.slots) if each is not None]
-            factors = [each for each in map(self._of_slot(stage), row.factors) if each is not None]
-            if own:
-                found[row.name] = (own[0], *factors)
+            ranked = [
+                (rank, number, given)
+                for number, given in enumerate(self._all.values())
+                if given.row.stage == row.stage
+                and (rank := row.rank(given.row.slots[0])) is not None
+            ]
+            if ranked:
+                found[row.name] = min(ranked)[-1]
         return found
 
     @property
@@ -103,10 +106,6 @@ class Surface:
     def _all(self) -> dict[str, Given]:
         signatures = {each.name: each for each in self.emission.functions}
         return {row.name: Given(row, signatures[row.name]) for row in self.document.functions}
-
-    def _of_slot(self, stage: str) -> Callable[[str], Given | None]:
-        slots = {(each.slot, each.row.stage): each for each in self._all.values()}
-        return lambda slot: slots.get((slot, stage))
 
     def parts(self, used: Iterator[Given]) -> list[EmittedPart]:
         """The parts of the text that these functions are, in an order in which each is known."""

@@ -1,15 +1,16 @@
 """What engines light a surface by, and the slots of materials in which it is found: one table.
 
-Materials may call their slots as they like. These are the names of the library's models and of its
-terms; whoever uses other names says so.
+``stdlib/scene.toml`` says what the library's own slots are. Materials may call theirs as they like:
+the table has the names of the library's models and terms, and whoever uses other names says so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from ..compiler.documents.functions import SlotRow
 from ..compiler.ir.functions import Offer
-from ..support.frozen import frozen
+from ..support.frozen import changed, frozen
 
 
 @frozen
@@ -17,15 +18,11 @@ class Input:
     """A value by which an engine lights a surface."""
 
     name: str
-    """What all engines' tables call it."""
-    slots: tuple[str, ...]
-    """The slots in which it may be; the first that a material has is taken."""
-    factors: tuple[str, ...] = ()
-    """Slots that it is multiplied by, as far as the material has them."""
+    """The engines' word for it, which is the role of slots of the library."""
+    own: tuple[str, ...] = ()
+    """Slots or parameters of a user's own in which it may be; the first that there is is taken."""
     at_vertices: bool = False
     """True if it is computed for vertices."""
-    owner: str = ""
-    """The material of the library that has to declare the slots, whose names say too little."""
     changed: bool = False
     """True if it counts only where the material says something else than the library.
 
@@ -33,51 +30,62 @@ class Input:
     """
 
     @property
-    def offers(self) -> Iterator[Offer]:
-        """What the core is asked for."""
-        stage = "vertex" if self.at_vertices else "fragment"
-        for slot in self.slots:
-            yield Offer(slot, stage, self.changed, self.owner)
-        for slot in self.factors:
-            yield Offer(slot, stage)
+    def stage(self) -> str:
+        """The stage for which it is computed."""
+        return "vertex" if self.at_vertices else "fragment"
+
+    def offers(self, words: Mapping[str, str]) -> Iterator[Offer]:
+        """What the core is asked for; ``words`` are the roles of slots of the library."""
+        for full, word in words.items():
+            if word == self.name:
+                owner, _, name = full.rpartition(".")
+                yield Offer(name, self.stage, owner, self.changed)
+        for name in self.own:
+            yield Offer(name, self.stage)
+
+    def rank(self, slot: SlotRow) -> int | None:
+        """The place of a slot among those that may be this value; ``None`` if it is not one."""
+        if slot.role is not None:
+            return 0 if slot.role == self.name else None
+        return 1 + self.own.index(slot.name) if slot.name in self.own else None
 
 
 COLOR = "color"
 """The light that a surface sends out: of a surface that no lights are needed for."""
 
 INPUTS: tuple[Input, ...] = (
-    Input("base_color", ("base_color", "albedo", "tint", "kd", "base"), factors=("base_weight",)),
-    Input("metallic", ("metallic", "metalness", "base_metalness")),
-    Input("roughness", ("roughness", "specular_roughness")),
-    Input("width", ("width",), owner="std.gltf.MetallicRoughness"),
-    Input("clearcoat", ("clearcoat", "coat_weight")),
-    Input("clearcoat_roughness", ("clearcoat_roughness", "coat_roughness")),
-    Input("anisotropy", ("anisotropic", "anisotropy_strength")),
-    Input("emission", ("emissive",), factors=("emissive_strength",)),
+    Input("base_color", ("base_color", "albedo", "tint", "kd", "base")),
+    Input("metallic", ("metallic", "metalness")),
+    Input("roughness", ("roughness",)),
+    Input("squared_roughness"),
+    Input("clearcoat", ("clearcoat",)),
+    Input("clearcoat_roughness", ("clearcoat_roughness",)),
+    Input("emissive", ("emissive", "emission")),
+    Input("emissive_strength"),
     Input("occlusion", ("occlusion",)),
-    Input("normal", ("normal",), changed=True),
-    Input("alpha", ("alpha",), changed=True),
-    Input("hidden", ("is_hidden",), changed=True),
-    Input(COLOR, (COLOR,), changed=True),
-    Input("position", ("position",), at_vertices=True, changed=True),
-    Input("object_position", ("object_position",), at_vertices=True, changed=True),
-    Input("object_normal", ("object_normal",), at_vertices=True, changed=True),
+    Input("normal", changed=True),
+    Input("alpha", changed=True),
+    Input("is_hidden", changed=True),
+    Input(COLOR, changed=True),
+    Input("position", at_vertices=True, changed=True),
+    Input("object_position", at_vertices=True, changed=True),
+    Input("object_normal", at_vertices=True, changed=True),
 )
 
-
 LIT = frozenset({
-    "base_color", "metallic", "roughness", "clearcoat", "emission", "occlusion", "normal",
+    "base_color", "metallic", "roughness", "squared_roughness", "clearcoat", "emissive",
+    "occlusion", "normal",
 })  # fmt: skip
 """A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
 
 
-def offers(renamed: Mapping[str, str]) -> tuple[Offer, ...]:
-    """All slots that engines can use; ``renamed`` are slots that a user has named for an input."""
-    return tuple(offer for row in with_names(renamed) for offer in row.offers)
+def with_names(renamed: Mapping[str, str]) -> tuple[Input, ...]:
+    """The table, with slots that a user has named for a value."""
+    return tuple(
+        changed(row, own=(renamed[row.name],)) if row.name in renamed else row for row in INPUTS
+    )
 
 
-def with_names(renamed: Mapping[str, str]) -> Iterator[Input]:
-    """The table, with slots that a user has named for an input."""
-    for row in INPUTS:
-        slot = renamed.get(row.name)
-        yield row if slot is None else Input(row.name, (slot,), at_vertices=row.at_vertices)
+def offers(renamed: Mapping[str, str], words: Mapping[str, str]) -> tuple[Offer, ...]:
+    """All slots that engines can use."""
+    return tuple(offer for row in with_names(renamed) for offer in row.offers(words))

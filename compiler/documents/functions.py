@@ -24,6 +24,8 @@ class SlotRow:
     """The type on the machine: ``float``, ``vec3``."""
     doc: str
     """Doc comment; empty where there is none."""
+    role: str | None
+    """The engines' word for it, such as ``metallic``, if the library declares the slot."""
 
 
 @frozen(kw_only=True)

@@ -19,13 +19,13 @@ class Offer:
     name: str
     stage: str = "fragment"
     """The stage for which it is computed."""
+    owner: str = ""
+    """The record of the library that has to declare it; empty where a user's has to."""
     changed: bool = False
     """True if it counts only where something else is said than where it is declared.
 
     The engine itself has what the declaration says.
     """
-    owner: str = ""
-    """The record of the library that has to declare it; empty for any: names are enough."""
 
 
 @frozen
@@ -48,6 +48,8 @@ class FunctionsAsked:
 
     They are the library's names: ``std.prelude.Surface.object_position``.
     """
+    words: Mapping[str, str] = EMPTY
+    """The engines' words for slots, by the library's names; they are made without being named."""
     of_surface: Mapping[str, str] = EMPTY
     """The engines' words for slots whose interpolated values they have, by the library's names."""
 
@@ -61,6 +63,8 @@ class SlotInfo:
     declared_type: str
     """The type as it is written, or its meaning: ``rgb``, ``normal<world>``, ``float``."""
     doc: str
+    word: str = ""
+    """The engines' word for it, if the library declares it and they have one."""
 
 
 @frozen

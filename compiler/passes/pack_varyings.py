@@ -76,12 +76,7 @@ def pack_varyings(
         if n.op == "cross" and CROSS.data(n).origin == origin
     }
     crossings = list(crossed.values())
-    users: dict[int, str] = {}
-    for node in reversed(nodes):
-        within = notes.names.get(node.id) or users.get(node.id)
-        if within is not None:
-            for operand in node.operands:
-                users.setdefault(operand.id, within)
+    users = users_of(nodes, notes)
     by_width = sorted(crossings, key=lambda node: (-width(node.type), node.id))
     slots = _Slots()
     for node in by_width:
@@ -90,7 +85,7 @@ def pack_varyings(
         mode = CROSS.data(node).mode
         assert kind is not None and isinstance(value.type, Scalar | Vector)
         slots.add(value, kind, mode)
-    names = {node.operands[0].id: _name(node, notes, users) for node in crossings}
+    names = {node.operands[0].id: name_of(node, notes, users) for node in crossings}
     varyings: dict[str, Varying] = {}
     names_taken = set(taken)
     for location, slot in enumerate(slots.all):
@@ -112,8 +107,22 @@ def _apart(name: str, taken: Collection[str]) -> str:
     return name if name not in taken else next(n for n in numbered if n not in taken)
 
 
-def _name(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
-    """The value's own name, otherwise that of its attribute, or of its use."""
+def users_of(nodes: Sequence[Node], notes: Notes) -> Mapping[int, str]:
+    """The name of the value that each node is a part of, by the node's id.
+
+    ``nodes`` are in order, operands before users.
+    """
+    users: dict[int, str] = {}
+    for node in reversed(nodes):
+        within = notes.names.get(node.id) or users.get(node.id)
+        if within is not None:
+            for operand in node.operands:
+                users.setdefault(operand.id, within)
+    return users
+
+
+def name_of(node: Node, notes: Notes, users: Mapping[int, str]) -> str:
+    """The name of a value that crosses: its own, or that of its attribute, or of its use."""
     value = node.operands[0]
     named = notes.names.get(value.id) or notes.names.get(node.id)
     if named is None and isinstance(value.data, Attribute):

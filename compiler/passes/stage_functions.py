@@ -8,7 +8,7 @@ vertices or to the host, as nobody knows what an engine computes there.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Mapping, Set
 from itertools import count
 
 from ...support.frozen import changed, frozen
@@ -26,6 +26,7 @@ from ..layout import suggested_name
 from .checkpoint import verified
 from .guard import Guard
 from .lift_lambdas import lift_lambdas
+from .pack_varyings import name_of, users_of
 from .pipeline import Options, Undecided, guarded
 from .rename_variables import rename_variables
 from .split_functions import split_functions
@@ -78,6 +79,7 @@ class _Cutting:
         self._names = {info.leaf.name for info in shader.textures}
         self._varyings: dict[Node, Result] = {}
         """The functions for vertices whose results are interpolated, by the value."""
+        self._users: Mapping[int, str] = {}
         self._functions = {result.function for result in shader.results if result.kind == VALUE}
 
     def cut(self, results: list[Result]) -> list[Result]:
@@ -108,6 +110,7 @@ class _Cutting:
     def _rewritten(self, results: list[Result]) -> list[Result]:
         roots = [result.value for result in results]
         nodes = visible(roots, into_bodies=True)
+        self._users = users_of(nodes, self._notes)
         values = rewrite(self._graph, roots, self._rule, self._notes.follow, _CUT, nodes)
         return [changed(r, value=value) for r, value in zip(results, values, strict=True)]
 
@@ -163,11 +166,10 @@ class _Cutting:
 
     def _varying(self, crossing: Node) -> Result:
         """The function that computes a value which is interpolated."""
-        value, names = crossing.operands[0], self._notes.names
-        wanted = names.get(value.id) or names.get(crossing.id) or "varying"
+        wanted = name_of(crossing, self._notes, self._users)
         name = _apart(wanted, self._functions)
         self._functions.add(name)
-        return Result(VALUE, VERTEX, value, name, function=name)
+        return Result(VALUE, VERTEX, crossing.operands[0], name, function=name)
 
 
 def _apart(name: str, taken: Set[str]) -> str:

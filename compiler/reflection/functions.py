@@ -59,7 +59,7 @@ def _function(stage: Stage, slots: Sequence[SlotInfo]) -> FunctionRow:
         slots=tuple(
             SlotRow(
                 name=slot.name, type=slot.declared_type,
-                representation=str(output.value.type), doc=slot.doc,
+                representation=str(output.value.type), doc=slot.doc, role=slot.word or None,
             )
             for slot, output in zip(slots, stage.results, strict=True)
         ),

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..engine import EngineError, Given, Surface
-from ..inputs import COLOR
 from .uniforms import TYPES, sampler, uniform
 from .values import AT_PIXELS, AT_VERTICES, MOVED, OUTPUTS, ROLES, UNLIT, Between, Output
 
@@ -56,11 +55,13 @@ class _Writer:
             yield "render_mode unshaded;"
 
     def _statements(self, rows: Iterable[Output]) -> Iterator[str]:
+        inputs = self._surface.inputs
         for row in rows:
-            for given in self._surface.inputs.get(row.input, ())[:1]:
-                factors = self._surface.inputs[row.input][1:]
-                values = [self._converted(given, row.type), *map(self._call, factors)]
-                yield row.statement.format(value=" * ".join(values))
+            if row.input in inputs:
+                value = self._converted(inputs[row.input], row.type)
+                if row.factor in inputs:
+                    value += f" * {self._call(inputs[row.factor])}"
+                yield row.statement.format(value=value)
 
     def _converted(self, given: Given, wanted: str) -> str:
         """A call whose value has the type that Godot takes."""

@@ -78,18 +78,19 @@ class Output:
     type: str
     """The type that Godot takes."""
     statement: str
+    factor: str = ""
+    """Another row, by which the value is multiplied if the material gives it."""
 
 
 OUTPUTS = (
-    Output("hidden", "bool", "if ({value}) {{\n        discard;\n    }}"),
+    Output("is_hidden", "bool", "if ({value}) {{\n        discard;\n    }}"),
     Output("base_color", "vec3", "ALBEDO = {value};"),
     Output("metallic", "float", "METALLIC = {value};"),
-    Output("width", "float", "ROUGHNESS = sqrt({value});"),
+    Output("squared_roughness", "float", "ROUGHNESS = sqrt({value});"),
     Output("roughness", "float", "ROUGHNESS = {value};"),
     Output("clearcoat", "float", "CLEARCOAT = {value};"),
     Output("clearcoat_roughness", "float", "CLEARCOAT_ROUGHNESS = {value};"),
-    Output("anisotropy", "float", "ANISOTROPY = {value};"),
-    Output("emission", "vec3", "EMISSION = {value};"),
+    Output("emissive", "vec3", "EMISSION = {value};", factor="emissive_strength"),
     Output("occlusion", "float", "AO = {value};"),
     Output("normal", "vec3", "NORMAL = normalize((VIEW_MATRIX * vec4({value}, 0.0)).xyz);"),
     Output("alpha", "float", "ALPHA = {value};"),

@@ -270,7 +270,7 @@ class _FunctionPrinter:
 
     def signature(self, part: EmittedPart) -> EmittedSignature:
         """How the function is called."""
-        members = ()
+        members: tuple[str, ...] = ()
         if self._stage.name in self._named.results:
             members = tuple(
                 self._named.members[self._stage.name, slot] for slot in slots_of(self._stage)

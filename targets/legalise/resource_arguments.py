@@ -1,8 +1,8 @@
 """Finds what every function reads from outside, for languages without global resources.
 
 In such a language (``Language.resource_arguments``) an entry point gets all that its stage reads as
-arguments. In every language, a function that an engine calls does. A function gets what it reads itself, or hands on to the functions that it calls.
-Samplers go with their textures.
+arguments. In every language, a function that an engine calls does. A function gets what it reads
+itself, or hands on to the functions that it calls. Samplers go with their textures.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Draws many pictures by one process of Godot, and has it parse shaders: for tests and ``suite.py``.
+"""Draws many pictures by one process of Godot, and has it parse shaders, for tests.
 
 A picture is of one mesh without any light. Its numbers are those that the shader writes, as floats
 of 16 bits: nothing maps tones, and nothing is encoded for a screen.
@@ -63,9 +63,9 @@ void vertex() {
 """The beginning of a vertex shader that reads the exact values of the mesh."""
 
 FORMATS = {"rgba8unorm": 5, "rgba8unorm-srgb": 5, "rgba32float": 11}
-"""Godot's numbers of the formats of images."""
+"""The formats of textures that it can be given, as Godot's numbers of the formats of images."""
 
-Floats = NDArray[np.float64]
+Floats = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +106,7 @@ def parsed(shaders: Mapping[str, str], folder: Path) -> dict[str, str]:
     for name, text in shaders.items():
         (folder / f"{name}.gdshader").write_text(text, "utf-8")
     said = _godot(folder, "--headless")
-    found = {name: "" for name in shaders}
+    found = dict.fromkeys(shaders, "")
     seen, name = set(), ""
     for line in said.splitlines():
         if line.startswith("PARSED "):
@@ -238,7 +238,7 @@ def _value(type_: str, value: Any) -> dict[str, Any]:
     return {"type": kind, "lanes": np.asarray(value, np.float64).reshape(-1).tolist()}
 
 
-def _mesh(mesh: Mesh) -> dict[str, list[float]]:
+def _mesh(mesh: Mesh) -> dict[str, list[Any]]:
     count = len(mesh)
     channels = {name: np.asarray(values, np.float64) for name, values in mesh.channels.items()}
     missing = {"uv2": (count, 2), "color": (count, 4), "tangent": (count, 4)}

@@ -9,10 +9,10 @@ does for ``burnish conform``.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,8 @@ from burnish.api.compiling_engines import surfaces_of
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.engines import registry
-from burnish.engines.engine import Surface
+from burnish.engines.engine import EngineError, Given, Surface
+from burnish.engines.godot.values import OUTPUTS, ROLES, UNLIT, Output
 from burnish.targets.conformance.bounds import precise, rules_of
 from burnish.targets.conformance.compare import Comparison
 from burnish.targets.conformance.drivers import DRIVERS
@@ -37,9 +38,7 @@ from burnish.targets.runner.routes import ROUTES
 from burnish.targets.runner.scene import Scene, with_inputs
 from burnish.targets.runner.scene_state import SceneState, set_up
 
-from burnish.engines.godot.values import ROLES
-
-from .godot import Picture
+from .godot import FORMATS, Picture
 
 SIZE = (40, 32)
 SEED = 7
@@ -65,14 +64,13 @@ SHOWN = {
     "AO": ("vec3(AO)", "vec3({slot})"),
     "ALPHA": ("vec3(probed_alpha)", "vec3({slot})"),
     "NORMAL": (
-        "(INV_VIEW_MATRIX * vec4(NORMAL, 0.0)).xyz * 0.5 + 0.5", "normalize(vec3({slot})) * 0.5 + 0.5"
+        "(INV_VIEW_MATRIX * vec4(NORMAL, 0.0)).xyz * 0.5 + 0.5",
+        "normalize(vec3({slot})) * 0.5 + 0.5"
     ),
 }  # fmt: skip
 """How Godot's values are shown, and how the same is written of a slot in a pass."""
 
-ASSIGNED = re.compile(r"^    ([A-Z]+) = (.*);$", re.M)
-
-Floats = NDArray[np.float64]
+Floats = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,40 +95,37 @@ class Probe:
 def probes_of(file: Path, material: str) -> Iterator[Probe]:
     """A probe for each value that a material gives Godot. Raises what ``surfaces_of`` raises."""
     engine = registry.load("godot")
-    (surface,) = surfaces_of(file, engine, material=material)
-    text = engine.write(surface)
-    fragment = text[text.rindex("void fragment()") :]
-    for name, value in ASSIGNED.findall(fragment):
-        if name in SHOWN:
-            slot = _slot_of(surface, value)
-            if slot is not None:
-                yield _probe(file, surface, text, name, slot)
+    for surface in surfaces_of(file, engine, material=material):
+        yield from _probes(file, surface, engine.write(surface))
 
 
-def _slot_of(surface: Surface, value: str) -> str | None:
+def _probes(file: Path, surface: Surface, text: str) -> Iterator[Probe]:
+    for output in OUTPUTS if surface.is_lit else UNLIT:
+        name, _, assigned = output.statement.partition(" ")
+        slot = _slot_of(surface, output)
+        if assigned.startswith("=") and slot is not None:
+            yield _probe(file, surface, text, name, slot)
+
+
+def _slot_of(surface: Surface, output: Output) -> str | None:
     """The expression of slots that a value is made of, as the material writes it."""
-    slots = []
-    for functions in surface.inputs.values():
-        calls = [
-            each.signature.arguments[0].name if each.is_parameter else each.signature.part.name
-            for each in functions
-        ]
-        if re.search(rf"\b{re.escape(calls[0])}\b", value):
-            slots = functions
-    return " * ".join(_rgb(each) for each in slots) if slots else None
+    given = surface.inputs.get(output.input)
+    if given is None:
+        return None
+    factor = surface.inputs.get(output.factor)
+    form = "sqrt({})" if output.input == "squared_roughness" else "{}"
+    return form.format(_rgb(given)) + ("" if factor is None else f" * {_rgb(factor)}")
 
 
-def _rgb(given: object) -> str:
-    slot, type_ = given.slot, given.type  # type: ignore[attr-defined]
-    return f"{slot}.rgb" if type_ == "vec4" else slot
+def _rgb(given: Given) -> str:
+    return f"{given.slot}.rgb" if given.type == "vec4" else given.slot
 
 
 def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Probe:
     shown, written = SHOWN[name]
-    hidden = "    discard when material.is_hidden\n" if "hidden" in surface.inputs else ""
-    form = f"sqrt({slot})" if slot == "width" else slot
+    hidden = "    discard when material.is_hidden\n" if "is_hidden" in surface.inputs else ""
     pass_ = (
-        f"\npass Probe {{\n    target value : rgba16f = vec4({written.format(slot=form)}, 1)\n"
+        f"\npass Probe {{\n    target value : rgba16f = vec4({written.format(slot=slot)}, 1)\n"
         f"{hidden}}}\n"
     )
     source = file.read_text("utf-8") + pass_
@@ -145,11 +140,11 @@ def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Pro
     mesh = torus(24, 16)
     state = _state(material.reflection, mesh)
     label = f"{file.stem}.{surface.name}.{name}"
-    picture = _picture(label, surface, _probing(text, name, shown), mesh, state)
+    picture = _picture(label, surface, _probing(text, shown), mesh, state)
     return Probe(label, picture, material, state)
 
 
-def _probing(text: str, name: str, shown: str) -> str:
+def _probing(text: str, shown: str) -> str:
     """The shader without lights that shows a value, and is opaque."""
     head, _, fragment = text.rpartition("void fragment() {")
     fragment = fragment.replace("    ALPHA = ", "    float probed_alpha = ")
@@ -194,6 +189,9 @@ def _picture(label: str, surface: Surface, text: str, mesh: Mesh, state: SceneSt
         for argument in function.arguments
         if argument.kind == "texture" and argument.given in textures
     }
+    for texture in bound.values():
+        if texture.format not in FORMATS:
+            raise EngineError(f"Godot makes no textures of the format {texture.format}")
     assert camera.fov is not None
     return Picture(
         name=label, shader=text, mesh=mesh, size=SIZE, object_to_world=TURNED,

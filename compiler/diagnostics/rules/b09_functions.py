@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .row import error
+from .row import error, warning
 
 NO_SUCH_SLOT = error(
     "B0901",
@@ -36,7 +36,13 @@ NO_FUNCTIONS = error(
     "B0906",
     "`{name}` gives no value to a slot that a function returns without lights",
     "Without a list of slots, functions are made of those to which the material itself gives a "
-    "value, and which need no lights.",
+    "value, or a model that it extends, and which need no lights.",
+)
+LEFT_OUT = warning(
+    "B0908",
+    "`{name}` is left out: it gives no value to a slot that a function returns without lights",
+    "Other materials of the file have such slots. Without a list of slots, functions are made of "
+    "those to which a material itself gives a value, or a model that it extends.",
 )
 UNKNOWN_STAGE_OF_SLOT = error(
     "B0907",

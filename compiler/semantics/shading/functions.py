@@ -64,7 +64,7 @@ class _Value:
 
 
 def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> FunctionsShader | None:
-    """The functions of a material; ``None`` after reporting why there are none.
+    """The functions of a material; ``None`` if there are none, or after reporting errors.
 
     ``shader`` is what ``elaborate`` made of the same setting.
     """
@@ -82,9 +82,7 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
     found, graph, notes = lowered(ctx, roots)
     made = zip(values, found[: len(values)], strict=True)
     kept = [pair for pair in made if _is_free(setting, shader, asked, *pair)]
-    if not kept and not ctx.report.failed:
-        ctx.report.add(rules.NO_FUNCTIONS, name.span, name=record.name)
-    if ctx.report.failed:
+    if not kept or ctx.report.failed:
         return None
     results = [_result(value, node, asked) for value, node in kept]
     delivered = zip((info for info, _ in surface), found[len(values) :], strict=True)
@@ -107,14 +105,16 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
 
 
 def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
-    """The slots that are asked for, or those to which the user's own records give a value."""
+    """The slots that are asked for; else those of the user's own records, and those of a model."""
     record, report = setting.surface.record, setting.ctx.report
     span = record.symbol.declaration.name.span
     if asked.offers:
         yield from _offered(record, asked)
     elif not asked.slots:
         for name in _slots_of(record):
-            if not record.definitions[name][0].owner.module.is_standard:
+            owner = record.definitions[name][0].owner
+            is_model = bool(_word(record, name, asked)) and owner is not record.root
+            if is_model or not owner.module.is_standard:
                 yield _Slot(name, _usual_stage(record, name, asked), is_named=False)
     for text in dict.fromkeys(asked.slots):
         name, _, place = (part.strip() for part in text.partition("@"))
@@ -146,7 +146,7 @@ def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
         is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
     else:
         is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
-    is_meant = offer.owner in ("", library_name(declared.owner))
+    is_meant = offer.owner == library_name(declared.owner)
     return is_slot and is_meant and not (offer.changed and nearest is declared)
 
 
@@ -156,8 +156,16 @@ def _slots_of(record: Record) -> Sequence[str]:
 
 
 def _usual_stage(record: Record, name: str, asked: FunctionsAsked) -> StageRow:
-    owner = library_name(record.declaration(name).owner)
-    return VERTEX if f"{owner}.{name}" in asked.at_vertices else FRAGMENT
+    return VERTEX if _library_slot(record, name) in asked.at_vertices else FRAGMENT
+
+
+def _word(record: Record, name: str, asked: FunctionsAsked) -> str:
+    return asked.words.get(_library_slot(record, name), "")
+
+
+def _library_slot(record: Record, name: str) -> str:
+    """The slot as the library declares it: ``std.prelude.Surface.normal``."""
+    return f"{library_name(record.declaration(name).owner)}.{name}"
 
 
 def _values(setting: Setting, slots: Iterable[_Slot]) -> Iterator[_Value]:
@@ -237,7 +245,8 @@ def _slot_info(setting: Setting, value: _Value, asked: FunctionsAsked) -> SlotIn
     shown = str(setting.ctx.meanings.of(value.tree) or value.tree.type)
     if typing is not None and typing.member.type is not None:
         shown = " ".join(typing.member.type.span.text.split())
-    return SlotInfo(name, _function_of(value, asked), shown, doc)
+    word = _word(record, name, asked)
+    return SlotInfo(name, _function_of(value, asked), shown, doc, word)
 
 
 def _surface_values(
@@ -247,7 +256,7 @@ def _surface_values(
     ctx, surface = setting.ctx, setting.surface
     for name in _slots_of(surface.record):
         first = surface.record.declaration(name)
-        word, member = words.get(f"{library_name(first.owner)}.{name}"), first.member
+        word, member = words.get(_library_slot(surface.record, name)), first.member
         if word is not None:
             tree = slot(ctx, surface, name, member.name.span, first.level)
             if isinstance(tree, Node):

@@ -1,0 +1,140 @@
+"""What functions cannot have is told in a sentence with the slot's name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+import burnish
+from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.compiler.diagnostics.render import render_all
+from tests.cli.kit import invoke
+
+PLASTIC = """\
+import std.lights.{Directional}
+import std.terms.{lambert}
+material M {
+    tint = rgb(uv, 0)
+    rough = ddx(uv.x)
+    color = lambert(tint)
+}
+rig R { sun : Directional }
+"""
+CASES = {
+    "unknown slot": (
+        PLASTIC, ["tnt"],
+        """\
+        error[B0901]: `M` has no slot `tnt`
+         --> <text>:3:10
+          |
+        3 | material M {
+          |          ^
+          = help: did you mean `tint`?
+        """,
+    ),
+    "lights": (
+        PLASTIC, ["color"],
+        """\
+        error[B0902]: `color` needs lights, and a function has none
+          --> <text>:6:5
+           |
+         6 |     color = lambert(tint)
+           |     ^^^^^
+        """,
+    ),
+    "a structure": (
+        PLASTIC, ["object_shape"],
+        "error[B0903]: `object_shape` is a struct, which no function returns",
+    ),
+    "derivatives for vertices": (
+        PLASTIC, ["rough@vertex"],
+        """\
+        error[B0502]: `ddx` is not available at the vertex
+         --> <text>:5:5
+        """,
+    ),
+    "unknown stage": (
+        PLASTIC, ["tint@pixel"],
+        "error[B0907]: `tint@pixel` names no stage for a slot",
+    ),
+    "a storage buffer": (
+        "material M {\n    buffer heights : float[]\n    tall = heights[0]\n}\n", ["tall"],
+        "error[B0904]: `tall` reads the storage buffer `heights`, which is no argument of a",
+    ),
+    "nothing without lights": (
+        "import std.terms.{lambert}\nmaterial M {\n    color = lambert(rgb(1, 1, 1))\n}\n", [],
+        "error[B0906]: `M` gives no value to a slot that a function returns without lights",
+    ),
+    "vertices of its own": (
+        """\
+        import std.tessellation.{PhongTessellation}
+        material M : Surface + PhongTessellation { tint = rgb(uv, 0) }
+        """, [],
+        "error[B0905]: `M` makes vertices of its own, and a function makes none",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_wrong_is_told(name: str) -> None:
+    text, slots, expected = CASES[name]
+    with pytest.raises(CompileError) as caught:
+        burnish.functions(dedent(text), "wgsl", slots=slots)
+    assert dedent(expected).strip() in render_all(caught.value.diagnostics)
+
+
+def test_a_material_without_functions_is_left_out_beside_others() -> None:
+    text = PLASTIC + "material N { color = lambert(rgb(1, 1, 1)) }\n"
+    found = burnish.functions(text, "wgsl")
+    assert [material.name for material in found] == ["M"]
+    (told,) = found.diagnostics
+    assert told.message == (
+        "`N` is left out: it gives no value to a slot that a function returns without lights"
+    )
+
+
+def test_what_a_profile_lacks_is_told_of_functions() -> None:
+    text = "material M {\n    map m : texture2d\n    t = m.gather(uv, 0)\n}\n"
+    with pytest.raises(CompileError) as caught:
+        burnish.functions(text, "glsl:es300")
+    (found,) = caught.value.diagnostics
+    assert (
+        found.rule.code == "B0701" and found.span is not None and found.span.text.startswith("m.")
+    )
+
+
+OPTIONS = {
+    ("--single-file",): "--single-file is about whole shaders: leave it out, or `--emit functions`",
+    ("--no-hoist",): "--no-hoist is about whole shaders: leave it out, or `--emit functions`",
+    ("--validate",): "--validate is about whole shaders: leave it out, or `--emit functions`",
+}
+
+
+@pytest.mark.parametrize("given", OPTIONS)
+def test_options_that_do_not_go_together(tmp_path: Path, given: tuple[str, ...]) -> None:
+    source = tmp_path / "m.burnish"
+    source.write_text(PLASTIC, encoding="utf-8")
+    out = tmp_path / "out"
+    result = invoke("compile", str(source), "--emit", "functions", *given, "-o", str(out))
+    assert OPTIONS[given] in result.stderr and result.exit_code == 2
+    assert not out.exists()
+
+
+def test_the_command_writes_texts_and_a_document(tmp_path: Path) -> None:
+    source = tmp_path / "m.burnish"
+    source.write_text(PLASTIC, encoding="utf-8")
+    out = tmp_path / "out"
+    command = ["compile", str(source), "--emit", "functions", "--target", "wgsl"]
+    result = invoke(*command, "-o", str(out))
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout == (
+        f"M: 2 functions (tint, rough) in 1 text and M.functions.json in {out}\n"
+    )
+    assert sorted(path.name for path in out.iterdir()) == ["M.functions.json", "M.functions.wgsl"]
+    printed = invoke(*command, "--slots", "tint", "-o", "-")
+    assert printed.stdout.startswith("// M: functions, by Burnish.\n")
+    assert "m_rough" not in printed.stdout
+    assert invoke(*command, "--slots", "color", "-o", str(out / "other")).exit_code == 1
+    assert not (out / "other").exists()
