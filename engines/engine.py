@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from ..compiler.documents.functions import (
     ArgumentRow,
@@ -107,7 +107,7 @@ class Surface:
         signatures = {each.name: each for each in self.emission.functions}
         return {row.name: Given(row, signatures[row.name]) for row in self.document.functions}
 
-    def parts(self, used: Iterator[Given]) -> list[EmittedPart]:
+    def parts(self, used: Iterable[Given]) -> list[EmittedPart]:
         """The parts of the text that these functions are, in an order in which each is known."""
         found = {part.name: part for part in self.emission.helpers}
         found |= {each.part.name: each.part for each in self.emission.functions}

@@ -78,7 +78,7 @@ def _encoded(linear: float) -> float:
     """A lane of a colour in sRGB, as Godot decodes uniforms that are colours."""
     if linear <= 0.0031308:
         return linear * 12.92
-    return 1.055 * linear ** (1 / 2.4) - 0.055
+    return 1.055 * float(linear ** (1 / 2.4)) - 0.055
 
 
 def _number(value: float, kind: str) -> str:

@@ -23,7 +23,8 @@ from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.engines import registry
 from burnish.engines.engine import EngineError, Given, Surface
-from burnish.engines.godot.values import OUTPUTS, ROLES, UNLIT, Output
+from burnish.engines.godot.values import ROLES, TABLES
+from burnish.engines.values import Output
 from burnish.targets.conformance.bounds import precise, rules_of
 from burnish.targets.conformance.compare import Comparison
 from burnish.targets.conformance.drivers import DRIVERS
@@ -60,6 +61,8 @@ SHOWN = {
     "METALLIC": ("vec3(METALLIC)", "vec3({slot})"),
     "ROUGHNESS": ("vec3(ROUGHNESS)", "vec3({slot})"),
     "CLEARCOAT": ("vec3(CLEARCOAT)", "vec3({slot})"),
+    "CLEARCOAT_ROUGHNESS": ("vec3(CLEARCOAT_ROUGHNESS)", "vec3({slot})"),
+    "CLEARCOAT_ROUGHNESS": ("vec3(CLEARCOAT_ROUGHNESS)", "vec3({slot})"),
     "EMISSION": ("EMISSION", "{slot}"),
     "AO": ("vec3(AO)", "vec3({slot})"),
     "ALPHA": ("vec3(probed_alpha)", "vec3({slot})"),
@@ -100,7 +103,7 @@ def probes_of(file: Path, material: str) -> Iterator[Probe]:
 
 
 def _probes(file: Path, surface: Surface, text: str) -> Iterator[Probe]:
-    for output in OUTPUTS if surface.is_lit else UNLIT:
+    for output in TABLES.lit if surface.is_lit else TABLES.unlit:
         name, _, assigned = output.statement.partition(" ")
         slot = _slot_of(surface, output)
         if assigned.startswith("=") and slot is not None:
