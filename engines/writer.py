@@ -34,9 +34,10 @@ class Writer:
         self.vertices = self._of_vertices()
         """The statements of a vertex."""
 
-    def parts(self) -> list[EmittedPart]:
-        """The functions, and what they need, in order."""
-        return self._surface.parts(self._used.values())
+    def parts(self, stage: str = "") -> list[EmittedPart]:
+        """The functions, or those of one stage, and what they need, in order."""
+        used = self._used.values()
+        return self._surface.parts(each for each in used if stage in ("", each.row.stage))
 
     @property
     def own_inputs(self) -> dict[str, str]:

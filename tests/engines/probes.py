@@ -62,7 +62,6 @@ SHOWN = {
     "ROUGHNESS": ("vec3(ROUGHNESS)", "vec3({slot})"),
     "CLEARCOAT": ("vec3(CLEARCOAT)", "vec3({slot})"),
     "CLEARCOAT_ROUGHNESS": ("vec3(CLEARCOAT_ROUGHNESS)", "vec3({slot})"),
-    "CLEARCOAT_ROUGHNESS": ("vec3(CLEARCOAT_ROUGHNESS)", "vec3({slot})"),
     "EMISSION": ("EMISSION", "{slot}"),
     "AO": ("vec3(AO)", "vec3({slot})"),
     "ALPHA": ("vec3(probed_alpha)", "vec3({slot})"),

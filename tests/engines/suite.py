@@ -20,6 +20,8 @@ from .godot import MISSING, drawn, is_there
 from .probes import Probe, probes_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+AT_ONCE = 40
+"""The pictures that one process of Godot draws."""
 MATERIAL = re.compile(r"^material (\w+)", re.M)
 
 
@@ -45,9 +47,11 @@ def main(names: Sequence[str]) -> int:
         except (CompileError, EngineError) as error:
             print(f"{label}: not drawn: {error}".splitlines()[0])
             verdicts["not drawn"] += 1
-    with TemporaryDirectory() as folder:
-        pictures = [probe.picture for found in probes.values() for probe in found]
-        got = drawn(pictures, Path(folder))
+    pictures = [probe.picture for found in probes.values() for probe in found]
+    got = {}
+    for start in range(0, len(pictures), AT_ONCE):
+        with TemporaryDirectory() as folder:
+            got |= drawn(pictures[start : start + AT_ONCE], Path(folder))
     for label, found in probes.items():
         verdict = "agrees"
         for probe in found:
