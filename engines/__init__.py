@@ -1,1 +1,1 @@
-"""Engines that light surfaces themselves: a folder for each, which makes its files of functions."""
+"""Puts functions into engines: a folder for each engine, as languages have one each."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 
 from ..compiler.documents.functions import SlotRow
 from ..compiler.ir.functions import Offer
-from ..support.frozen import changed, frozen
+from ..support.frozen import frozen
 
 
 @frozen
@@ -79,13 +79,13 @@ LIT = frozenset({
 """A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
 
 
-def with_names(renamed: Mapping[str, str]) -> tuple[Input, ...]:
-    """The table, with slots that a user has named for a value."""
-    return tuple(
-        changed(row, own=(renamed[row.name],)) if row.name in renamed else row for row in INPUTS
-    )
+def offers(words: Mapping[str, str], named: Mapping[str, str]) -> tuple[Offer, ...]:
+    """All slots that engines can use.
 
-
-def offers(renamed: Mapping[str, str], words: Mapping[str, str]) -> tuple[Offer, ...]:
-    """All slots that engines can use."""
-    return tuple(offer for row in with_names(renamed) for offer in row.offers(words))
+    ``words`` are the roles of slots of the library, and ``named`` slots that a user has named for
+    a value, such as ``stain`` for ``base_color``.
+    """
+    found = [offer for row in INPUTS for offer in row.offers(words)]
+    stages = {row.name: row.stage for row in INPUTS}
+    found += [Offer(slot, stages[word]) for word, slot in named.items() if word in stages]
+    return tuple(found)

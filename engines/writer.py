@@ -9,14 +9,14 @@ from collections.abc import Iterable, Iterator
 
 from ..compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ..targets.emit.functions import EmittedPart
-from .engine import EngineError, Given, Surface
+from .surface import Given, Surface, UnfitError
 from .values import Between, Output, Tables
 
 LANES = {"float": ".x", "vec2": ".xy", "vec3": ".xyz", "vec4": ""}
 
 
 class Writer:
-    """The statements of an engine's shader. ``EngineError`` is raised for what an engine lacks."""
+    """The statements of an engine's shader. ``UnfitError`` is raised for what an engine lacks."""
 
     def __init__(self, surface: Surface, tables: Tables) -> None:
         self._surface, self._tables = surface, tables
@@ -76,7 +76,7 @@ class Writer:
         if (type_, wanted) == ("float", "vec3"):
             return f"vec3({call})"
         title = self._tables.title
-        raise EngineError(f"`{given.slot}` is a {type_}, and {title} takes a {wanted} there")
+        raise UnfitError(given.slot, f"it is a {type_}, and {title} takes a {wanted} there")
 
     def _call(self, given: Given) -> str:
         if given.is_parameter:
@@ -112,7 +112,7 @@ class Writer:
 
     def _parameter(self, identifier: str, row: ArgumentRow, at_vertices: bool) -> str:
         roles = self._tables.vertex_roles if at_vertices else self._tables.pixel_roles
-        if row.role in roles:
+        if row.role is not None and row.role in roles:
             return roles[row.role]
         self.parameters[identifier] = row
         return self._tables.parameter.format(name=identifier)
@@ -127,13 +127,12 @@ class Writer:
         """A vertex input of the material's own: one that the engine has for that."""
         tables = self._tables
         if row.source != "attribute" or row.representation not in LANES or not tables.own_inputs:
-            raise EngineError(
-                f"`{given.slot}` reads `{row.given}`, which {tables.title} does not have"
-            )
+            raise UnfitError(given.slot, f"it reads `{row.given}`, which {tables.title} lacks")
         if row.given not in self._own and len(self._own) == len(tables.own_inputs):
-            raise EngineError(
-                f"`{given.slot}` reads `{row.given}`, and {tables.title} has "
-                f"{len(tables.own_inputs)} inputs of a material's own"
+            raise UnfitError(
+                given.slot,
+                f"it reads `{row.given}`, and {tables.title} has {len(tables.own_inputs)} inputs "
+                "of a material's own",
             )
         place = self._own.setdefault(row.given, tables.own_inputs[len(self._own)])
         return f"{place}{LANES[row.representation]}"
@@ -143,6 +142,6 @@ class Writer:
         given, type_ = self._surface.function(row.given), row.representation
         if type_ not in self._tables.interpolated:
             title = self._tables.title
-            raise EngineError(f"`{given.slot}` is a {type_}, which {title} does not interpolate")
+            raise UnfitError(given.slot, f"it is a {type_}, which {title} does not interpolate")
         is_whole = type_.startswith(("int", "uint", "ivec", "uvec"))
         return self._handed_over(Between(type_, identifier, self._call(given), is_flat=is_whole))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ...targets.emit.wrapping import wrapped
-from ..engine import EngineError, Surface
+from ..surface import Surface, UnfitError
 from ..writer import Writer
 from .values import NORMAL, PREPARE, REQUIRED, TABLES, VARIABLES
 
@@ -39,13 +39,13 @@ precision mediump int;
 
 
 def definition(surface: Surface) -> str:
-    """The text of a definition. Raises ``EngineError``."""
+    """The text of a definition. Raises ``UnfitError``."""
     writer = Writer(surface, TABLES)
     if len(writer.between) > VARIABLES:
         names = ", ".join(writer.between)
-        raise EngineError(
-            f"`{surface.name}` hands {names} from vertices to pixels, and Filament has "
-            f"{VARIABLES} such values"
+        raise UnfitError(
+            surface.name,
+            f"it hands {names} from vertices to pixels, and Filament has {VARIABLES} such values",
         )
     blocks = [_header(surface, writer), _material(surface, writer)]
     if writer.vertices:
@@ -117,7 +117,7 @@ def _parameters(writer: Writer) -> Iterator[str]:
 def _parameter(name: str, row: ArgumentRow) -> str:
     element, _, count = row.representation.partition("[")
     if element not in TYPES:
-        raise EngineError(f"`{row.name}` is a {row.type}, which Filament has no parameters of")
+        raise UnfitError(row.name, f"it is a {row.type}, and Filament has no such parameters")
     array = f"[{count}" if count else ""
     return f"{_told(row)}        {{ type : {TYPES[element]}{array}, name : {_quoted(name)} }}"
 
@@ -146,7 +146,7 @@ def _meaning(row: ArgumentRow) -> str:
 
 def _sampler(name: str, row: FunctionTextureRow) -> str:
     if row.dimension not in SAMPLERS or row.sample not in FORMATS:
-        raise EngineError(f"`{row.name}` is a {row.type}, which Filament does not have")
+        raise UnfitError(row.name, f"it is a {row.type}, which Filament lacks")
     # ES has no usual precision of samplers of integers.
     kind = "" if row.sample == "float" else f", format : {FORMATS[row.sample]}, precision : high"
     told = [

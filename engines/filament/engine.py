@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from ..engine import Engine
+from ..surface import writing
 from .definition import definition
 from .language import language
 
 ENGINE = Engine(
     name="filament",
     title="Filament",
-    extension="mat",
-    language=language,
-    write=definition,
+    targets=(),
+    write=writing("Filament", "mat", definition),
+    dialect=language,
 )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from ..engine import Engine
+from ..surface import writing
 from .language import language
 from .shader import shader
 
 ENGINE = Engine(
     name="godot",
     title="Godot 4",
-    extension="gdshader",
-    language=language,
-    write=shader,
+    targets=(),
+    write=writing("Godot", "gdshader", shader),
+    dialect=language,
 )

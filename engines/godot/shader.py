@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...targets.emit.wrapping import wrapped
-from ..engine import Surface
+from ..surface import Surface
 from ..writer import Writer
 from .uniforms import sampler, uniform
 from .values import TABLES
 
 
 def shader(surface: Surface) -> str:
-    """The text of a shader. Raises ``EngineError``."""
+    """The text of a shader. Raises ``UnfitError``."""
     writer = Writer(surface, TABLES)
     parts = [part.text for part in writer.parts()]
     # A uniform may have the name of an argument, if it is declared behind the functions.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...compiler.documents.functions import ArgumentRow, FunctionTextureRow
-from ..engine import EngineError
+from ..surface import UnfitError
 
 TYPES = frozenset(
     {"float", "int", "uint", "bool", "mat2", "mat3", "mat4"}
@@ -33,7 +33,7 @@ def uniform(name: str, row: ArgumentRow) -> Iterator[str]:
     """The lines of a parameter."""
     element, _, count = row.representation.partition("[")
     if element not in TYPES:
-        raise EngineError(f"`{row.name}` is a {row.type}, and Godot has no uniforms of structures")
+        raise UnfitError(row.name, f"it is a {row.type}, and Godot has no such uniforms")
     yield from doc_comment(row.doc)
     hints = list(_hints(row))
     hint = f" : {', '.join(hints)}" if hints else ""
@@ -93,7 +93,7 @@ def _number(value: float, kind: str) -> str:
 def sampler(name: str, row: FunctionTextureRow) -> Iterator[str]:
     """The lines of a texture."""
     if row.dimension not in SAMPLERS or row.sample not in KINDS:
-        raise EngineError(f"`{row.name}` is a {row.type}, which Godot's shaders do not have")
+        raise UnfitError(row.name, f"it is a {row.type}, which Godot's shaders lack")
     if row.default == "flat_normal":
         yield from doc_comment(f"{row.doc} (Import it with Normal Map disabled.)".strip())
     else:
@@ -121,7 +121,7 @@ def _sampler_hints(row: FunctionTextureRow) -> Iterator[str]:
         yield "repeat_disable"
     else:
         odd = ", ".join(sorted(wraps - {"repeat", "clamp"})) or "repeat on one axis alone"
-        raise EngineError(f"`{row.name}` wants {odd} beyond its edges, which Godot does not have")
+        raise UnfitError(row.name, f"it wants {odd} beyond its edges, which Godot's samplers lack")
 
 
 def doc_comment(text: str) -> Iterator[str]:

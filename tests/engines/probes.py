@@ -18,12 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 import burnish
-from burnish.api.compiling_engines import surfaces_of
+from burnish.api.compiling_engines import functions_for
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.engines import registry
-from burnish.engines.engine import EngineError, Given, Surface
+from burnish.engines.godot.shader import shader
 from burnish.engines.godot.values import ROLES, TABLES
+from burnish.engines.surface import Given, Surface, UnfitError
 from burnish.engines.values import Output
 from burnish.targets.conformance.bounds import precise, rules_of
 from burnish.targets.conformance.compare import Comparison
@@ -95,10 +96,14 @@ class Probe:
 
 
 def probes_of(file: Path, material: str) -> Iterator[Probe]:
-    """A probe for each value that a material gives Godot. Raises what ``surfaces_of`` raises."""
+    """A probe for each value that a material gives Godot.
+
+    Raises ``CompileError`` and ``UnfitError``.
+    """
     engine = registry.load("godot")
-    for surface in surfaces_of(file, engine, material=material):
-        yield from _probes(file, surface, engine.write(surface))
+    for each in functions_for(file, engine, material=material):
+        surface = Surface(each.document, *each.emissions.values())
+        yield from _probes(file, surface, shader(surface))
 
 
 def _probes(file: Path, surface: Surface, text: str) -> Iterator[Probe]:
@@ -193,7 +198,7 @@ def _picture(label: str, surface: Surface, text: str, mesh: Mesh, state: SceneSt
     }
     for texture in bound.values():
         if texture.format not in FORMATS:
-            raise EngineError(f"Godot makes no textures of the format {texture.format}")
+            raise UnfitError(label, f"Godot makes no textures of the format {texture.format}")
     assert camera.fov is not None
     return Picture(
         name=label, shader=text, mesh=mesh, size=SIZE, object_to_world=TURNED,

@@ -12,9 +12,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from burnish.compiler.diagnostics.diagnostic import CompileError
-from burnish.engines.engine import EngineError
+from burnish.engines.surface import UnfitError
 
 from .godot import MISSING, drawn, is_there
 from .probes import Probe, probes_of
@@ -44,11 +45,11 @@ def main(names: Sequence[str]) -> int:
         label = f"{file.stem}.{name}"
         try:
             probes[label] = list(probes_of(file, name))
-        except (CompileError, EngineError) as error:
+        except (CompileError, UnfitError) as error:
             print(f"{label}: not drawn: {error}".splitlines()[0])
             verdicts["not drawn"] += 1
     pictures = [probe.picture for found in probes.values() for probe in found]
-    got = {}
+    got: dict[str, Any] = {}
     for start in range(0, len(pictures), AT_ONCE):
         with TemporaryDirectory() as folder:
             got |= drawn(pictures[start : start + AT_ONCE], Path(folder))

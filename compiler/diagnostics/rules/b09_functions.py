@@ -49,3 +49,14 @@ UNKNOWN_STAGE_OF_SLOT = error(
     "`{text}` names no stage for a slot",
     "A slot is computed for pixels, or for vertices where its name is followed by `@vertex`.",
 )
+UNFIT_FOR_ENGINE = error(
+    "B0909",
+    "{engine} cannot draw `{slot}`: {reason}",
+    "An engine takes what its own shaders can have. Leave the slot out by `--slots`, give the "
+    "engine a material without it, or call the functions without the engine's profile.",
+)
+NO_SUCH_ENGINE = error(
+    "B0910",
+    "no engine is called `{name}`",
+    "`burnish compile --help` lists the engines.",
+)
