@@ -105,6 +105,11 @@ class Surface:
         """A function by its name in the document."""
         return self._all[name]
 
+    @property
+    def all(self) -> tuple[Given, ...]:
+        """All functions."""
+        return tuple(self._all.values())
+
     @cached_property
     def _all(self) -> dict[str, Given]:
         signatures = {each.name: each for each in self.emission.functions}
