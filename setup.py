@@ -15,7 +15,7 @@ from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent.resolve()
-ROOTS = ("api", "commands", "compiler", "materialx", "stdlib", "support", "targets")
+ROOTS = ("api", "commands", "compiler", "engines", "materialx", "stdlib", "support", "targets")
 TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = (

@@ -117,7 +117,8 @@ SLOTS = Option(
     ("--slots",),
     "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
     "follows its name. Default: those that the material itself, or its model, gives a value, and "
-    "that need no lights.",
+    "that need no lights. With `--engine godot` and `filament`, `base_color=stain` says that the "
+    "slot `stain` is the base colour.",
     metavar="NAME[@vertex],…",
     many=True,
 )
@@ -125,6 +126,14 @@ TOGETHER = Option(
     "together",
     ("--together",),
     "With `--emit functions`: one function for pixels and one for vertices, each for all slots.",
+)
+ENGINE = Option(
+    "engine",
+    ("--engine",),
+    "Write what an engine takes, instead of texts: a module with a material for `three` "
+    "(three.js), a shader for `godot`, a definition for `filament`, functions for nodes of `unity` "
+    "and `unreal`. It implies `--emit functions`.",
+    metavar="NAME",
 )
 PREFIX = Option(
     "prefix",
@@ -134,7 +143,7 @@ PREFIX = Option(
 )
 
 OPTIONS = (
-    TARGET, OUTPUT, EMIT, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE,
+    TARGET, OUTPUT, EMIT, ENGINE, SLOTS, TOGETHER, PREFIX, MATERIAL, RIG, PASS, INCLUDE, SET, WHY, VALIDATE,
     SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, HOIST, NATIVE_STAGES, CACHE,
 )  # fmt: skip
 """The options for compiling. ``--watch`` and ``--help`` are not among them."""
@@ -170,21 +179,29 @@ class CompileRequest:
     together: bool = False
     prefix: str | None = None
 
+    engine: str | None = None
+
+    @property
+    def has_functions(self) -> bool:
+        """True if functions are written, or what an engine takes of them."""
+        return self.emit == FUNCTIONS or self.engine is not None
+
     @property
     def misfit(self) -> str:
         """What is wrong with options that do not go together, as a sentence; else empty."""
         if self.emit not in (SHADERS, FUNCTIONS):
             return f"--emit takes `{SHADERS}` or `{FUNCTIONS}`, not `{self.emit}`"
-        of_others = _OF_SHADERS if self.emit == FUNCTIONS else _OF_FUNCTIONS
-        given = [row for row in of_others if getattr(self, row.field) not in _NOTHING]
-        if self.emit == FUNCTIONS and not self.hoist:
-            given.append(HOIST)
-        if not given:
-            return ""
-        name = HOIST.off if given[0] is HOIST else given[0].names[-1]
-        if self.emit == FUNCTIONS:
-            return f"{name} is about whole shaders: leave it out, or `--emit functions`"
-        return f"{name} goes with `--emit functions` only"
+        if self.engine is not None and self.targets:
+            return "--engine says the targets itself: leave --target out"
+        if self.engine is not None and self.together:
+            return "an engine takes one function for each slot: leave --together out"
+        of_others = _OF_SHADERS if self.has_functions else _OF_FUNCTIONS
+        given = [row.names[-1] for row in of_others if getattr(self, row.field) not in _NOTHING]
+        if self.has_functions:
+            given += [] if self.hoist else [HOIST.off]
+            words = "is about whole shaders: leave it out, or `--emit functions` and `--engine`"
+            return f"{given[0]} {words}" if given else ""
+        return f"{given[0]} goes with `--emit functions` only" if given else ""
 
     @property
     def prints(self) -> bool:
@@ -194,7 +211,7 @@ class CompileRequest:
 
 _OF_FUNCTIONS = (SLOTS, TOGETHER, PREFIX)
 _OF_SHADERS = (PASS, WHY, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, NATIVE_STAGES)
-_NOTHING = (None, False, ())
+_NOTHING: tuple[object, ...] = (None, False, ())
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}
 _FLAGS = {

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..support.frozen import frozen
-from .compile_options import FUNCTIONS, CompileRequest, name_and_value
+from .compile_options import CompileRequest, name_and_value
 
 if TYPE_CHECKING:
     from ..api.compiled import CompiledMaterial, CompileResult
@@ -40,7 +40,7 @@ def compiled(request: CompileRequest) -> Compiled:
     from ..compiler.diagnostics.diagnostic import CompileError
 
     (file,) = request.files
-    if request.emit == FUNCTIONS:
+    if request.has_functions:
         from .function_files import compiled_functions
 
         return compiled_functions(request)

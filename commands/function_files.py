@@ -7,8 +7,11 @@ from pathlib import Path
 
 from ..api import entry_points as api
 from ..api.compiled_functions import CompiledFunctions, FunctionsResult
-from ..compiler.diagnostics.diagnostic import CompileError
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import CompileError, Report
+from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.writing import to_text
+from ..engines.engine import Engine
 from ..targets import registry
 from ..targets.selection import DEFAULT
 from .compile_options import CompileRequest, name_and_value
@@ -19,23 +22,41 @@ def compiled_functions(request: CompileRequest) -> Compiled:
     """What the only file of a request becomes."""
     (file,) = request.files
     try:
-        result = _result(request, file)
+        engine = None if request.engine is None else _engine(request.engine)
+        result = _result(request, file, engine)
+        texts = {each.name: each.text for material in result for each in material.files}
+        if engine is not None:
+            texts = _files_of(engine, result)
     except CompileError as error:
         return Compiled({}, {}, {}, (), (), error.diagnostics, None)
-    texts = {each.name: each.text for material in result for each in material.files}
     documents, lines = {}, []
     for material in () if request.prints else result:
         name = f"{material.name}.functions.json"
         documents[name] = to_text(material.document)
-        lines.append(_line(material, name, request.output))
-    remarks = () if request.prints else tuple(_remarks(result))
+        lines.append(_line(material, name, request, engine))
+    remarks = () if request.prints else tuple(_remarks(result, engine))
     return Compiled(texts, documents, {}, tuple(lines), remarks, result.diagnostics, result.inputs)
 
 
-def _result(request: CompileRequest, file: Path) -> FunctionsResult:
+def _engine(name: str) -> Engine:
+    """The engine called so. Raises ``CompileError`` if there is none."""
+    from ..engines import registry as engines
+
+    if name not in engines.names():
+        report = Report()
+        hint = suggestion(name, engines.names()) or f"there is {', '.join(engines.names())}"
+        report.add(rules.NO_SUCH_ENGINE, None, name=name, hint=hint)
+        raise CompileError(report.diagnostics)
+    return engines.load(name)
+
+
+def _result(request: CompileRequest, file: Path, engine: Engine | None) -> FunctionsResult:
+    if engine is not None and engine.dialect is not None:
+        return _in_dialect(request, file, engine)
+    targets = _apart(request.targets) if engine is None else list(engine.targets)
     return api.functions(
         file,
-        _apart(request.targets) or DEFAULT,
+        targets or DEFAULT,
         material=request.material,
         rig=request.rig,
         slots=_apart(request.slots),
@@ -46,23 +67,55 @@ def _result(request: CompileRequest, file: Path) -> FunctionsResult:
     )
 
 
+def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
+    """The functions for an engine that takes them in a language of its own."""
+    from ..api.compiling_engines import functions_for
+
+    given = [each.partition("=") for each in _apart(request.slots)]
+    return functions_for(
+        engine,
+        file,
+        material=request.material,
+        search_path=tuple(map(Path, request.search_path)),
+        prefix=request.prefix,
+        values=tuple(map(name_and_value, request.values)),
+        named={word.strip(): slot.strip() for word, sign, slot in given if sign},
+        only=[word for word, sign, _slot in given if not sign],
+    )
+
+
+def _files_of(engine: Engine, result: FunctionsResult) -> dict[str, str]:
+    """What an engine takes of all materials. Raises ``CompileError``."""
+    report, found = Report(), dict[str, str]()
+    for material in result:
+        emissions = {f"{each.target}:{each.profile}": each.emission for each in material.files}
+        found |= engine.write(material.document, emissions, report)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+    return found
+
+
 def _apart(given: Sequence[str]) -> list[str]:
     """Values of an option, each of which may be several with commas."""
     return [name.strip() for names in given for name in names.split(",") if name.strip()]
 
 
-def _line(material: CompiledFunctions, document: str, folder: str) -> str:
+def _line(
+    material: CompiledFunctions, document: str, request: CompileRequest, engine: Engine | None
+) -> str:
     names = [row.name for row in material.document.functions]
     counted = "1 function" if len(names) == 1 else f"{len(names)} functions"
     texts = "1 text" if len(material.files) == 1 else f"{len(material.files)} texts"
-    return (
-        f"{material.name}: {counted} ({', '.join(names)}) in {texts} and {document} in {folder}\n"
-    )
+    where = texts if engine is None else f"files for {engine.title}"
+    listed = ", ".join(names)
+    return f"{material.name}: {counted} ({listed}) in {where} and {document} in {request.output}\n"
 
 
-def _remarks(result: FunctionsResult) -> Iterator[str]:
-    """A line for each language of the texts that is marked as unproven."""
+def _remarks(result: FunctionsResult, engine: Engine | None) -> Iterator[str]:
+    """A line for each language of the texts that is marked as unproven, or for the engine."""
     names = (file.target for material in result for file in material.files)
     for target in map(registry.load, dict.fromkeys(names)):
         if target.unproven:
             yield f"texts in {target.title}: {target.unproven}\n"
+    if engine is not None and engine.unproven:
+        yield f"files for {engine.title}: {engine.unproven}\n"

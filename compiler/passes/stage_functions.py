@@ -8,19 +8,19 @@ vertices or to the host, as nobody knows what an engine computes there.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from itertools import count
 
 from ...support.frozen import changed, frozen
 from ..ir.functions import FunctionsShader, SlotInfo, SurfaceInfo
 from ..ir.leaves import Argument, Attribute, Parameter
 from ..ir.node import Graph, Node, Roots
-from ..ir.operations import CROSS, INPUT
+from ..ir.operations import CROSS, INPUT, MEMBER
 from ..ir.program import Program
 from ..ir.rewrite import rewrite
 from ..ir.shader import ArgumentInfo, ArgumentSource, Result, Shader
 from ..ir.stages import SURFACE, VALUE, VERTEX, InterpolationMode
-from ..ir.types import Type
+from ..ir.types import Struct, Type
 from ..ir.walks import visible
 from ..layout import suggested_name
 from .checkpoint import verified
@@ -31,7 +31,7 @@ from .pipeline import Options, Undecided, guarded
 from .rename_variables import rename_variables
 from .split_functions import split_functions
 
-_CUT = frozenset({"cross", "parameter", "attribute", "input"})
+_CUT = frozenset({"cross", "parameter", "member", "attribute", "input"})
 
 
 @frozen
@@ -92,13 +92,12 @@ class _Cutting:
 
     def arguments(self) -> tuple[ArgumentInfo, ...]:
         """All arguments: those of the surface, then parameters in order of declaration."""
-        order = [info.leaf for info in self._shader.parameters]
+        order = {info.leaf.name: number for number, info in enumerate(self._shader.parameters)}
         sources = ("surface", "attribute", "varying", "pipeline", "parameter")
 
         def place(info: ArgumentInfo) -> tuple[int, int]:
-            parameter = info.parameter
-            number = -1 if parameter is None else order.index(parameter.leaf)
-            return sources.index(info.source), number
+            name = info.name_there.partition(".")[0]
+            return sources.index(info.source), order.get(info.name_there, order.get(name, 0))
 
         return tuple(sorted(self._infos.values(), key=place))
 
@@ -114,7 +113,9 @@ class _Cutting:
         values = rewrite(self._graph, roots, self._rule, self._notes.follow, _CUT, nodes)
         return [changed(r, value=value) for r, value in zip(results, values, strict=True)]
 
-    def _rule(self, graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node:
+    def _rule(self, graph: Graph, node: Node, _operands: tuple[Node, ...]) -> Node | None:
+        if node.op == "member" and (isinstance(node.type, Struct) or _owner(node) is None):
+            return None  # A part of what is no argument, or of which parts are.
         found = self._argument(node)
         key = found.source, found.name_there
         info = self._infos.get(key)
@@ -126,6 +127,9 @@ class _Cutting:
 
     def _argument(self, node: Node) -> ArgumentInfo:
         """The argument that a node becomes, with the name that it would like to have."""
+        owner = _owner(node)
+        if owner is not None:
+            return self._of_member(node, owner)
         if isinstance(node.data, Parameter):
             return self._of_parameter(node.data)
         if isinstance(node.data, Attribute):
@@ -142,6 +146,23 @@ class _Cutting:
         )
         return ArgumentInfo(
             argument, info.declared_type, info.comment, "parameter", leaf.name, parameter=info
+        )
+
+    def _of_member(self, node: Node, owner: Parameter) -> ArgumentInfo:
+        """A member of a structure, which is an argument by itself."""
+        info, path = self._parameters[owner], list(_path(node))
+        default = info.default
+        for name in path:
+            names = [each.leaf.short_name for each in info.members]
+            if isinstance(default, tuple):
+                default = default[names.index(name)]
+            info = info.members[names.index(name)]
+        name = "_".join((suggested_name(owner), *path))
+        argument = Argument(name, node.type, fact=info.leaf.fact)
+        whole = changed(info, default=default, leaf=changed(info.leaf, group=owner.group))
+        given = ".".join((owner.name, *path))
+        return ArgumentInfo(
+            argument, info.declared_type, info.comment, "parameter", given, parameter=whole
         )
 
     def _of_attribute(self, leaf: Attribute) -> ArgumentInfo:
@@ -170,6 +191,21 @@ class _Cutting:
         name = _apart(wanted, self._functions)
         self._functions.add(name)
         return Result(VALUE, VERTEX, crossing.operands[0], name, function=name)
+
+
+def _owner(node: Node) -> Parameter | None:
+    """The parameter of which a node is a member, or a member of a member; ``None`` for others."""
+    whole = node
+    while whole.op == "member":
+        whole = whole.operands[0]
+    return whole.data if whole is not node and isinstance(whole.data, Parameter) else None
+
+
+def _path(node: Node) -> Iterator[str]:
+    """The members on the way from a parameter to a node, the outermost first."""
+    if node.op == "member":
+        yield from _path(node.operands[0])
+        yield MEMBER.data(node)
 
 
 def _apart(name: str, taken: Set[str]) -> str:

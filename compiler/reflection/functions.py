@@ -35,7 +35,8 @@ def functions_document(
     functions = tuple(
         _function(stage, [next(described) for _ in stage.results]) for stage in program.stages
     )
-    arguments = tuple(map(_argument, shader.arguments))
+    read = {info.leaf for stage in program.stages for info in stage.arguments}
+    arguments = tuple(_argument(info) for info in shader.arguments if info.leaf in read)
     is_lit = any(row.group == LIGHTS for row in arguments)
     return Functions(
         signatures=1,

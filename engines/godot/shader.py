@@ -35,8 +35,17 @@ def _header(surface: Surface, writer: Writer) -> Iterator[str]:
         yield f"// The mesh has `{name}` in {place}."
     yield ""
     yield "shader_type spatial;"
+    modes = list(_modes(surface, writer))
+    if modes:
+        yield f"render_mode {', '.join(modes)};"
+
+
+def _modes(surface: Surface, writer: Writer) -> Iterator[str]:
     if not surface.is_lit:
-        yield "render_mode unshaded;"
+        yield "unshaded"
+    # What tells its sides apart is drawn from both, and what covers the screen has no sides.
+    if "FRONT_FACING" in writer.reads or "clip_position" in surface.inputs:
+        yield "cull_disabled"
 
 
 def _uniforms(writer: Writer) -> Iterator[str]:

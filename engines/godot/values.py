@@ -14,6 +14,12 @@ WORLD_NORMAL = "MODEL_NORMAL_MATRIX * NORMAL"
 WORLD_TANGENT = "(MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz"
 TANGENT_WITH_SIGN = "vec4(TANGENT, sign(dot(cross(NORMAL, TANGENT), BINORMAL)))"
 
+TO_CLIP = (
+    "mat4(vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0, 1.0, 0.0, 0.0), "
+    "vec4(0.0, 0.0, -1.0, 0.0), vec4(0.0, 0.0, 1.0, 1.0))"
+)
+"""Turns depths from 0 to 1 around, as Godot's near plane is at 1."""
+
 HIDDEN = Output("is_hidden", "bool", "if ({value}) {{ discard; }}")
 ALPHA = Output("alpha", "float", "ALPHA = {value};")
 
@@ -42,6 +48,7 @@ TABLES = Tables(
     moved=(
         Output("object_position", "vec3", "VERTEX = {value};"),
         Output("object_normal", "vec3", "NORMAL = {value};"),
+        Output("clip_position", "vec4", f"POSITION = {TO_CLIP} * {{value}};"),
         Output("position", "vec3", "VERTEX = (inverse(MODEL_MATRIX) * vec4({value}, 1.0)).xyz;"),
     ),
     at_vertices={

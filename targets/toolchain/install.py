@@ -59,7 +59,9 @@ CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
 it.
 """
-NPM_PACKAGES = {"tint": "webgpu", "typescript": "typescript", "pyodide": "pyodide"}
+NPM_PACKAGES = {
+    "tint": "webgpu", "typescript": "typescript", "pyodide": "pyodide", "three": "three",
+}  # fmt: skip
 """The packages of npm, by the tool that each of them is."""
 
 PAUSE = 0.1
@@ -292,6 +294,7 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "tint": partial(_npm, "tint"),
     "typescript": partial(_npm, "typescript"),
     "pyodide": partial(_npm, "pyodide"),
+    "three": partial(_npm, "three"),
 }
 
 

@@ -45,6 +45,7 @@ from .versions import (
 DXC_LIBRARY = "libdxcompiler.so"
 TINT_PACKAGE = "node_modules/webgpu/package.json"
 PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mjs")
+THREE = ("node_modules/three/package.json", "node_modules/three/build/three.webgpu.js")
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
 
 VULKAN_LOADER = libraries("libvulkan.so.1")
@@ -174,6 +175,13 @@ TOOLS: tuple[Tool, ...] = (
         place=FolderFiles(TYPESCRIPT),
         version=stated("version"),
         source=OwnInstaller("6.0.3"),
+    ),
+    Tool(
+        name="three",
+        purpose="three.js, in which tests draw what is made for it",
+        place=FolderFiles(THREE),
+        version=stated("version"),
+        source=OwnInstaller("0.187.0"),
     ),
     Tool(
         name="pyodide",

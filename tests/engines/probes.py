@@ -9,6 +9,7 @@ does for ``burnish conform``.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -101,8 +102,8 @@ def probes_of(file: Path, material: str) -> Iterator[Probe]:
     Raises ``CompileError`` and ``UnfitError``.
     """
     engine = registry.load("godot")
-    for each in functions_for(file, engine, material=material):
-        surface = Surface(each.document, *each.emissions.values())
+    for each in functions_for(engine, file, material=material):
+        surface = Surface(each.document, each.files[0].emission)
         yield from _probes(file, surface, shader(surface))
 
 
@@ -156,9 +157,10 @@ def _probing(text: str, shown: str) -> str:
     head, _, fragment = text.rpartition("void fragment() {")
     fragment = fragment.replace("    ALPHA = ", "    float probed_alpha = ")
     fragment = fragment.rstrip().removesuffix("}") + f"    ALBEDO = {shown};\n}}\n"
-    head = head.replace("render_mode unshaded;\n", "")
+    head = re.sub("render_mode .*;\n", "", head)
     head = head.replace(
-        "shader_type spatial;\n", "shader_type spatial;\nrender_mode unshaded, fog_disabled;\n"
+        "shader_type spatial;\n",
+        "shader_type spatial;\nrender_mode unshaded, cull_disabled, fog_disabled;\n",
     )
     return f"{head}void fragment() {{{fragment}"
 

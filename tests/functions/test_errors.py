@@ -105,7 +105,7 @@ def test_what_a_profile_lacks_is_told_of_functions() -> None:
     )
 
 
-OPTIONS = {
+OPTIONS: dict[tuple[str, ...], str] = {
     ("--single-file",): "--single-file is about whole shaders: leave it out, or `--emit functions`",
     ("--no-hoist",): "--no-hoist is about whole shaders: leave it out, or `--emit functions`",
     ("--validate",): "--validate is about whole shaders: leave it out, or `--emit functions`",

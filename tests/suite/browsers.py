@@ -18,7 +18,10 @@ from burnish.targets.toolchain.tools import tool_named
 
 from .processes import LIMIT
 
-_TYPES = {".js": "text/javascript", ".json": "application/json", ".html": "text/html"}
+_TYPES = {
+    ".js": "text/javascript", ".json": "application/json", ".html": "text/html",
+    ".bin": "application/octet-stream",
+}  # fmt: skip
 
 
 @contextmanager

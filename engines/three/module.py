@@ -1,0 +1,404 @@
+"""Writes a module of JavaScript with a material for three.js, and its types for TypeScript.
+
+The material extends the node material that fits its slots. Each slot is the call of a function, in
+WGSL for WebGPU and in GLSL for WebGL 2; parameters are uniforms, and everything else is what the
+renderer has (``inputs.py``). Which node a slot becomes says the table in ``slots.py``.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+
+from ...compiler.diagnostics import rules
+from ...compiler.diagnostics.diagnostic import Report
+from ...compiler.documents.functions import (
+    ArgumentRow,
+    FunctionRow,
+    Functions,
+    FunctionTextRow,
+    FunctionTextureRow,
+)
+from ...support.frozen import frozen
+from ...targets.emit.functions import FunctionEmission
+from . import inputs
+from .slots import VERTICES, rows_for, words_of
+
+WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
+"""The profiles of the functions: WebGPU's language, and WebGL 2's."""
+LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
+_HERE = Path(__file__).parent
+
+CLASSES = (
+    "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
+    "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
+    "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
+)  # fmt: skip
+"""The names that modules may import from `three/webgpu`."""
+WORDS = (
+    "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
+    "cameraWorldMatrix", "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix",
+    "modelWorldMatrix", "normalLocal", "positionLocal", "positionWorld", "sampler", "texture",
+    "texture3D", "uint", "uniform", "uv", "varying", "vec4", "vertexIndex",
+)  # fmt: skip
+"""The names that modules may import from `three/tsl`."""
+
+TEXTURE_HELPERS: Mapping[str, str] = {
+    "texel": "const texel = (...numbers) => ready(new DataTexture(halves(numbers), 1, 1));",
+    "layeredTexel": (
+        "const layeredTexel = (...numbers) => "
+        "ready(new DataArrayTexture(halves(numbers), 1, 1, 1));"
+    ),
+    "volumeTexel": (
+        "const volumeTexel = (...numbers) => ready(new Data3DTexture(halves(numbers), 1, 1, 1));"
+    ),
+    "cubeTexel": (
+        "const cubeTexel = (...numbers) => ready(new CubeTexture(Array.from({ length: 6 }, () => "
+        "ready(new DataTexture(halves(numbers), 1, 1)))));"
+    ),
+}
+"""The functions that make default textures, of half floats: these are filtered everywhere."""
+
+
+@frozen
+class Entry:
+    """A name with code, as templates print it."""
+
+    name: str
+    code: str = ""
+    type: str = ""
+    comment: str = ""
+    variable: str = ""
+
+
+@frozen
+class Part:
+    """A part of the texts in both languages."""
+
+    name: str
+    texts: tuple[tuple[str, str], ...]
+    needs: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+@frozen
+class Module:
+    """Everything that the templates print."""
+
+    name: str
+    maker: str
+    doc: tuple[str, ...]
+    base: str
+    classes: tuple[str, ...]
+    type_classes: tuple[str, ...]
+    words: tuple[str, ...]
+    texture_helpers: tuple[str, ...]
+    has_switches: bool
+    helpers: tuple[Part, ...]
+    functions: tuple[Part, ...]
+    uniforms: tuple[Entry, ...]
+    textures: tuple[Entry, ...]
+    settable: tuple[Entry, ...]
+    calls: tuple[Entry, ...]
+    slots: tuple[Entry, ...]
+    nodes: tuple[Entry, ...]
+    is_transparent: bool
+
+
+def write(
+    document: Functions, emissions: Mapping[str, FunctionEmission], report: Report
+) -> Mapping[str, str]:
+    """The module and its types, by the names of their files; none if something is reported."""
+    if not _fits(document, report):
+        return {}
+    module = _Writer(document, emissions).module()
+    name = f"{document.material}.three"
+    return {
+        f"{name}.js": _filled("module.js.j2", module),
+        f"{name}.d.ts": _filled("module.d.ts.j2", module),
+    }
+
+
+def _filled(template: str, module: Module) -> str:
+    from jinja2 import Environment, StrictUndefined
+
+    environment = Environment(
+        autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )  # fmt: skip
+    text = (_HERE / template).read_text(encoding="utf-8")
+    return environment.from_string(text).render(module=module)
+
+
+# --- what three.js cannot do ---------------------------------------------------------------------
+
+
+def _fits(document: Functions, report: Report) -> bool:
+    """True if three.js can call all functions; what it cannot do is reported with the slot."""
+    arguments = {row.name: row for row in document.arguments}
+    textures = {row.name: row for row in document.textures}
+    for function in document.functions:
+        lacking = [
+            *(_lacking_argument(arguments[name]) for name in function.arguments),
+            *(_lacking_texture(textures[name]) for name in function.textures),
+        ]
+        for reason in filter(None, lacking):
+            report.add(
+                rules.UNFIT_FOR_ENGINE, None, slot=function.name, engine="three.js", reason=reason
+            )
+            break
+    return not report.failed
+
+
+def _lacking_argument(row: ArgumentRow) -> str:
+    if row.source == "pipeline" and row.given not in inputs.PIPELINE:
+        return f"no node has `{row.given}` as Burnish means it"
+    is_set = row.source == "parameter" and row.role not in inputs.ROLES
+    if is_set and _uniform_type(row) not in inputs.VALUES:
+        return f"no uniform is a {row.representation}, as `{row.given}` is"
+    if row.source in ("attribute", "varying") and row.representation.startswith(("mat", "bool")):
+        return f"no varying is a {row.representation}, as `{row.given}` is"
+    return ""
+
+
+def _lacking_texture(row: FunctionTextureRow) -> str:
+    known = row.type in inputs.TEXTURES and row.sample == "float"
+    return "" if known else f"functions take no {row.type}, as `{row.name}` is"
+
+
+def _uniform_type(row: ArgumentRow) -> str:
+    return "rgb" if row.type == "rgb" else row.representation
+
+
+# --- the module ----------------------------------------------------------------------------------
+
+
+class _Writer:
+    def __init__(self, document: Functions, emissions: Mapping[str, FunctionEmission]) -> None:
+        self._document, self._emissions = document, emissions
+        self._arguments = {row.name: row for row in document.arguments}
+        self._functions = {row.name: row for row in document.functions}
+        self._words = words_of(slot for row in document.functions for slot in row.slots)
+        self._texts = {
+            name: {
+                language: document.backends[profile].functions[name]
+                for language, profile in LANGUAGES.items()
+            }
+            for name in self._functions
+        }
+
+    def module(self) -> Module:
+        """The whole module."""
+        document = self._document
+        uniforms, textures = tuple(self._uniforms()), tuple(self._textures())
+        helpers, functions = tuple(self._helpers()), tuple(map(self._function, document.functions))
+        nodes = tuple(self._nodes())
+        calls = tuple(self._calls())
+        base = self._base(nodes)
+        code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes))
+        words = set(re.findall(r"(?<![\w.])[A-Za-z]\w*", code))
+        texts = [text for name, text in TEXTURE_HELPERS.items() if name in words]
+        used = words | set(re.findall(r"[A-Za-z]\w*", "\n".join(texts)))
+        own = {base, "CodeNode", "FunctionNode", *(("Node",) if textures else ())}
+        own |= {"DataUtils", "HalfFloatType"} if textures else set()
+        switches = "switched" in words
+        words |= {"uniform", "uint"} if switches else set()
+        types = {each.type for each in (*uniforms, *textures)} | {base, "Node"}
+        return Module(
+            name=document.material,
+            maker=f"make{document.material}",
+            doc=tuple(document.doc.splitlines()),
+            base=base,
+            classes=tuple(name for name in CLASSES if name in used | own),
+            type_classes=tuple(name for name in CLASSES if name in types),
+            words=tuple(name for name in WORDS if name in words),
+            texture_helpers=tuple(texts),
+            has_switches=switches,
+            helpers=helpers,
+            functions=functions,
+            uniforms=uniforms,
+            textures=textures,
+            settable=(*uniforms, *textures),
+            calls=calls,
+            slots=tuple(self._slots()),
+            nodes=nodes,
+            is_transparent=any(node.name == "opacityNode" for node in nodes),
+        )
+
+    def _base(self, nodes: Sequence[Entry]) -> str:
+        named = {node.name for node in nodes}
+        is_unlit = "color" in self._words and "base_color" not in self._words
+        others = named - {"colorNode", "opacityNode", "maskNode", "positionNode"}
+        return "MeshBasicNodeMaterial" if is_unlit and not others else "MeshPhysicalNodeMaterial"
+
+    # --- code ------------------------------------------------------------------------------------
+
+    def _helpers(self) -> Iterator[Part]:
+        """Structures and functions of both texts; one that a language lacks is empty there."""
+        found: dict[str, dict[str, str]] = {}
+        for language, profile in LANGUAGES.items():
+            for part in self._emissions[profile].helpers:
+                found.setdefault(part.name, {})[language] = part.text
+        for name, texts in found.items():
+            yield Part(name, tuple((each, _quoted(texts.get(each, ""))) for each in LANGUAGES))
+
+    def _function(self, row: FunctionRow) -> Part:
+        emitted = {
+            language: next(
+                each.part for each in self._emissions[profile].functions if each.name == row.name
+            )
+            for language, profile in LANGUAGES.items()
+        }
+        return Part(
+            _constant(row.name),
+            tuple((language, _quoted(part.text)) for language, part in emitted.items()),
+            tuple((language, part.needs) for language, part in emitted.items()),
+        )
+
+    # --- values ----------------------------------------------------------------------------------
+
+    def _uniforms(self) -> Iterator[Entry]:
+        for row in self._document.arguments:
+            if row.source == "parameter" and row.role not in inputs.ROLES:
+                type_ = _uniform_type(row)
+                code = inputs.VALUES[type_].format(", ".join(_numbers(row, type_)))
+                yield Entry(row.name, code, inputs.TYPES[type_], _comment(row.doc, row.range))
+
+    def _textures(self) -> Iterator[Entry]:
+        for row in self._document.textures:
+            code = inputs.TEXTURES[row.type].format(", ".join(map(_number, row.default_texel)))
+            space = (
+                "Its colours are decoded: give it `SRGBColorSpace`."
+                if row.intent == "color"
+                else ""
+            )
+            comment = " ".join(filter(None, (_comment(row.doc, None), space)))
+            yield Entry(row.name, code, inputs.TEXTURE_TYPES[row.type], comment)
+
+    # --- calls -----------------------------------------------------------------------------------
+
+    def _calls(self) -> Iterator[Entry]:
+        """The calls of functions: those for vertices, which others interpolate, come first."""
+        interpolated = {row.given for row in self._document.arguments if row.source == "varying"}
+        rows = sorted(self._document.functions, key=lambda row: row.name not in interpolated)
+        for row in rows:
+            yield Entry("", self._call(row), variable=_variable(row.name))
+
+    def _call(self, row: FunctionRow) -> str:
+        given: dict[str, str] = {}
+        for text in self._texts[row.name].values():
+            given |= dict(self._given(row, text))
+        listed = ", ".join(f"{name}: {code}" for name, code in given.items())
+        return (
+            f"{_constant(row.name)}.call({{ {listed} }})"
+            if given
+            else f"{_constant(row.name)}.call()"
+        )
+
+    def _given(self, row: FunctionRow, text: FunctionTextRow) -> Iterator[tuple[str, str]]:
+        for each in text.arguments:
+            if each.kind == "value":
+                yield each.identifier, self._value(self._arguments[each.given], row)
+            elif each.kind == "texture":
+                yield each.identifier, f"new Argument(textures.{each.given})"
+            else:
+                yield each.identifier, f"sampler(textures.{each.given})"
+
+    def _value(self, row: ArgumentRow, function: FunctionRow) -> str:
+        is_placed = bool({slot.role for slot in function.slots} & set(VERTICES))
+        match row.source:
+            case "surface":
+                return inputs.SURFACE[row.given]
+            case "pipeline":
+                return inputs.PIPELINE[row.given]
+            case "varying":
+                flat = '.setInterpolation("flat")' if row.interpolation == "flat" else ""
+                return f"varying({_variable(row.given)}){flat}"
+            case "attribute" if is_placed and row.given in inputs.AS_PLACED:
+                return inputs.AS_PLACED[row.given]
+            case "attribute":
+                name = inputs.ATTRIBUTES.get(row.given, row.given)
+                return f'attribute("{name}", "{row.representation}")'
+        if row.role is not None and row.role in inputs.ROLES:
+            return inputs.ROLES[row.role]
+        read = f"parameters.{row.name}"
+        return f"{read}.node" if row.representation == "bool" else read
+
+    # --- nodes -----------------------------------------------------------------------------------
+
+    def _slots(self) -> Iterator[Entry]:
+        for row in self._document.functions:
+            for slot in row.slots:
+                yield Entry(
+                    slot.name, comment=_comment(slot.doc, None), variable=_variable(row.name)
+                )
+
+    def _nodes(self) -> Iterator[Entry]:
+        for row in rows_for(self._words):
+            others = {word: f"slots.{self._words[word]}" for word in row.needs}
+            form = row.form
+            if form == "{0}.rgb" and self._width(row.word) == 3:
+                form = "{0}"
+            yield Entry(row.node, form.format(f"slots.{self._words[row.word]}", **others))
+        yield from self._placing()
+
+    def _width(self, word: str) -> int:
+        name = self._words[word]
+        (slot,) = (s for row in self._document.functions for s in row.slots if s.name == name)
+        return 4 if slot.representation == "vec4" else 3
+
+    def _placing(self) -> Iterator[Entry]:
+        position, normal = (self._words.get(word) for word in VERTICES)
+        placed = "positionLocal" if position is None else f"slots.{position}"
+        if normal is not None:
+            lines = f"normalLocal.assign(slots.{normal}); return {placed};"
+            yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")
+        elif position is not None:
+            yield Entry("positionNode", placed)
+
+
+def _constant(name: str) -> str:
+    """The name of the node of a function, beside names of parts of the texts."""
+    return f"call_{name}"
+
+
+def _variable(name: str) -> str:
+    return f"slot_{name}"
+
+
+def _numbers(row: ArgumentRow, type_: str) -> Iterable[str]:
+    """The numbers of a parameter's default; without one, zeros, or a matrix that moves nothing."""
+    if row.default is not None:
+        return list(map(_number, _flat(row.default)))
+    if type_ in ("mat3", "mat4"):
+        size = int(type_[3])
+        return [_number(float(row == column)) for row in range(size) for column in range(size)]
+    count = 3 if type_ == "rgb" else int(type_[-1]) if type_[-1].isdigit() else 1
+    return ["0"] * count
+
+
+def _flat(value: object) -> Iterator[float]:
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        for each in value:
+            yield from _flat(each)
+    else:
+        assert isinstance(value, int | float)
+        yield value
+
+
+def _number(value: float) -> str:
+    return json.dumps(value) if isinstance(value, bool) else repr(float(value)).removesuffix(".0")
+
+
+def _comment(doc: str, range_: tuple[float, float] | None) -> str:
+    """A doc comment on one line, with the range of a parameter."""
+    text = " ".join(doc.split()).replace("*/", "* /")
+    return " ".join(
+        filter(None, (text, range_ and f"({_number(range_[0])} to {_number(range_[1])})"))
+    )
+
+
+def _quoted(text: str) -> str:
+    """A text between backquotes."""
+    return text.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
