@@ -34,7 +34,53 @@ class Input:
         """The stage for which it is computed."""
         return "vertex" if self.at_vertices else "fragment"
 
-    def offers(
+    def offers(self, words: Mapping[str, str]) -> Iterator[Offer]:
+        """What the core is asked for; ``words`` are the roles of slots of the library."""
+        for full, word in words.items():
+            if word == self.name:
+                owner, _, name = full.rpartition(".")
+                yield Offer(name, self.stage, owner, self.changed)
+        for name in self.own:
+            yield Offer(name, self.stage)
+
+    def rank(self, slot: SlotRow) -> int | None:
+        """The place of a slot among those that may be this value; ``None`` if it is not one."""
+        if slot.role is not None:
+            return 0 if slot.role == self.name else None
+        return 1 + self.own.index(slot.name) if slot.name in self.own else None
+
+
+COLOR = "color"
+"""The light that a surface sends out: of a surface that no lights are needed for."""
+
+INPUTS: tuple[Input, ...] = (
+    Input("base_color", ("base_color", "albedo", "tint", "kd", "base")),
+    Input("metallic", ("metallic", "metalness")),
+    Input("roughness", ("roughness",)),
+    Input("squared_roughness"),
+    Input("clearcoat", ("clearcoat",)),
+    Input("clearcoat_roughness", ("clearcoat_roughness",)),
+    Input("emissive", ("emissive", "emission")),
+    Input("emissive_strength"),
+    Input("occlusion", ("occlusion",)),
+    Input("normal", changed=True),
+    Input("alpha", changed=True),
+    Input("is_hidden", changed=True),
+    Input(COLOR, changed=True),
+    Input("position", at_vertices=True, changed=True),
+    Input("clip_position", at_vertices=True, changed=True),
+    Input("object_position", at_vertices=True, changed=True),
+    Input("object_normal", at_vertices=True, changed=True),
+)
+
+LIT = frozenset({
+    "base_color", "metallic", "roughness", "squared_roughness", "clearcoat", "emissive",
+    "occlusion", "normal",
+})  # fmt: skip
+"""A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
+
+
+def offers(
     words: Mapping[str, str], named: Mapping[str, str], only: Collection[str]
 ) -> tuple[Offer, ...]:
     """All slots that engines can use, or ``only`` some of them, if it has any.
