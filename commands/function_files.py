@@ -113,7 +113,9 @@ def _line(
 
 def _remarks(result: FunctionsResult, engine: Engine | None) -> Iterator[str]:
     """A line for each language of the texts that is marked as unproven, or for the engine."""
-    names = (file.target for material in result for file in material.files)
+    names = [file.target for material in result for file in material.files]
+    if engine is not None and engine.dialect is not None:
+        names = []
     for target in map(registry.load, dict.fromkeys(names)):
         if target.unproven:
             yield f"texts in {target.title}: {target.unproven}\n"

@@ -6,10 +6,9 @@ meaning, or why it is not drawn. The tests do this with a few of them.
 
 from __future__ import annotations
 
-import re
 import sys
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,21 +16,12 @@ from typing import Any
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.engines.surface import UnfitError
 
+from .files import materials
 from .godot import MISSING, drawn, is_there
 from .probes import Probe, probes_of
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 AT_ONCE = 40
 """The pictures that one process of Godot draws."""
-MATERIAL = re.compile(r"^material (\w+)", re.M)
-
-
-def materials(names: Sequence[str] = ()) -> Iterator[tuple[Path, str]]:
-    """The materials of the examples, or of those named, each with its file."""
-    for file in sorted(EXAMPLES.glob("*.burnish")):
-        if not names or file.stem in names:
-            for name in MATERIAL.findall(file.read_text("utf-8")):
-                yield file, name
 
 
 def main(names: Sequence[str]) -> int:

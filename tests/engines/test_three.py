@@ -1,4 +1,4 @@
-"""Materials in three.js, drawn by both of its renderers, and judged by the bounds of their slots."""
+"""Materials in three.js, drawn by both of its renderers, and judged by bounds of their slots."""
 
 from __future__ import annotations
 
