@@ -52,7 +52,7 @@ def test_what_filament_cannot_have_is_told() -> None:
     assert_golden(summary(*texts_of("filament")), GOLDEN / "filament.txt")
 
 
-@pytest.mark.parametrize("name", [name for name in COMPILED])
+@pytest.mark.parametrize("name", list(COMPILED))
 def test_the_compiler_takes_it(name: str, tmp_path: Path) -> None:
     text = text_of(name, COMPILED[name])
     assert not said(text, tmp_path, "--platform", "all", "--api", "opengl")
