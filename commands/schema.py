@@ -11,7 +11,9 @@ from .console import say
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-DOCUMENTS = ("reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph")
+DOCUMENTS = (
+    "reflection", "plan", "package", "golden", "corpus", "corpus_index", "graph", "functions",
+)  # fmt: skip
 
 
 @click.command()
@@ -22,8 +24,9 @@ def schema(document: str) -> None:
     A reflection (Plastic.json) says how one material is bound, a plan (Deferred.plan.json) by
     which steps a frame is drawn, a package has all that a page draws of a frame, and golden.json
     what a golden folder has. `burnish corpus` writes a corpus for each operation, and its index.
-    A graph has the equations of materials, as `burnish export` writes them. Each has the version of
-    its format as `format`, `plan`, `package`, `version`, `corpus` or `graph`.
+    A graph has the equations of materials, as `burnish export` writes them, and a document of
+    functions (Plastic.functions.json) says how an engine calls them. Each has the version of its
+    format as `format`, `plan`, `package`, `version`, `corpus`, `graph` or `signatures`.
 
     \b
     Example:
@@ -41,11 +44,14 @@ def schema(document: str) -> None:
 def _kinds() -> Mapping[str, type]:
     """The records of all documents."""
     from ..compiler.documents.equation_graph import EquationGraphs
+    from ..compiler.documents.functions import Functions
     from ..compiler.documents.plan import FramePlan
     from ..compiler.documents.reflection import Reflection
     from ..targets.conformance.corpus.records import Corpus, CorpusIndex
     from ..targets.conformance.golden.document import Golden
     from ..targets.web_host.serving.packages import Package
 
-    kinds = (Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs)
+    kinds = (
+        Reflection, FramePlan, Package, Golden, Corpus, CorpusIndex, EquationGraphs, Functions,
+    )  # fmt: skip
     return dict(zip(DOCUMENTS, kinds, strict=True))

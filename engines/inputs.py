@@ -29,6 +29,9 @@ class Input:
     An engine has the mesh's place and normal itself.
     """
 
+    made_of: tuple[str, ...] = ()
+    """Slots of which the library makes it, so that a change of these counts as well."""
+
     @property
     def stage(self) -> str:
         """The stage for which it is computed."""
@@ -39,7 +42,7 @@ class Input:
         for full, word in words.items():
             if word == self.name:
                 owner, _, name = full.rpartition(".")
-                yield Offer(name, self.stage, owner, self.changed)
+                yield Offer(name, self.stage, owner, self.changed, self.made_of)
         for name in self.own:
             yield Offer(name, self.stage)
 
@@ -53,6 +56,9 @@ class Input:
 COLOR = "color"
 """The light that a surface sends out: of a surface that no lights are needed for."""
 
+MOVED = ("object_drawn", "object_place", "object_pose", "object_shape")
+"""The slots of the library in which a material moves the points of a mesh."""
+
 INPUTS: tuple[Input, ...] = (
     Input("base_color", ("base_color", "albedo", "tint", "kd", "base")),
     Input("metallic", ("metallic", "metalness")),
@@ -63,11 +69,11 @@ INPUTS: tuple[Input, ...] = (
     Input("emissive", ("emissive", "emission")),
     Input("emissive_strength"),
     Input("occlusion", ("occlusion",)),
-    Input("normal", changed=True),
+    Input("normal", changed=True, made_of=MOVED),
     Input("alpha", changed=True),
     Input("is_hidden", changed=True),
     Input(COLOR, changed=True),
-    Input("position", at_vertices=True, changed=True),
+    Input("position", at_vertices=True, changed=True, made_of=MOVED),
     Input("clip_position", at_vertices=True, changed=True),
     Input("object_position", at_vertices=True, changed=True),
     Input("object_normal", at_vertices=True, changed=True),

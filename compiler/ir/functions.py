@@ -26,6 +26,8 @@ class Offer:
 
     The engine itself has what the declaration says.
     """
+    made_of: tuple[str, ...] = ()
+    """Slots of which the declaration makes it: what is said of these counts as well."""
 
 
 @frozen

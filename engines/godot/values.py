@@ -15,10 +15,10 @@ WORLD_TANGENT = "(MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz"
 TANGENT_WITH_SIGN = "vec4(TANGENT, sign(dot(cross(NORMAL, TANGENT), BINORMAL)))"
 
 TO_CLIP = (
-    "mat4(vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0, 1.0, 0.0, 0.0), "
+    "mat4(vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0, sign(PROJECTION_MATRIX[1][1]), 0.0, 0.0), "
     "vec4(0.0, 0.0, -1.0, 0.0), vec4(0.0, 0.0, 1.0, 1.0))"
 )
-"""Turns depths from 0 to 1 around, as Godot's near plane is at 1."""
+"""Turns depths from 0 to 1 around, as Godot's near plane is at 1, and rows as its camera does."""
 
 HIDDEN = Output("is_hidden", "bool", "if ({value}) {{ discard; }}")
 ALPHA = Output("alpha", "float", "ALPHA = {value};")

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 SURFACE: Mapping[str, str] = {
     "uv": "uv()",
     "position": "positionWorld",
-    "normal": "varying(cameraWorldMatrix.mul(vec4(modelNormalMatrix.mul(normalLocal), 0)).xyz)",
+    "normal": "varying(modelNormalMatrix.mul(normalLocal))",
     "tangent": 'varying(modelWorldMatrix.mul(vec4(attribute("tangent", "vec4").xyz, 0)).xyz)',
 }
 """Values of the surface at each pixel, by the library's word.

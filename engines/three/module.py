@@ -39,8 +39,8 @@ CLASSES = (
 """The names that modules may import from `three/webgpu`."""
 WORDS = (
     "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
-    "cameraWorldMatrix", "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix",
-    "modelWorldMatrix", "normalLocal", "positionLocal", "positionWorld", "sampler", "texture",
+    "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
+    "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler", "texture",
     "texture3D", "uint", "uniform", "uv", "varying", "vec4", "vertexIndex",
 )  # fmt: skip
 """The names that modules may import from `three/tsl`."""
@@ -201,7 +201,7 @@ class _Writer:
         texts = [text for name, text in TEXTURE_HELPERS.items() if name in words]
         used = words | set(re.findall(r"[A-Za-z]\w*", "\n".join(texts)))
         own = {base, "CodeNode", "FunctionNode", *(("Node",) if textures else ())}
-        own |= {"DataUtils", "HalfFloatType"} if textures else set()
+        own |= {"DataUtils", "HalfFloatType", "LinearFilter"} if textures else set()
         switches = "switched" in words
         words |= {"uniform", "uint"} if switches else set()
         types = {each.type for each in (*uniforms, *textures)} | {base, "Node"}
@@ -349,8 +349,11 @@ class _Writer:
         return 4 if slot.representation == "vec4" else 3
 
     def _placing(self) -> Iterator[Entry]:
-        position, normal = (self._words.get(word) for word in VERTICES)
+        position, normal, moved = (self._words.get(word) for word in VERTICES)
         placed = "positionLocal" if position is None else f"slots.{position}"
+        if moved is not None:  # A place in the world, as the material itself has it.
+            position = moved
+            placed = f"modelWorldMatrixInverse.mul(vec4(slots.{moved}, 1)).xyz"
         if normal is not None:
             lines = f"normalLocal.assign(slots.{normal}); return {placed};"
             yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")

@@ -76,7 +76,7 @@ UNLIT = (NodeRow("color", "colorNode"), NodeRow("alpha", "opacityNode"))
 SHARED = (NodeRow("is_hidden", "maskNode", "{0}.not()"),)
 """The rows of all surfaces."""
 
-VERTICES = ("object_position", "object_normal")
+VERTICES = ("object_position", "object_normal", "position")
 """The words of slots for vertices, which ``positionNode`` and ``normalLocal`` take."""
 
 

@@ -92,6 +92,7 @@ SECTIONS = {
     "B06": "Rigs and lights",
     "B07": "Targets",
     "B08": "Frames",
+    "B09": "Functions for engines",
 }
 
 

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from playwright.sync_api import Page
 
@@ -31,7 +32,6 @@ HERE = Path(__file__).parent
 ENGINE = registry.load("three")
 ADDRESS = "https://burnish.invalid/"
 LANES = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4, "uvec4": 4, "uint": 1}
-PROBE = "vec4({value}, {rest})"
 
 
 def module_of(compiled: CompiledFunctions, folder: Path) -> str:
@@ -60,13 +60,33 @@ def page_of(site: Path) -> Iterator[Page]:
     """The page in a browser."""
     with browsers.browser() as browser:
         page = browser.new_page()
-        complaints: list[str] = []
-        page.on("console", lambda message: complaints.append(message.text))
+        told = _COMPLAINTS[page] = []
+        page.on("console", lambda message: told.append(message.text))
         browsers.serve(page, site)
         page.goto(ADDRESS)
         page.wait_for_function("window.ready === true")
-        page.complaints = complaints  # type: ignore[attr-defined]
         yield page
+
+
+_COMPLAINTS: WeakKeyDictionary[Page, list[str]] = WeakKeyDictionary()
+
+
+def complaints(page: Page) -> list[str]:
+    """What the page has written to its console."""
+    return _COMPLAINTS[page]
+
+
+def attributes_of(compiled: CompiledFunctions) -> list[dict[str, Any]]:
+    """The attributes of a geometry that functions read."""
+    return [
+        {
+            "name": ATTRIBUTES.get(row.given, row.given),
+            "lanes": LANES[row.representation],
+            "whole": row.representation.startswith("u"),
+        }
+        for row in compiled.document.arguments
+        if row.source == "attribute"
+    ]
 
 
 def golden_of(source: Path, material: str, slots: Mapping[str, int], folder: Path) -> Path:
@@ -158,11 +178,6 @@ def _values(
             start = row["offset"] + column * stride
             lanes += struct.unpack_from(form, data[row["block"]], start)
         yield row["name"], lanes[0] if len(lanes) == 1 else lanes
-
-
-def names(compiled: CompiledFunctions) -> Sequence[str]:
-    """The functions of a material."""
-    return [row.name for row in compiled.document.functions]
 
 
 def functions(source: Path, **options: Any) -> Sequence[CompiledFunctions]:

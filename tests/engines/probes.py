@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 import burnish
 from burnish.api.compiling_engines import functions_for
 from burnish.compiler.documents.reflection import Reflection
+from burnish.compiler.documents.values import ParameterRow
 from burnish.compiler.reference.bounds.errors import Errors
 from burnish.engines import registry
 from burnish.engines.godot.shader import shader
@@ -185,11 +186,12 @@ def _picture(label: str, surface: Surface, text: str, mesh: Mesh, state: SceneSt
         if argument.kind == "value"
     }
     values = state.instance.values()
+    rows = {row.name: row for row in state.instance.reflection.parameters}
     uniforms = {
-        name: (row.representation, values[row.given])
+        name: (row.representation, _part(rows, values, row.given))
         for name, row in given.items()
-        if row.source == "parameter" and row.given in values and row.role not in ROLES
-        and f" {name}" in text
+        if row.source == "parameter" and row.given.partition(".")[0] in values
+        and row.role not in ROLES and f" {name}" in text
     }  # fmt: skip
     textures = state.instance.textures()
     bound = {
@@ -207,3 +209,13 @@ def _picture(label: str, surface: Surface, text: str, mesh: Mesh, state: SceneSt
         camera_to_world=np.linalg.inv(camera.world_to_camera), fov=math.degrees(camera.fov),
         near=camera.near, far=camera.far, values=uniforms, textures=bound,
     )  # fmt: skip
+
+
+def _part(rows: Mapping[str, ParameterRow], values: Mapping[str, Any], given: str) -> Any:
+    """The value of a parameter, or of a member of one: ``place.offset``."""
+    name, *path = given.split(".")
+    value, members = values[name], rows[name].members
+    for step in path:
+        (number,) = (place for place, row in enumerate(members) if row.name == step)
+        value = value[number]
+    return value

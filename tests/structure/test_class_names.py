@@ -8,7 +8,7 @@ from collections import defaultdict
 from ..suite.package import FOLDERS
 from .kit import ROOT, files
 
-HOUSES_OF_FLOORS = {"compiler", "targets", "stdlib", "materialx"}
+HOUSES_OF_FLOORS = {"compiler", "targets", "stdlib", "materialx", "engines"}
 """Folders whose folders are floors: two of them may each have, say, a ``Context``."""
 FAMILIES = (
     "targets/conformance/comparers",

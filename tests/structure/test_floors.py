@@ -115,6 +115,10 @@ FLOORS: dict[str, str] = {
         "toolchain"
     ),
     "targets.web_view": "documents runner",
+    # Engines.
+    "engines.engine": "frozen diagnostics documents emit",
+    "engines.registry": "engine",
+    "engines.three": "frozen diagnostics documents emit engine",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -128,10 +132,16 @@ FLOORS: dict[str, str] = {
         "frozen arguments garbage cache inputs diagnostics ir passes source_map names reflection "
         "frontend description emit legalise availability selection graphs compiled specialising"
     ),
+    "api.compiled_functions": "frozen diagnostics documents inputs emit",
+    "api.compiling_functions": (
+        "frozen garbage diagnostics inputs ir passes reflection frontend description legalise emit "
+        "selection compiling specialising compiled_functions"
+    ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
-        "selection runner compiled remembered compiling sameness"
+        "selection runner compiled remembered compiling sameness compiled_functions "
+        "compiling_functions"
     ),
     "api.frame_sameness": "documents passes equivalence compiled entry_points",
     # Documents of MaterialX.
@@ -148,7 +158,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points frame_sameness materialx"
+        "entry_points frame_sameness materialx compiled_functions engine engines.registry"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

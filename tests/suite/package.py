@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("api", "commands", "compiler", "materialx", "stdlib", "support", "targets")
+FOLDERS = ("api", "commands", "compiler", "engines", "materialx", "stdlib", "support", "targets")
 """The folders that a wheel contains, beside ``generated``; tests are not among them."""
 
 

@@ -147,7 +147,14 @@ def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
     else:
         is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
     is_meant = offer.owner == library_name(declared.owner)
-    return is_slot and is_meant and not (offer.changed and nearest is declared)
+    names = (offer.name, *offer.made_of)
+    return is_slot and is_meant and (not offer.changed or any(_changes(record, n) for n in names))
+
+
+def _changes(record: Record, name: str) -> bool:
+    """True if a slot is something else than where it is declared."""
+    found = record.definitions.get(name)
+    return found is not None and found[0] is not record.declaration(name)
 
 
 def _slots_of(record: Record) -> Sequence[str]:
