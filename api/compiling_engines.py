@@ -15,7 +15,7 @@ from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
 from ..compiler.reflection.roles import scene_names
 from ..engines.engine import Engine
-from ..engines.inputs import INPUTS, offers
+from ..engines.slot_table import INPUTS, offers
 from ..support.frozen import EMPTY, changed
 from .compiled_functions import CompiledFunctions, FunctionsResult
 from .compiling_functions import AskedFunctions, functions_of

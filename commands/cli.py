@@ -107,7 +107,7 @@ def _compiled(arguments: list[str], question: Question | None) -> bool | None:
     from .compile_options import plain_request
 
     request = plain_request(arguments)
-    if request is None:
+    if request is None or request.misfit:
         return None
     from .compilation import succeeds
 

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
-from .compiled_files import Compiled, compiled
+from .compiled_files import compiled
+from .compiled_record import Compiled
 from .console import rendered, show
 from .results import STDOUT, Output, Question, keep
 from .terminal import print_output

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from .compilation import succeeds
-from .compile_options import OPTIONS, SHADERS, CompileRequest
+from .compile_options import OPTIONS, CompileRequest
 from .options import each_once, option
 from .results import Question
 from .terminal import FAILED
@@ -41,7 +41,7 @@ def compile_(watch: bool, **chosen: Any) -> None:
         burnish compile plastic.burnish --emit functions --slots tint,normal --target wgsl -o build/
     """
     each_once(chosen["values"])
-    request = CompileRequest(**{**chosen, "emit": chosen["emit"] or SHADERS})
+    request = CompileRequest(**chosen)
     if request.misfit:
         raise click.UsageError(request.misfit)
     if request.why and request.prints:

@@ -173,7 +173,8 @@ class CompileRequest:
     hoist: bool = True
     native_stages: bool = False
     cache: bool = True
-    emit: str = SHADERS
+    emit: str | None = None
+    """The kind of what is written: that of shaders unless it is named."""
     slots: tuple[str, ...] = ()
     """Slots as they were given, each perhaps several with commas."""
     together: bool = False
@@ -189,7 +190,7 @@ class CompileRequest:
     @property
     def misfit(self) -> str:
         """What is wrong with options that do not go together, as a sentence; else empty."""
-        if self.emit not in (SHADERS, FUNCTIONS):
+        if self.emit not in (None, SHADERS, FUNCTIONS):
             return f"--emit takes `{SHADERS}` or `{FUNCTIONS}`, not `{self.emit}`"
         if self.engine is not None and self.targets:
             return "--engine says the targets itself: leave --target out"
@@ -253,8 +254,7 @@ def plain_request(arguments: Sequence[str]) -> CompileRequest | None:
         return None
     if chosen.get("why") and chosen["output"] == STDOUT:
         return None
-    request = CompileRequest(**chosen)
-    return None if request.misfit else request
+    return CompileRequest(**chosen)
 
 
 def _may_be_read(path: Path) -> bool:

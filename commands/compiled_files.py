@@ -5,34 +5,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..support.frozen import frozen
 from .compile_options import CompileRequest, name_and_value
+from .compiled_record import Compiled
 
 if TYPE_CHECKING:
     from ..api.compiled import CompiledMaterial, CompileResult
     from ..compiler.diagnostics.diagnostic import Diagnostic
-    from ..compiler.inputs import Inputs
-
-
-@frozen
-class Compiled:
-    """What one file has become."""
-
-    texts: Mapping[str, str]
-    """The shaders, by the name of the file for them."""
-    reflections: Mapping[str, str]
-    plans: Mapping[str, str]
-    lines: tuple[str, ...]
-    """A line for each material and frame, which says what it has become."""
-    remarks: tuple[str, ...]
-    """Lines about languages."""
-    diagnostics: tuple[Diagnostic, ...]
-    inputs: Inputs | None
-    """The files that were read; ``None`` if there are errors."""
 
 
 def compiled(request: CompileRequest) -> Compiled:

@@ -15,7 +15,7 @@ from ..engines.engine import Engine
 from ..targets import registry
 from ..targets.selection import DEFAULT
 from .compile_options import CompileRequest, name_and_value
-from .compiled_files import Compiled
+from .compiled_record import Compiled
 
 
 def compiled_functions(request: CompileRequest) -> Compiled:
@@ -40,7 +40,7 @@ def compiled_functions(request: CompileRequest) -> Compiled:
 
 def _engine(name: str) -> Engine:
     """The engine called so. Raises ``CompileError`` if there is none."""
-    from ..engines import registry as engines
+    from ..engines import known as engines
 
     if name not in engines.names():
         report = Report()

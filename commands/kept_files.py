@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from ..compiler.cache import load, prune, store_unpruned
 from ..compiler.inputs import Inputs
-from .compiled_files import Compiled
+from .compiled_record import Compiled
 from .results import LARGEST, are_unchanged, key_of, noted
 
 if TYPE_CHECKING:

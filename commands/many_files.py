@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 
 from ..support.frozen import changed
 from .compile_options import CompileRequest
-from .compiled_files import Compiled, compiled
+from .compiled_files import compiled
+from .compiled_record import Compiled
 from .kept_files import KeptFiles
 
 if TYPE_CHECKING:

@@ -28,7 +28,7 @@ def targets(form: str) -> None:
         burnish targets
         burnish compile plastic.burnish --target wgsl,glsl:es300 -o build/
     """
-    from ..engines import registry as engines
+    from ..engines import known as engines
     from ..targets import registry
 
     rows = [registry.load(name) for name in registry.names()]

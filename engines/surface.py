@@ -14,7 +14,7 @@ from ..compiler.documents.functions import (
 )
 from ..support.frozen import cached_property, frozen
 from ..targets.emit.functions import EmittedPart, EmittedSignature, FunctionEmission
-from .inputs import COLOR, INPUTS, LIT
+from .slot_table import COLOR, INPUTS, LIT
 
 
 class UnfitError(Exception):

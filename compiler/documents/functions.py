@@ -34,8 +34,8 @@ class FunctionRow:
 
     name: str
     """The name by which backends list it: a slot, or ``surface`` or ``vertices`` for several."""
-    stage: Literal["vertex", "fragment"]
-    """The stage for which it computes: that of vertices, or that of pixels.
+    stage: str
+    """The stage for which it computes, by its name: that of vertices, or that of pixels.
 
     A function for pixels may compare neighbouring pixels, as reads of textures do.
     """

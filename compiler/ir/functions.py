@@ -17,8 +17,8 @@ class Offer:
     """A slot that an engine takes of a material that has it."""
 
     name: str
-    stage: str = "fragment"
-    """The stage for which it is computed."""
+    at_vertices: bool = False
+    """True if it is computed for vertices, and not for pixels."""
     owner: str = ""
     """The record of the library that has to declare it; empty where a user's has to."""
     changed: bool = False
@@ -48,7 +48,7 @@ class FunctionsAsked:
     at_vertices: frozenset[str] = frozenset()
     """The slots that are computed for vertices unless something else is said.
 
-    They are the library's names: ``std.prelude.Surface.object_position``.
+    They are the library's names: ``std.file.Record.name``.
     """
     words: Mapping[str, str] = EMPTY
     """The engines' words for slots, by the library's names; they are made without being named."""

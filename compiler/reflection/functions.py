@@ -53,10 +53,9 @@ def functions_document(
 
 
 def _function(stage: Stage, slots: Sequence[SlotInfo]) -> FunctionRow:
-    place: Literal["vertex", "fragment"] = "vertex" if stage.row.name == "vertex" else "fragment"
     return FunctionRow(
         name=stage.name,
-        stage=place,
+        stage=stage.row.name,
         slots=tuple(
             SlotRow(
                 name=slot.name, type=slot.declared_type,

@@ -30,6 +30,8 @@ WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
 _HERE = Path(__file__).parent
+_SHARED = ("surface", "attribute")
+"""The sources of arguments that are the same nodes for all functions."""
 
 CLASSES = (
     "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
@@ -40,8 +42,8 @@ CLASSES = (
 WORDS = (
     "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
     "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
-    "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler", "texture",
-    "texture3D", "uint", "uniform", "uv", "varying", "vec4", "vertexIndex",
+    "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler",
+    "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec4", "vertexIndex",
 )  # fmt: skip
 """The names that modules may import from `three/tsl`."""
 
@@ -211,7 +213,7 @@ class _Writer:
             doc=tuple(document.doc.splitlines()),
             base=base,
             classes=tuple(name for name in CLASSES if name in used | own),
-            type_classes=tuple(name for name in CLASSES if name in types),
+            type_classes=tuple(name for name in (*CLASSES, "Texture") if name in types),
             words=tuple(name for name in WORDS if name in words),
             texture_helpers=tuple(texts),
             has_switches=switches,
@@ -269,7 +271,7 @@ class _Writer:
         for row in self._document.textures:
             code = inputs.TEXTURES[row.type].format(", ".join(map(_number, row.default_texel)))
             space = (
-                "Its colours are decoded: give it `SRGBColorSpace`."
+                "(Its colours are decoded: give it `SRGBColorSpace`.)"
                 if row.intent == "color"
                 else ""
             )
@@ -279,10 +281,23 @@ class _Writer:
     # --- calls -----------------------------------------------------------------------------------
 
     def _calls(self) -> Iterator[Entry]:
-        """The calls of functions: those for vertices, which others interpolate, come first."""
-        interpolated = {row.given for row in self._document.arguments if row.source == "varying"}
-        rows = sorted(self._document.functions, key=lambda row: row.name not in interpolated)
-        for row in rows:
+        """What functions share of the surface, so that it is interpolated once, and their calls.
+
+        Those for vertices, which others interpolate, come first.
+        """
+        shared = [row for row in self._document.arguments if row.source in _SHARED]
+        interpolated = [row for row in self._document.arguments if row.source == "varying"]
+        names = {row.given for row in interpolated}
+        rows = sorted(self._document.functions, key=lambda row: row.name not in names)
+        for argument in shared:
+            yield Entry("", _shared_value(argument), variable=_given_name(argument))
+        for row in rows[: len(names)]:
+            yield Entry("", self._call(row), variable=_variable(row.name))
+        for argument in interpolated:
+            flat = '.setInterpolation("flat")' if argument.interpolation == "flat" else ""
+            code = f"varying({_variable(argument.given)}){flat}"
+            yield Entry("", code, variable=_given_name(argument))
+        for row in rows[len(names) :]:
             yield Entry("", self._call(row), variable=_variable(row.name))
 
     def _call(self, row: FunctionRow) -> str:
@@ -307,19 +322,12 @@ class _Writer:
 
     def _value(self, row: ArgumentRow, function: FunctionRow) -> str:
         is_placed = bool({slot.role for slot in function.slots} & set(VERTICES))
-        match row.source:
-            case "surface":
-                return inputs.SURFACE[row.given]
-            case "pipeline":
-                return inputs.PIPELINE[row.given]
-            case "varying":
-                flat = '.setInterpolation("flat")' if row.interpolation == "flat" else ""
-                return f"varying({_variable(row.given)}){flat}"
-            case "attribute" if is_placed and row.given in inputs.AS_PLACED:
-                return inputs.AS_PLACED[row.given]
-            case "attribute":
-                name = inputs.ATTRIBUTES.get(row.given, row.given)
-                return f'attribute("{name}", "{row.representation}")'
+        if row.source == "attribute" and is_placed and row.given in inputs.AS_PLACED:
+            return inputs.AS_PLACED[row.given]
+        if row.source in (*_SHARED, "varying"):
+            return _given_name(row)
+        if row.source == "pipeline":
+            return inputs.PIPELINE[row.given]
         if row.role is not None and row.role in inputs.ROLES:
             return inputs.ROLES[row.role]
         read = f"parameters.{row.name}"
@@ -359,6 +367,19 @@ class _Writer:
             yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")
         elif position is not None:
             yield Entry("positionNode", placed)
+
+
+def _given_name(row: ArgumentRow) -> str:
+    """The variable for an argument that several functions share."""
+    return f"given_{row.name}"
+
+
+def _shared_value(row: ArgumentRow) -> str:
+    """A value of the surface, or a vertex input."""
+    if row.source == "surface":
+        return inputs.SURFACE[row.given]
+    name = inputs.ATTRIBUTES.get(row.given, row.given)
+    return f'attribute("{name}", "{row.representation}")'
 
 
 def _constant(name: str) -> str:

@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 
 from burnish.commands import compiled_files, kept_files, many_files, results
 from burnish.commands.compile_options import CompileRequest
-from burnish.commands.compiled_files import Compiled
+from burnish.commands.compiled_record import Compiled
 from burnish.commands.group import burnish
 from burnish.commands.many_files import SEVERAL
 from burnish.compiler import cache

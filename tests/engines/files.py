@@ -9,7 +9,7 @@ from pathlib import Path
 import burnish
 from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
-from burnish.engines import registry
+from burnish.engines import known
 from burnish.support.frozen import EMPTY
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -28,7 +28,7 @@ def files_of(
     engine: str, source: Path | str, material: str, named: Mapping[str, str] = EMPTY
 ) -> Mapping[str, str]:
     """The files of an engine for one material. Raises ``CompileError``."""
-    row = registry.load(engine)
+    row = known.load(engine)
     if row.dialect is None:
         found = burnish.functions(source, list(row.targets), material=material)
     else:

@@ -21,7 +21,7 @@ import burnish
 from burnish.api.compiled_functions import CompiledFunctions
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.documents.functions import ArgumentRow, Functions
-from burnish.engines import registry
+from burnish.engines import known
 from burnish.engines.three.inputs import ATTRIBUTES, ROLES
 from burnish.targets.toolchain.tools import tool_named
 
@@ -29,7 +29,7 @@ from ..cli.kit import invoke
 from ..suite import browsers
 
 HERE = Path(__file__).parent
-ENGINE = registry.load("three")
+ENGINE = known.load("three")
 ADDRESS = "https://burnish.invalid/"
 LANES = {"float": 1, "vec2": 2, "vec3": 3, "vec4": 4, "uvec4": 4, "uint": 1}
 

@@ -23,7 +23,7 @@ from burnish.api.compiling_engines import functions_for
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.values import ParameterRow
 from burnish.compiler.reference.bounds.errors import Errors
-from burnish.engines import registry
+from burnish.engines import known
 from burnish.engines.godot.shader import shader
 from burnish.engines.godot.values import ROLES, TABLES
 from burnish.engines.surface import Given, Surface, UnfitError
@@ -102,7 +102,7 @@ def probes_of(file: Path, material: str) -> Iterator[Probe]:
 
     Raises ``CompileError`` and ``UnfitError``.
     """
-    engine = registry.load("godot")
+    engine = known.load("godot")
     for each in functions_for(engine, file, material=material):
         surface = Surface(each.document, each.files[0].emission)
         yield from _probes(file, surface, shader(surface))

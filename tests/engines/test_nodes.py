@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from burnish.engines import registry
+from burnish.engines import known
 from burnish.targets.toolchain import Job, Toolchain
 
 from ..golden import assert_golden
@@ -30,7 +30,7 @@ def test_text(engine: str) -> None:
     for name, text in files_of(engine, EXAMPLES / "plastic.burnish", "Plastic").items():
         assert "ever compiled by" in text.splitlines()[0]
         assert_golden(text, GOLDEN / name)
-    assert registry.load(engine).unproven.startswith("never compiled by ")
+    assert known.load(engine).unproven.startswith("never compiled by ")
 
 
 def test_dxc_takes_the_functions() -> None:

@@ -116,21 +116,19 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # Engines.
-    "engines.inputs": "frozen ir documents",
+    "engines.slot_table": "frozen ir documents",
     "engines.values": "frozen",
-    "engines.surface": "frozen diagnostics documents emit inputs",
+    "engines.surface": "frozen diagnostics documents emit slot_table",
     "engines.writer": "documents emit surface values",
     "engines.texts": "surface",
     "engines.engine": "frozen diagnostics documents description emit",
-    "engines.godot": (
-        "frozen ir documents description registry emit engine surface values writer"
-    ),
+    "engines.godot": ("frozen ir documents description registry emit engine surface values writer"),
     "engines.filament": (
         "frozen ir documents description registry emit engine surface values writer"
     ),
     "engines.unity": "emit engine surface texts",
     "engines.unreal": "emit engine surface texts",
-    "engines.registry": "engine",
+    "engines.known": "engine",
     "engines.three": "frozen diagnostics documents emit engine",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
@@ -146,13 +144,13 @@ FLOORS: dict[str, str] = {
         "frontend description emit legalise availability selection graphs compiled specialising"
     ),
     "api.compiled_functions": "frozen diagnostics documents inputs emit",
-    "api.compiling_engines": (
-        "frozen diagnostics documents reflection engine inputs compiled_functions "
-        "compiling_functions"
-    ),
     "api.compiling_functions": (
         "frozen garbage diagnostics inputs ir passes reflection frontend description legalise emit "
         "selection compiling specialising compiled_functions"
+    ),
+    "api.compiling_engines": (
+        "frozen diagnostics documents reflection engine slot_table compiled_functions "
+        "compiling_functions"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
@@ -175,7 +173,7 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points frame_sameness materialx compiled_functions compiling_engines engine engines.registry"
+        "entry_points frame_sameness materialx compiled_functions compiling_engines engine known"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

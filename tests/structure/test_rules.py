@@ -21,7 +21,7 @@ RULES = {name: rule for name, rule in vars(rules).items() if isinstance(rule, Ru
 def test_every_rule_is_reported_somewhere() -> None:
     code = "\n".join(
         path.read_text("utf-8")
-        for folder in ("api", "commands", "compiler", "targets")
+        for folder in ("api", "commands", "compiler", "engines", "targets")
         for path in files(ROOT / folder)
         if path.suffix == ".py"
     )

@@ -38,16 +38,16 @@ NO_FUNCTIONS = error(
     "Without a list of slots, functions are made of those to which the material itself gives a "
     "value, or a model that it extends, and which need no lights.",
 )
+UNKNOWN_STAGE_OF_SLOT = error(
+    "B0907",
+    "`{text}` names no stage for a slot",
+    "A slot is computed for pixels, or for vertices where its name is followed by `@vertex`.",
+)
 LEFT_OUT = warning(
     "B0908",
     "`{name}` is left out: it gives no value to a slot that a function returns without lights",
     "Other materials of the file have such slots. Without a list of slots, functions are made of "
     "those to which a material itself gives a value, or a model that it extends.",
-)
-UNKNOWN_STAGE_OF_SLOT = error(
-    "B0907",
-    "`{text}` names no stage for a slot",
-    "A slot is computed for pixels, or for vertices where its name is followed by `@vertex`.",
 )
 UNFIT_FOR_ENGINE = error(
     "B0909",

@@ -133,7 +133,8 @@ def _offered(record: Record, asked: FunctionsAsked) -> Iterator[_Slot]:
     for offer in asked.offers:
         found = record.definitions.get(offer.name)
         if found is not None and _is_taken(record, offer, found[0]):
-            yield _Slot(offer.name, STAGES[offer.stage], is_named=False)
+            stage = VERTEX if offer.at_vertices else FRAGMENT
+            yield _Slot(offer.name, stage, is_named=False)
 
 
 def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
@@ -171,7 +172,7 @@ def _word(record: Record, name: str, asked: FunctionsAsked) -> str:
 
 
 def _library_slot(record: Record, name: str) -> str:
-    """The slot as the library declares it: ``std.prelude.Surface.normal``."""
+    """The slot as the library declares it: ``std.file.Record.name``."""
     return f"{library_name(record.declaration(name).owner)}.{name}"
 
 

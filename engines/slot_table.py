@@ -42,9 +42,9 @@ class Input:
         for full, word in words.items():
             if word == self.name:
                 owner, _, name = full.rpartition(".")
-                yield Offer(name, self.stage, owner, self.changed, self.made_of)
+                yield Offer(name, self.at_vertices, owner, self.changed, self.made_of)
         for name in self.own:
-            yield Offer(name, self.stage)
+            yield Offer(name, self.at_vertices)
 
     def rank(self, slot: SlotRow) -> int | None:
         """The place of a slot among those that may be this value; ``None`` if it is not one."""
@@ -95,6 +95,6 @@ def offers(
     a value, such as ``stain`` for ``base_color``.
     """
     found = [offer for row in INPUTS for offer in row.offers(words)]
-    stages = {row.name: row.stage for row in INPUTS}
+    places = {row.name: row.at_vertices for row in INPUTS}
     found = [offer for offer in found if not only or offer.name in only]
-    return (*found, *(Offer(slot, stages[word]) for word, slot in named.items()))
+    return (*found, *(Offer(slot, places[word]) for word, slot in named.items()))
