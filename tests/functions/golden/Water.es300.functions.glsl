@@ -19,8 +19,20 @@ vec3 water_tilted(vec2 w_heading, float w_length, float w_height, float w_sharpn
     return 6.2831855 / w_length * w_height * vec3(cos(phase) * w_heading, w_sharpness * sin(phase)).xzy;
 }
 
-vec3 water_position(vec3 position_2) {
-    return position_2;
+vec3 water_position(vec3 vertex_position, mat4 object_to_world, float time) {
+    vec4 rest_product = object_to_world * vec4(vertex_position, 1.0);
+    const vec2 waves_heading[3] = vec2[3](vec2(1.0, 0.0), vec2(0.6, 0.8), vec2(-0.8, 0.6));
+    const float waves_length[3] = float[3](1.6, 0.9, 0.5);
+    const float waves_height[3] = float[3](0.06, 0.03, 0.015);
+    const float waves_sharpness[3] = float[3](0.7, 0.6, 0.5);
+    vec2 rest = rest_product.xz;
+    vec3 shift = vec3(0.0);
+    for (int i = 0; i < 3; i++) {
+        shift += water_moved(
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], rest, time
+        );
+    }
+    return rest_product.xyz + shift;
 }
 
 vec3 water_normal(vec3 normal_2) {

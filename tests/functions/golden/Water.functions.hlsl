@@ -19,8 +19,20 @@ float3 water_tilted(float2 w_heading, float w_length, float w_height, float w_sh
     return 6.2831855 / w_length * w_height * float3(cos(phase) * w_heading, w_sharpness * sin(phase)).xzy;
 }
 
-float3 water_position(float3 position_2) {
-    return position_2;
+float3 water_position(float3 vertex_position, float4x4 object_to_world, float time) {
+    float4 rest_product = mul(object_to_world, float4(vertex_position, 1.0));
+    static const float2 waves_heading[3] = {float2(1.0, 0.0), float2(0.6, 0.8), float2(-0.8, 0.6)};
+    static const float waves_length[3] = {1.6, 0.9, 0.5};
+    static const float waves_height[3] = {0.06, 0.03, 0.015};
+    static const float waves_sharpness[3] = {0.7, 0.6, 0.5};
+    float2 rest = rest_product.xz;
+    float3 shift = float3(0.0, 0.0, 0.0);
+    for (int i = 0; i < 3; i++) {
+        shift += water_moved(
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], rest, time
+        );
+    }
+    return rest_product.xyz + shift;
 }
 
 float3 water_normal(float3 normal_2) {

@@ -20,8 +20,22 @@ float3 water_tilted(float2 w_heading, float w_length, float w_height, float w_sh
         * float3(precise::cos(phase) * w_heading, w_sharpness * precise::sin(phase)).xzy;
 }
 
-float3 water_position(float3 position_2) {
-    return position_2;
+float3 water_position(float3 vertex_position, float4x4 object_to_world, float time) {
+    const float4 rest_product = object_to_world * float4(vertex_position, 1.0f);
+    const array<float2, 3> waves_heading = array<float2, 3>{
+        float2(1.0f, 0.0f), float2(0.6f, 0.8f), float2(-0.8f, 0.6f)
+    };
+    const array<float, 3> waves_length = array<float, 3>{1.6f, 0.9f, 0.5f};
+    const array<float, 3> waves_height = array<float, 3>{0.06f, 0.03f, 0.015f};
+    const array<float, 3> waves_sharpness = array<float, 3>{0.7f, 0.6f, 0.5f};
+    const float2 rest = rest_product.xz;
+    float3 shift = float3(0.0f);
+    for (int i = 0; i < 3; i++) {
+        shift += water_moved(
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], rest, time
+        );
+    }
+    return rest_product.xyz + shift;
 }
 
 float3 water_normal(float3 normal_2) {

@@ -19,8 +19,22 @@ fn water_tilted(w_heading: vec2f, w_length: f32, w_height: f32, w_sharpness: f32
     return 6.2831855 / w_length * w_height * vec3f(cos(phase) * w_heading, w_sharpness * sin(phase)).xzy;
 }
 
-fn water_position(position_2: vec3f) -> vec3f {
-    return position_2;
+fn water_position(vertex_position: vec3f, object_to_world: mat4x4f, time: f32) -> vec3f {
+    let rest_product = object_to_world * vec4f(vertex_position, 1.0);
+    const waves_heading: array<vec2f, 3> = array<vec2f, 3>(
+        vec2f(1.0, 0.0), vec2f(0.6, 0.8), vec2f(-0.8, 0.6)
+    );
+    const waves_length: array<f32, 3> = array<f32, 3>(1.6, 0.9, 0.5);
+    const waves_height: array<f32, 3> = array<f32, 3>(0.06, 0.03, 0.015);
+    const waves_sharpness: array<f32, 3> = array<f32, 3>(0.7, 0.6, 0.5);
+    let rest = rest_product.xz;
+    var shift: vec3f = vec3f(0.0);
+    for (var i: i32 = 0; i < 3; i++) {
+        shift += water_moved(
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], rest, time
+        );
+    }
+    return rest_product.xyz + shift;
 }
 
 fn water_normal(normal_2: vec3f) -> vec3f {
