@@ -4,6 +4,7 @@ import type {
   MeshPhysicalNodeMaterial,
   Node,
   Color,
+  Texture,
 } from "three/webgpu";
 
 /** A value that may change at any time. */
@@ -17,7 +18,7 @@ export interface PlasticParameters {
 }
 
 export interface PlasticTextures {
-  /** Multiplies the base colour Its colours are decoded: give it `SRGBColorSpace`. */
+  /** Multiplies the base colour (Its colours are decoded: give it `SRGBColorSpace`.) */
   readonly albedo: Settable<Texture>;
 }
 

@@ -97,7 +97,7 @@ export function makePlastic(values = {}) {
     base: uniform(new Color().setRGB(0.4620769996544071, 0.1301364766903643, 0.012286488356915872)), // Base colour
   };
   const textures = {
-    albedo: texture(texel(1, 1, 1, 1)), // Multiplies the base colour Its colours are decoded: give it `SRGBColorSpace`.
+    albedo: texture(texel(1, 1, 1, 1)), // Multiplies the base colour (Its colours are decoded: give it `SRGBColorSpace`.)
   };
   const settable = { ...parameters, ...textures };
   for (const [name, value] of Object.entries(values)) {
