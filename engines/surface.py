@@ -38,11 +38,6 @@ class Given:
         return self.row.slots[0].name
 
     @property
-    def is_parameter(self) -> bool:
-        """True if the slot is a parameter, so that its function only hands on what it gets."""
-        return self.row.arguments == (self.slot,) and not self.row.textures
-
-    @property
     def type(self) -> str:
         """Its type on the machine: ``vec3``."""
         return self.row.slots[0].representation
@@ -104,6 +99,12 @@ class Surface:
     def function(self, name: str) -> Given:
         """A function by its name in the document."""
         return self._all[name]
+
+    def is_parameter(self, given: Given) -> bool:
+        """True if a slot is a parameter, so that its function only hands on what it gets."""
+        row = given.row
+        is_alone = row.arguments == (given.slot,) and not row.textures
+        return is_alone and self.arguments[given.slot].source == "parameter"
 
     @property
     def all(self) -> tuple[Given, ...]:

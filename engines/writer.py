@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..compiler.documents.functions import ArgumentRow, FunctionTextureRow
+from ..compiler.reflection.roles import scene_names
 from ..targets.emit.functions import EmittedPart
 from .surface import Given, Surface, UnfitError
 from .values import Between, Output, Tables
@@ -79,7 +80,7 @@ class Writer:
         raise UnfitError(given.slot, f"it is a {type_}, and {title} takes a {wanted} there")
 
     def _call(self, given: Given) -> str:
-        if given.is_parameter:
+        if self._surface.is_parameter(given):
             argument = given.signature.arguments[0]
             return self._value(argument.given, argument.name, given)
         self._used[given.row.name] = given
@@ -126,6 +127,9 @@ class Writer:
     def _own_input(self, row: ArgumentRow, given: Given) -> str:
         """A vertex input of the material's own: one that the engine has for that."""
         tables = self._tables
+        if row.given.partition(".")[0] in scene_names()["instances"]:
+            reason = f"it reads `{row.given}` of each instance, and {tables.title} places instances"
+            raise UnfitError(given.slot, f"{reason} itself")
         if row.source != "attribute" or row.representation not in LANES or not tables.own_inputs:
             raise UnfitError(given.slot, f"it reads `{row.given}`, which {tables.title} lacks")
         if row.given not in self._own and len(self._own) == len(tables.own_inputs):

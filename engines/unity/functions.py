@@ -37,7 +37,7 @@ NODES: Mapping[tuple[str, str], str] = {
 
 def functions(surface: Surface) -> str:
     """The text of a file. Raises ``UnfitError``."""
-    called = [each for each in surface.all if not each.is_parameter]
+    called = [each for each in surface.all if not surface.is_parameter(each)]
     macro = f"{surface.name.upper()}_OF_BURNISH"
     parts = [part.text.strip("\n") for part in surface.parts(called)]
     nodes = ["\n".join(_node(surface, given)) for given in called]

@@ -105,6 +105,9 @@ def probes_of(file: Path, material: str) -> Iterator[Probe]:
     engine = known.load("godot")
     for each in functions_for(engine, file, material=material):
         surface = Surface(each.document, each.files[0].emission)
+        own = CUSTOM.search(shader(surface))
+        if own is not None:
+            raise UnfitError(material, f"the meshes that are drawn have no `{own[1]}`")
         yield from _probes(file, surface, shader(surface))
 
 
@@ -151,6 +154,10 @@ def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Pro
     label = f"{file.stem}.{surface.name}.{name}"
     picture = _picture(label, surface, _probing(text, shown), mesh, state)
     return Probe(label, picture, material, state)
+
+
+CUSTOM = re.compile(r"// The mesh has `(.*)` in")
+"""What a shader says of vertex inputs of its own, which the meshes here do not have."""
 
 
 def _probing(text: str, shown: str) -> str:

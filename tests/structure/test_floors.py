@@ -119,7 +119,7 @@ FLOORS: dict[str, str] = {
     "engines.slot_table": "frozen ir documents",
     "engines.values": "frozen",
     "engines.surface": "frozen diagnostics documents emit slot_table",
-    "engines.writer": "documents emit surface values",
+    "engines.writer": "documents reflection emit surface values",
     "engines.texts": "surface",
     "engines.engine": "frozen diagnostics documents description emit",
     "engines.godot": ("frozen ir documents description registry emit engine surface values writer"),
