@@ -15,7 +15,7 @@ from typing import NamedTuple
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.frontend import Frontend
 from ..compiler.inputs import Inputs
-from ..compiler.ir.functions import FunctionsAsked, FunctionsShader
+from ..compiler.ir.functions import FunctionsAsked, FunctionsShader, Offer
 from ..compiler.passes.pipeline import Options
 from ..compiler.passes.stage_functions import StagedFunctions, stage_functions
 from ..compiler.reflection.functions import functions_document
@@ -45,13 +45,17 @@ class AskedFunctions(NamedTuple):
     together: bool
     prefix: str | None
     values: tuple[tuple[str, str], ...]
+    offers: tuple[Offer, ...] = ()
+    """Slots to return as far as a material has them, instead of ``slots``."""
+    languages: tuple[tuple[Language, Profile], ...] = ()
+    """Languages of engines, instead of ``targets``."""
 
 
 @seldom_collected
 def functions_of(asked: AskedFunctions) -> FunctionsResult:
     """Compile the materials of a file, or of a text, to functions. Raises ``CompileError``."""
     report, inputs = Report(), Inputs()
-    chosen = select_targets(asked.targets, report, single_file=False)
+    chosen = list(asked.languages) or select_targets(asked.targets, report, single_file=False)
     frontend = Frontend(report, asked.search_path, inputs)
     module = opened(asked.source, frontend)
     wanted = _wanted(asked)
@@ -70,7 +74,7 @@ def _wanted(asked: AskedFunctions) -> FunctionsAsked:
     """What the frontend has to know, with the library's words for what engines have."""
     names = scene_names()
     return FunctionsAsked(
-        asked.slots, asked.together, asked.rig is not None,
+        asked.slots, asked.offers, asked.together, asked.rig is not None,
         frozenset(names["at_vertices"]), names["slots"], names["surface"],
     )  # fmt: skip
 

@@ -53,6 +53,8 @@ def _engine(name: str) -> Engine:
 
 
 def _result(request: CompileRequest, file: Path, engine: Engine | None) -> FunctionsResult:
+    if engine is not None and engine.dialect is not None:
+        return _in_dialect(request, file, engine)
     targets = _apart(request.targets) if engine is None else list(engine.targets)
     return api.functions(
         file,
@@ -64,6 +66,23 @@ def _result(request: CompileRequest, file: Path, engine: Engine | None) -> Funct
         prefix=request.prefix,
         search_path=request.search_path,
         values=dict(map(name_and_value, request.values)),
+    )
+
+
+def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
+    """The functions for an engine that takes them in a language of its own."""
+    from ..api.compiling_engines import functions_for
+
+    given = [each.partition("=") for each in _apart(request.slots)]
+    return functions_for(
+        engine,
+        file,
+        material=request.material,
+        search_path=tuple(map(Path, request.search_path)),
+        prefix=request.prefix,
+        values=tuple(map(name_and_value, request.values)),
+        named={word.strip(): slot.strip() for word, sign, slot in given if sign},
+        only=[word for word, sign, _slot in given if not sign],
     )
 
 
@@ -96,7 +115,9 @@ def _line(
 
 def _remarks(result: FunctionsResult, engine: Engine | None) -> Iterator[str]:
     """A line for each language of the texts that is marked as unproven, or for the engine."""
-    names = (file.target for material in result for file in material.files)
+    names = [file.target for material in result for file in material.files]
+    if engine is not None and engine.dialect is not None:
+        names = []
     for target in map(registry.load, dict.fromkeys(names)):
         if target.unproven:
             yield f"texts in {target.title}: {target.unproven}\n"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 @click.command()
 @answer_option
 def targets() -> None:
-    """List the targets, their profiles and what each can do.
+    """List the targets, their profiles and what each can do, and the engines.
 
     A target is chosen by its name, which means its first profile, or as TARGET:PROFILE.
 
@@ -28,6 +28,7 @@ def targets() -> None:
         burnish targets
         burnish compile plastic.burnish --target wgsl,glsl:es300 -o build/
     """
+    from ..engines import known as engines
     from ..targets import registry
 
     rows = [registry.load(name) for name in registry.names()]
@@ -42,6 +43,10 @@ def targets() -> None:
             say("  ", Styled("unproven", "yellow"), f": {target.unproven}")
         for line in _profiles(target):
             say(line)
+    for engine in map(engines.load, engines.names()):
+        say(Styled(f"--engine {engine.name}", is_bold=True), f"  {engine.title}")
+        if engine.unproven:
+            say("  ", Styled("unproven", "yellow"), f": {engine.unproven}")
 
 
 def _profiles(target: Language) -> Iterator[str]:

@@ -11,10 +11,14 @@ from collections.abc import Callable, Mapping
 from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.documents.functions import Functions
 from ..support.frozen import frozen
+from ..targets.description.profile import Profile
+from ..targets.description.shading_language import Language
 from ..targets.emit.functions import FunctionEmission
 
 Emissions = Mapping[str, FunctionEmission]
 """The texts of functions by profile (``glsl:es300``)."""
+Dialect = tuple[Language, Profile]
+"""A language that is no target, as only engines take functions in it."""
 
 
 @frozen
@@ -25,7 +29,7 @@ class Engine:
     title: str
     """The engine's name in prose."""
     targets: tuple[str, ...]
-    """The profiles in which it takes functions."""
+    """The profiles in which it takes functions; empty if it has a dialect of its own."""
     write: Callable[[Functions, Emissions, Report], Mapping[str, str]]
     """Makes the engine's own files of the functions of one material: texts by the files' names.
 
@@ -33,3 +37,5 @@ class Engine:
     """
     unproven: str = ""
     """The reason why nobody should rely on the files yet: "never compiled by …"."""
+    dialect: Callable[[], Dialect] | None = None
+    """Makes the language of its own in which it takes functions."""

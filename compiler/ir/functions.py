@@ -13,11 +13,31 @@ from .shader import Shader
 
 
 @frozen
+class Offer:
+    """A slot that an engine takes of a material that has it."""
+
+    name: str
+    at_vertices: bool = False
+    """True if it is computed for vertices, and not for pixels."""
+    owner: str = ""
+    """The record of the library that has to declare it; empty where a user's has to."""
+    changed: bool = False
+    """True if it counts only where something else is said than where it is declared.
+
+    The engine itself has what the declaration says.
+    """
+    made_of: tuple[str, ...] = ()
+    """Slots of which the declaration makes it: what is said of these counts as well."""
+
+
+@frozen
 class FunctionsAsked:
     """The functions that somebody wants of a material."""
 
     slots: tuple[str, ...] = ()
     """Slots by name, perhaps followed by ``@vertex`` or ``@fragment``; empty for the own slots."""
+    offers: tuple[Offer, ...] = ()
+    """Slots to return as far as the material has them, instead of these."""
     together: bool = False
     """True for one function that returns all slots, instead of a function for each slot.
 

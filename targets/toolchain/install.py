@@ -17,23 +17,27 @@ import json
 import os
 import platform
 import shutil
-import signal
-import subprocess
 import sys
 import tarfile
 import tempfile
 import time
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import TextIO
 
+from . import unstable
+from .installer_commands import (
+    NETWORK_SECONDS,
+    PATIENCE,
+    InstallError,
+    minutes,
+    run_command,
+)
 from .places import is_trusted
-from .sources import Debian, Extra, OwnInstaller
-from .surroundings import environment as isolated
+from .sources import Debian, Extra, OwnInstaller, Unstable
 from .surroundings import which
 from .tools import (
     CARGO_PACKAGES,
@@ -69,27 +73,9 @@ NPM_PACKAGES = {
 }
 """The packages of npm, by the tool that each of them is."""
 
-PATIENCE = 1800.0
-"""The seconds that one command may take, and that one run waits for another. On a slow machine,
-cargo takes ten minutes for naga."""
-GRACE = 10.0
-"""The seconds that a command may take to end once it was asked to; then it is killed."""
 PAUSE = 0.1
 """The seconds after which a run looks again for the end of another one."""
 APT_LOCK_SECONDS = 300
-NETWORK_SECONDS = 60
-"""The seconds that a download may stand still before it is tried again or given up."""
-NETWORK_SETTINGS = {
-    "CARGO_HTTP_TIMEOUT": f"{NETWORK_SECONDS}",
-    "NPM_CONFIG_FETCH_TIMEOUT": f"{NETWORK_SECONDS * 1000}",
-    "PIP_DEFAULT_TIMEOUT": f"{NETWORK_SECONDS}",
-}
-"""Variables that set this time for programs that have one; they are not set if somebody has set
-them."""
-
-
-class InstallError(Exception):
-    """A tool could not be installed; the text says why, and what to do."""
 
 
 def main(names: Sequence[str]) -> int:
@@ -103,10 +89,12 @@ def main(names: Sequence[str]) -> int:
         print(f"burnish: no such tool: {', '.join(unknown)}; there are {', '.join(known)}")
         return 2
     tools = [tool_named(name) for name in names] or TOOLS
-    failed = [tool.name for tool in tools if not _ensure(tool)]
+    failed = [tool for tool in tools if not _ensure(tool)]
     if failed:
-        print(f"burnish: NOT installed: {', '.join(failed)}", file=sys.stderr)
-    return 1 if failed else 0
+        told = ", ".join(tool.name for tool in failed)
+        print(f"burnish: NOT installed: {told}", file=sys.stderr)
+    promised = [tool for tool in failed if names or not tool.may_be_missing]
+    return 1 if promised else 0
 
 
 def _ensure(tool: Tool) -> bool:
@@ -166,7 +154,7 @@ def _wait_for_others(file: TextIO) -> None:
             return
         except BlockingIOError:
             if time.monotonic() > give_up:
-                reason = f"another run has been installing for {_minutes(PATIENCE)}"
+                reason = f"another run has been installing for {minutes(PATIENCE)}"
                 raise InstallError(
                     f"{reason}, and holds {file.name}: end it, then try again"
                 ) from None
@@ -185,22 +173,24 @@ def _install(tool: Tool) -> None:
         case Extra():
             raise InstallError(f"it is a package for {sys.executable}: {tool.install}")
         case OwnInstaller(version):
-            _install_into_cache(tool, version)
+            _install_into_cache(tool, partial(INTO_CACHE[tool.name], version))
+        case Unstable(package):
+            _install_into_cache(tool, partial(unstable.install, package))
 
 
-def _install_into_cache(tool: Tool, version: str) -> None:
-    partial = Path(tempfile.mkdtemp(prefix=PARTIAL, dir=cache_folder()))
+def _install_into_cache(tool: Tool, installer: Callable[[Path], None]) -> None:
+    unfinished = Path(tempfile.mkdtemp(prefix=PARTIAL, dir=cache_folder()))
     try:
-        INTO_CACHE[tool.name](version, partial)
-        state = judge(tool, tool.find_in(partial))
+        installer(unfinished)
+        state = judge(tool, tool.find_in(unfinished))
         if state.problem:
             raise InstallError(f"what was installed does not work: {state.problem}")
         final = cache_folder() / tool.folder
         shutil.rmtree(final, ignore_errors=True)
-        partial.chmod(0o755)
-        partial.rename(final)
+        unfinished.chmod(0o755)
+        unfinished.rename(final)
     finally:
-        shutil.rmtree(partial, ignore_errors=True)
+        shutil.rmtree(unfinished, ignore_errors=True)
 
 
 def _apt(*names: str) -> None:
@@ -214,10 +204,10 @@ def _apt(*names: str) -> None:
     patience = [word for option in options for word in ("-o", option)]
     packages = ("--no-install-recommends", *names)
     try:
-        _run("apt-get", *patience, "install", "-y", *packages)
+        run_command("apt-get", *patience, "install", "-y", *packages)
     except InstallError:
-        _run("apt-get", *patience, "update")
-        _run("apt-get", *patience, "install", "-y", *packages)
+        run_command("apt-get", *patience, "update")
+        run_command("apt-get", *patience, "install", "-y", *packages)
 
 
 def _cargo_naga(version: str, folder: Path) -> None:
@@ -238,10 +228,10 @@ def _cargo_naga(version: str, folder: Path) -> None:
         (package / "src").mkdir()
         (package / "src" / "lib.rs").touch()
         sources = package / "sources"
-        _run("cargo", "vendor", "--manifest-path", str(package / "Cargo.toml"), str(sources))
+        run_command("cargo", "vendor", "--manifest-path", str(package / "Cargo.toml"), str(sources))
         _check_crate(package / "Cargo.lock", version)
         crate = str(sources / NAGA_CRATE)
-        _run("cargo", "install", "--locked", "--path", crate, "--root", str(folder))
+        run_command("cargo", "install", "--locked", "--path", crate, "--root", str(folder))
 
 
 def _check_crate(lock: Path, version: str) -> None:
@@ -264,7 +254,7 @@ def _npm(tool: str, version: str, folder: Path) -> None:
     (folder / "package.json").write_text(json.dumps(wanted), "utf-8")
     shutil.copyfile(npm_lock(tool), folder / "package-lock.json")
     quiet = ("--no-audit", "--no-fund", "--ignore-scripts")
-    _run("npm", "ci", "--prefix", str(folder), *quiet)
+    run_command("npm", "ci", "--prefix", str(folder), *quiet)
 
 
 def _pip_dxc(_version: str, folder: Path) -> None:
@@ -277,10 +267,10 @@ def _pip_dxc(_version: str, folder: Path) -> None:
     with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=cache_folder()) as name:
         downloads, build = Path(name), Path(name, "build")
         tool = _known(downloads / "setuptools.txt", SETUPTOOLS, SETUPTOOLS_HASH)
-        _run(*pip, "install", "--only-binary=:all:", "--target", str(build), *tool)
+        run_command(*pip, "install", "--only-binary=:all:", "--target", str(build), *tool)
         archive = _known(downloads / "dxc.txt", DXC_ARCHIVE, DXC_ARCHIVE_HASH)
         source_only = ("--no-build-isolation", "--no-binary", DXC_ARCHIVE.partition("==")[0])
-        _run(
+        run_command(
             *pip, "download", *source_only, "--dest", name, *archive,
             environment={"PYTHONPATH": str(build)},
         )  # fmt: skip
@@ -305,57 +295,6 @@ def _extract_dxc(archive: Path, folder: Path) -> None:
             raise InstallError(f"there is no DXC library for {platform.machine()} machines")
         with library, (folder / DXC_LIBRARY).open("wb") as target:
             shutil.copyfileobj(library, target)
-
-
-def _run(*command: str, environment: Mapping[str, str] = MappingProxyType({})) -> None:
-    """Run a command of an installer; print its output only if it fails."""
-    print("  " + " ".join(command), flush=True)
-    program = which(command[0])
-    if program is None:
-        raise InstallError(f"it needs {command[0]}, which is not on PATH")
-    process = subprocess.Popen(
-        (program, *command[1:]),
-        cwd=cache_folder(),  # Many of them read settings from the current folder and those above.
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        env={
-            **NETWORK_SETTINGS,
-            **isolated(),
-            "DEBIAN_FRONTEND": "noninteractive",
-            **environment,
-        },
-        start_new_session=True,
-    )
-    try:
-        output, _ = process.communicate(timeout=PATIENCE)
-    except subprocess.TimeoutExpired:
-        said = _ended(process)
-        raise InstallError(
-            f"{command[0]} did not end within {_minutes(PATIENCE)}, and was stopped: does the "
-            f"network answer?\n{said}"
-        ) from None
-    except BaseException:
-        _ended(process)
-        raise
-    if process.returncode != 0:
-        raise InstallError(f"{command[0]} ended with {process.returncode}:\n{output}")
-
-
-def _ended(process: subprocess.Popen[str]) -> str:
-    """Ask a command and its children to end, or kill them; returns their output."""
-    for number in (signal.SIGTERM, signal.SIGKILL):
-        with suppress(ProcessLookupError):
-            os.killpg(process.pid, number)
-        with suppress(subprocess.TimeoutExpired):
-            return process.communicate(timeout=GRACE)[0]
-    return ""
-
-
-def _minutes(seconds: float) -> str:
-    return f"{seconds / 60:g} minutes"
 
 
 INTO_CACHE: dict[str, Callable[[str, Path], None]] = {

@@ -40,4 +40,20 @@ class Extra:
         return install_command([self.name])
 
 
-Source = Debian | OwnInstaller | Extra
+@dataclass(frozen=True, slots=True)
+class Unstable:
+    """A package of Debian unstable, which ``unstable.py`` unpacks into the cache folder.
+
+    Unstable has one version of each package, which changes, and now and then what a package needs
+    is not there. So nobody can promise that the tool can be installed today: it may be missing, and
+    tests that need it are then skipped.
+    """
+
+    package: str
+
+    def command(self, tool: str) -> str:
+        """The command that a person types to install the tool."""
+        return f"python -m burnish.targets.toolchain.install {tool}"
+
+
+Source = Debian | OwnInstaller | Extra | Unstable

@@ -29,11 +29,12 @@ from .places import (
     libraries,
     vulkan_files,
 )
-from .sources import Debian, Extra, OwnInstaller, Source
+from .sources import Debian, Extra, OwnInstaller, Source, Unstable
 from .versions import (
     Version,
     browser_beside,
     in_folder_name,
+    of_debian_package,
     of_python_package,
     says,
     says_by_rustup,
@@ -92,6 +93,11 @@ class Tool:
         if isinstance(self.source, OwnInstaller):
             return f"{self.name}-{self.source.pinned}"
         return self.name
+
+    @property
+    def may_be_missing(self) -> bool:
+        """True if it cannot always be installed; nothing fails then but what was asked for it."""
+        return isinstance(self.source, Unstable)
 
     def find(self) -> Paths | None:
         """The paths of all its files, in the cache or on the system; ``None`` if one is missing."""
@@ -293,6 +299,30 @@ TOOLS: tuple[Tool, ...] = (
         version=says("--version", r"Chrom\w* (\d+(?:\.\d+)+)"),
         source=Debian(("chromium",)),
         minimum=(113,),  # the first with WebGPU
+    ),
+    Tool(
+        name="filament",
+        purpose="compiles materials of Filament; only tests need it",
+        place=Programs(("matc",)),
+        # It says no version of its own, but that of the materials that it writes.
+        version=says("--version", r"^(\d+)"),
+        source=Debian(("libfilament-tools",)),
+        minimum=(10,),  # the one of Debian 12, which is Filament 1.9.25
+    ),
+    Tool(
+        name="godot",
+        purpose="the engine Godot 4, which compiles and draws its shaders; only tests need it",
+        place=Programs(("godot",)),
+        version=says("--version", r"(\d+\.\d+(?:\.\d+)?)"),
+        source=Unstable("godot"),
+        minimum=(4, 4),  # the first whose shading language has all that is written for it
+    ),
+    Tool(
+        name="xvfb",
+        purpose="a display without a screen, on which godot draws",
+        place=Programs(("Xvfb",)),
+        version=of_debian_package("xvfb"),
+        source=Debian(("xvfb",)),
     ),
     _python_package("numpy", "render", "arrays, for the reference pictures"),
     _python_package("pillow", "render", "writes and reads pictures"),

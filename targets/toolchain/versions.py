@@ -13,6 +13,7 @@ from pathlib import Path
 from .limits import ASKED
 from .places import Paths
 from .process import run
+from .surroundings import which
 
 Version = Callable[[Paths], str | None]
 
@@ -94,6 +95,17 @@ def in_folder_name(paths: Paths) -> str | None:
 def of_python_package(name: str) -> Version:
     """Read the version from the metadata of an installed Python package."""
     return lambda _paths: installed_version(name)
+
+
+def of_debian_package(name: str) -> Version:
+    """Read the version of a program that does not say its own, from Debian's list of packages."""
+
+    def version(_paths: Paths) -> str | None:
+        program = which("dpkg-query")
+        command = [str(program), "--show", "--showformat", "${Version}", name]
+        return _said(command, r"(?:\d+:)?(\d+(?:\.\d+)*)") if program else None
+
+    return version
 
 
 def _said(command: list[str], pattern: str) -> str | None:

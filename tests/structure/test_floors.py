@@ -122,7 +122,18 @@ FLOORS: dict[str, str] = {
     # What hosts set, compute and bind, in their own languages.
     "bindings": "frozen ir packing documents reference tracing",
     # Engines.
-    "engines.engine": "frozen diagnostics documents emit",
+    "engines.slot_table": "frozen ir documents",
+    "engines.values": "frozen",
+    "engines.surface": "frozen diagnostics documents emit slot_table",
+    "engines.writer": "documents reflection emit surface values",
+    "engines.texts": "surface",
+    "engines.engine": "frozen diagnostics documents description emit",
+    "engines.godot": ("frozen ir documents description registry emit engine surface values writer"),
+    "engines.filament": (
+        "frozen ir documents description registry emit engine surface values writer"
+    ),
+    "engines.unity": "emit engine surface texts",
+    "engines.unreal": "emit engine surface texts",
     "engines.known": "engine",
     "engines.three": "frozen diagnostics documents emit engine",
     # The door.
@@ -144,6 +155,10 @@ FLOORS: dict[str, str] = {
     "api.compiling_functions": (
         "frozen garbage diagnostics inputs ir passes reflection frontend description legalise emit "
         "selection compiling specialising compiled_functions"
+    ),
+    "api.compiling_engines": (
+        "frozen diagnostics documents reflection engine slot_table compiled_functions "
+        "compiling_functions"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
@@ -167,7 +182,8 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points binding frame_sameness materialx bindings compiled_functions engine known"
+        "entry_points binding frame_sameness materialx bindings compiled_functions "
+        "compiling_engines engine known"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",

@@ -19,9 +19,11 @@ MEMORY_AIM = 1000
 REASONS = {
     "a folder that even root cannot write to": "only Linux has /proc",
     "this file system has no such names": "names that are not Unicode, which macOS refuses",
+    "not run: godot is not installed": "Debian unstable cannot always be installed from",
 }
 """The reasons for which a test may be skipped, and where that happens. A test whose tool is missing
-is not skipped: it fails."""
+is not skipped: it fails, unless nobody can promise that the tool can be installed today
+(``Tool.may_be_missing``)."""
 
 OUTPUT = "workeroutput"
 """The attribute in which pytest-xdist has what a worker sends to the main process."""

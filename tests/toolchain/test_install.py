@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from burnish.targets.toolchain import install
+from burnish.targets.toolchain import install, installer_commands
+from burnish.targets.toolchain.installer_commands import InstallError
 from burnish.targets.toolchain.tools import DXC_LIBRARY
 
 from ..suite.processes import LIMIT, until
@@ -27,7 +28,7 @@ def _good_install(_version: str, folder: Path) -> None:
 
 def _broken_install(_version: str, folder: Path) -> None:
     (folder / "half").write_text("of it")
-    raise install.InstallError("the line went dead")
+    raise InstallError("the line went dead")
 
 
 def _empty_install(_version: str, folder: Path) -> None:
@@ -217,7 +218,7 @@ wait
 def test_a_command_that_hangs_is_ended(
     no_tools: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(install, "PATIENCE", 1.2)
+    monkeypatch.setattr(installer_commands, "PATIENCE", 1.2)
     (no_tools / "npm").write_text(HANGS.format(folder=no_tools))
     (no_tools / "npm").chmod(0o755)
     monkeypatch.setenv("PATH", str(no_tools))

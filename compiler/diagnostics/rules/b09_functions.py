@@ -60,3 +60,9 @@ NO_SUCH_ENGINE = error(
     "no engine is called `{name}`",
     "`burnish compile --help` lists the engines.",
 )
+NO_SUCH_VALUE = error(
+    "B0911",
+    "engines take no value called `{name}`",
+    "`--slots base_color=stain` says which slot is a value that an engine takes; the page about "
+    "engines lists these values.",
+)

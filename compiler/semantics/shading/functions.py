@@ -13,7 +13,7 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
-from ...ir.functions import FunctionsAsked, FunctionsShader, SlotInfo, SurfaceInfo
+from ...ir.functions import FunctionsAsked, FunctionsShader, Offer, SlotInfo, SurfaceInfo
 from ...ir.leaves import Buffer, Leaf, Parameter, Texture
 from ...ir.node import Node, reachable
 from ...ir.operations import CROSS
@@ -32,7 +32,7 @@ from ...ir.types import Matrix, Scalar, Type, Vector
 from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.parameters import library_name, of_kind
-from ..inheritance.records import Record
+from ..inheritance.records import Definition, Record
 from ..lowering.outlining import lowered
 from ..state.scope import Failure
 from .assembly import Setting
@@ -108,7 +108,9 @@ def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The slots that are asked for; else those of the user's own records, and those of a model."""
     record, report = setting.surface.record, setting.ctx.report
     span = record.symbol.declaration.name.span
-    if not asked.slots:
+    if asked.offers:
+        yield from _offered(record, asked)
+    elif not asked.slots:
         for name in _slots_of(record):
             owner = record.definitions[name][0].owner
             is_model = bool(_word(record, name, asked)) and owner is not record.root
@@ -124,6 +126,36 @@ def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
         else:
             stage = STAGES[place] if place else _usual_stage(record, name, asked)
             yield _Slot(name, stage, is_named=True)
+
+
+def _offered(record: Record, asked: FunctionsAsked) -> Iterator[_Slot]:
+    """The offered slots that the material has."""
+    for offer in asked.offers:
+        found = record.definitions.get(offer.name)
+        if found is not None and _is_taken(record, offer, found[0]):
+            stage = VERTEX if offer.at_vertices else FRAGMENT
+            yield _Slot(offer.name, stage, is_named=False)
+
+
+def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
+    """True if a slot is an offered one, or a parameter that stands in the place of one.
+
+    A parameter of the library is no slot: the library's slots say what it is for.
+    """
+    declared = record.declaration(offer.name)
+    if isinstance(nearest.member, ast.Param):
+        is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
+    else:
+        is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
+    is_meant = offer.owner == library_name(declared.owner)
+    names = (offer.name, *offer.made_of)
+    return is_slot and is_meant and (not offer.changed or any(_changes(record, n) for n in names))
+
+
+def _changes(record: Record, name: str) -> bool:
+    """True if a slot is something else than where it is declared."""
+    found = record.definitions.get(name)
+    return found is not None and found[0] is not record.declaration(name)
 
 
 def _slots_of(record: Record) -> Sequence[str]:

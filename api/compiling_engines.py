@@ -1,0 +1,96 @@
+"""Compiles materials to the functions that an engine takes which lights surfaces itself.
+
+``entry_points.py`` calls ``functions_for`` for engines with a dialect of their own, which is no
+target, and ``compiling_functions.py`` makes the functions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from pathlib import Path
+
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import CompileError, Report
+from ..compiler.diagnostics.nearest import suggestion
+from ..compiler.documents.functions import FunctionRow, Functions
+from ..compiler.reflection.roles import scene_names
+from ..engines.engine import Engine
+from ..engines.slot_table import INPUTS, offers
+from ..support.frozen import EMPTY, changed
+from .compiled_functions import CompiledFunctions, FunctionsResult
+from .compiling_functions import AskedFunctions, functions_of
+
+
+def functions_for(
+    engine: Engine,
+    source: str | Path,
+    *,
+    material: str | None = None,
+    search_path: tuple[Path, ...] = (),
+    prefix: str | None = None,
+    values: tuple[tuple[str, str], ...] = (),
+    named: Mapping[str, str] = EMPTY,
+    only: Collection[str] = (),
+) -> FunctionsResult:
+    """The materials of a file as functions in an engine's dialect. Raises ``CompileError``.
+
+    ``named`` are slots that a user has named for a value of the engine: ``stain`` for
+    ``base_color``; ``only`` are the slots to which others are not added, if there are any. A
+    material without anything that an engine could light is left out.
+    """
+    assert engine.dialect is not None
+    _check_words(named)
+    asked = AskedFunctions(
+        targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
+        together=False, prefix=prefix, values=values,
+        offers=offers(scene_names()["slots"], named, only), languages=(engine.dialect(),),
+    )  # fmt: skip
+    found = functions_of(asked)
+    _check_slots(found, (*named.values(), *only))
+    roles = {slot: word for word, slot in named.items()}
+    return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
+
+
+def _check_words(named: Mapping[str, str]) -> None:
+    known = [row.name for row in INPUTS]
+    report = Report()
+    for word in named:
+        if word not in known:
+            hint = suggestion(word, known) or f"there are {', '.join(known)}"
+            report.add(rules.NO_SUCH_VALUE, None, name=word, hint=hint)
+    if report.failed:
+        raise CompileError(report.diagnostics)
+
+
+def _check_slots(found: FunctionsResult, wanted: Collection[str]) -> None:
+    """Raise ``CompileError`` if no material has a slot that was named."""
+    report = Report()
+    functions = [row for each in found for row in each.document.functions]
+    known = [slot.name for row in functions for slot in row.slots]
+    names = "`, `".join(each.name for each in found)
+    for slot in wanted:
+        if slot not in known:
+            report.add(
+                rules.NO_SUCH_SLOT, None, name=names, slot=slot, hint=suggestion(slot, known)
+            )
+    if report.failed:
+        raise CompileError(report.diagnostics)
+
+
+def _with_roles(material: CompiledFunctions, roles: Mapping[str, str]) -> CompiledFunctions:
+    """A material whose slots have the roles that a user gives them; no others have these."""
+    if not roles:
+        return material
+
+    def row(function: FunctionRow) -> FunctionRow:
+        slots = []
+        for slot in function.slots:
+            role = None if slot.role in roles.values() else slot.role
+            slots.append(changed(slot, role=roles.get(slot.name, role)))
+        return changed(function, slots=tuple(slots))
+
+    def document() -> Functions:
+        made = material.document
+        return changed(made, functions=tuple(map(row, made.functions)))
+
+    return CompiledFunctions(material.name, material.files, document)

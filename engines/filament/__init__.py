@@ -1,0 +1,1 @@
+"""Filament: a material as a material definition, which its compiler ``matc`` takes."""

@@ -1,0 +1,1 @@
+"""Godot 4: a material as a shader of the kind ``spatial``."""

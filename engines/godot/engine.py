@@ -1,0 +1,16 @@
+"""The row of Godot 4, which the registry of engines loads."""
+
+from __future__ import annotations
+
+from ..engine import Engine
+from ..surface import writing
+from .language import language
+from .shader import shader
+
+ENGINE = Engine(
+    name="godot",
+    title="Godot 4",
+    targets=(),
+    write=writing("Godot", "gdshader", shader),
+    dialect=language,
+)

@@ -1,0 +1,100 @@
+"""What engines light a surface by, and the slots of materials in which it is found: one table.
+
+``stdlib/scene.toml`` says what the library's own slots are. Materials may call theirs as they like:
+the table has the names of the library's models and terms, and whoever uses other names says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+
+from ..compiler.documents.functions import SlotRow
+from ..compiler.ir.functions import Offer
+from ..support.frozen import frozen
+
+
+@frozen
+class Input:
+    """A value by which an engine lights a surface."""
+
+    name: str
+    """The engines' word for it, which is the role of slots of the library."""
+    own: tuple[str, ...] = ()
+    """Slots or parameters of a user's own in which it may be; the first that there is is taken."""
+    at_vertices: bool = False
+    """True if it is computed for vertices."""
+    changed: bool = False
+    """True if it counts only where the material says something else than the library.
+
+    An engine has the mesh's place and normal itself.
+    """
+
+    made_of: tuple[str, ...] = ()
+    """Slots of which the library makes it, so that a change of these counts as well."""
+
+    @property
+    def stage(self) -> str:
+        """The stage for which it is computed."""
+        return "vertex" if self.at_vertices else "fragment"
+
+    def offers(self, words: Mapping[str, str]) -> Iterator[Offer]:
+        """What the core is asked for; ``words`` are the roles of slots of the library."""
+        for full, word in words.items():
+            if word == self.name:
+                owner, _, name = full.rpartition(".")
+                yield Offer(name, self.at_vertices, owner, self.changed, self.made_of)
+        for name in self.own:
+            yield Offer(name, self.at_vertices)
+
+    def rank(self, slot: SlotRow) -> int | None:
+        """The place of a slot among those that may be this value; ``None`` if it is not one."""
+        if slot.role is not None:
+            return 0 if slot.role == self.name else None
+        return 1 + self.own.index(slot.name) if slot.name in self.own else None
+
+
+COLOR = "color"
+"""The light that a surface sends out: of a surface that no lights are needed for."""
+
+MOVED = ("object_drawn", "object_place", "object_pose", "object_shape")
+"""The slots of the library in which a material moves the points of a mesh."""
+
+INPUTS: tuple[Input, ...] = (
+    Input("base_color", ("base_color", "albedo", "tint", "kd", "base")),
+    Input("metallic", ("metallic", "metalness")),
+    Input("roughness", ("roughness",)),
+    Input("squared_roughness"),
+    Input("clearcoat", ("clearcoat",)),
+    Input("clearcoat_roughness", ("clearcoat_roughness",)),
+    Input("emissive", ("emissive", "emission")),
+    Input("emissive_strength"),
+    Input("occlusion", ("occlusion",)),
+    Input("normal", changed=True, made_of=MOVED),
+    Input("alpha", changed=True),
+    Input("is_hidden", changed=True),
+    Input(COLOR, changed=True),
+    Input("position", at_vertices=True, changed=True, made_of=MOVED),
+    Input("clip_position", at_vertices=True, changed=True),
+    Input("object_position", at_vertices=True, changed=True),
+    Input("object_normal", at_vertices=True, changed=True),
+)
+
+LIT = frozenset({
+    "base_color", "metallic", "roughness", "squared_roughness", "clearcoat", "emissive",
+    "occlusion", "normal",
+})  # fmt: skip
+"""A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
+
+
+def offers(
+    words: Mapping[str, str], named: Mapping[str, str], only: Collection[str]
+) -> tuple[Offer, ...]:
+    """All slots that engines can use, or ``only`` some of them, if it has any.
+
+    ``words`` are the roles of slots of the library, and ``named`` slots that a user has named for
+    a value, such as ``stain`` for ``base_color``.
+    """
+    found = [offer for row in INPUTS for offer in row.offers(words)]
+    places = {row.name: row.at_vertices for row in INPUTS}
+    found = [offer for offer in found if not only or offer.name in only]
+    return (*found, *(Offer(slot, places[word]) for word, slot in named.items()))

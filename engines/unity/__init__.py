@@ -1,0 +1,1 @@
+"""Unity: a material as functions for Custom Function nodes of its Shader Graph."""

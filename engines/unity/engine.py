@@ -1,0 +1,15 @@
+"""The row of Unity, which the registry of engines loads."""
+
+from __future__ import annotations
+
+from ..engine import Engine
+from ..surface import writing
+from .functions import functions
+
+ENGINE = Engine(
+    name="unity",
+    title="Unity",
+    targets=("hlsl",),
+    write=writing("Unity", "hlsl", functions),
+    unproven="never compiled by Unity's own compiler",
+)

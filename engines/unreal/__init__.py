@@ -1,0 +1,1 @@
+"""Unreal Engine: a material as functions for Custom nodes of its material editor."""
