@@ -15,7 +15,7 @@ _MASK = {"r": 1, "g": 2, "b": 4, "a": 8}
 
 
 def sampler(material: Material, texture: str) -> Mapping[str, Any] | None:
-    """The state of the sampler of a texture as a ``GPUSamplerDescriptor``; none if none reads it."""
+    """The sampler of a texture as a ``GPUSamplerDescriptor``; none if nothing reads it."""
     rows = (each for each in material.reflection.samplers if each.texture == texture)
     if (row := next(rows, None)) is None:
         return None

@@ -64,7 +64,8 @@ export function answer({ turns, refused, reflections }: Given): unknown {
     try {
       found[name] = JSON.parse(JSON.stringify(value), (_, each) => each === "NaN" ? NaN : each);
     } catch (error) {
-      return [error instanceof RangeError, String(found.bytes) === before, (error as Error).message];
+      const { message } = error as Error;
+      return [error instanceof RangeError, String(found.bytes) === before, message];
     }
     return [];
   });
@@ -82,7 +83,8 @@ export async function host(device: GPUDevice, module: GPUShaderModule): Promise<
   device.queue.writeBuffer(buffer, 0, rig.bytes);
   const sampler = plastic.plastic.textures.albedo.sampler;
   device.createSampler(sampler);
-  const bindGroupLayouts = webgpu.bindGroupLayouts.map((each) => device.createBindGroupLayout(each));
+  const bindGroupLayouts = webgpu.bindGroupLayouts.map((each) =>
+    device.createBindGroupLayout(each));
   return device.createRenderPipelineAsync({
     layout: device.createPipelineLayout({ bindGroupLayouts }),
     vertex: { module, buffers: webgpu.vertexBuffers },
