@@ -90,6 +90,7 @@ FLOORS: dict[str, str] = {
         "frozen watching stdlib diagnostics ir layout formula reference expansion_templates"
     ),
     "compiler.tracing": "",
+    "compiler.javascript": "",
     "compiler.equivalence": "frozen stdlib diagnostics ir reference",
     "compiler.reflection": (
         "frozen stdlib precomputed diagnostics constraints ir packing documents promises planning "
@@ -107,7 +108,7 @@ FLOORS: dict[str, str] = {
     "targets.selection": "diagnostics description registry availability",
     "targets.binding_schemes": "frozen diagnostics inputs ir syntax description",
     "targets.web_host.serving": (
-        "frozen stdlib precomputed constraints ir documents reference tracing"
+        "frozen stdlib precomputed constraints ir documents reference tracing javascript"
     ),
     "targets.runner": (
         "frozen garbage stdlib arguments cache diagnostics srgb units ir documents promises "
@@ -120,7 +121,7 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # What hosts set, compute and bind, in their own languages.
-    "bindings": "frozen ir packing documents reference tracing",
+    "bindings": "frozen ir packing documents reference tracing javascript",
     # Engines.
     "engines.slot_table": "frozen ir documents",
     "engines.values": "frozen",

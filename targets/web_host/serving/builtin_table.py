@@ -83,6 +83,7 @@ export const WHOLE = """
 _LETTERS = "xyzw"
 _PACKAGE = Path(__file__).parents[3]
 _SOURCES = (
+    "compiler/javascript.py",
     "compiler/tracing.py",
     "compiler/reference",
     "stdlib/builtins",

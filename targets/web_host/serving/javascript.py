@@ -10,19 +10,22 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from ....compiler.javascript import MATH
 from ....compiler.tracing import Expression, shared, wrapped
 
+_PAIRS = {"mul_int", "minimum", "maximum", "power", "arctan2"}
+"""The functions of ``Math`` of two numbers."""
+
 _FORMS: Mapping[str, str] = {
+    **{op: f"{name}({{}}, {{}})" if op in _PAIRS else f"{name}({{}})" for op, name in MATH.items()},
     "add": "{} + {}",
     "sub": "{} - {}",
     "mul": "{} * {}",
-    "mul_int": "Math.imul({}, {})",
     "div": "{} / {}",
     "floordiv": "Math.floor({} / {})",
     "mod": "remainder({}, {})",
     "remainder": "remainder({}, {})",
     "neg": "-{}",
-    "abs": "Math.abs({})",
     "lt": "{} < {}",
     "le": "{} <= {}",
     "gt": "{} > {}",
@@ -38,36 +41,13 @@ _FORMS: Mapping[str, str] = {
     "lshift": "{} * 2 ** {}",
     "rshift": "Math.floor({} / 2 ** {})",
     "where": "{} ? {} : {}",
-    "minimum": "Math.min({}, {})",
-    "maximum": "Math.max({}, {})",
     "float64": "{}",
     "int64": "whole({})",
     "logical_and": "{} && {}",
     "logical_or": "{} || {}",
     "logical_not": "!{}",
-    "floor": "Math.floor({})",
-    "ceil": "Math.ceil({})",
     "rint": "nearest({})",
-    "trunc": "Math.trunc({})",
-    "sqrt": "Math.sqrt({})",
-    "power": "Math.pow({}, {})",
-    "exp": "Math.exp({})",
     "exp2": "Math.pow(2, {})",
-    "log": "Math.log({})",
-    "log2": "Math.log2({})",
-    "sin": "Math.sin({})",
-    "cos": "Math.cos({})",
-    "tan": "Math.tan({})",
-    "arcsin": "Math.asin({})",
-    "arccos": "Math.acos({})",
-    "arctan": "Math.atan({})",
-    "arctan2": "Math.atan2({}, {})",
-    "sinh": "Math.sinh({})",
-    "cosh": "Math.cosh({})",
-    "tanh": "Math.tanh({})",
-    "arcsinh": "Math.asinh({})",
-    "arccosh": "Math.acosh({})",
-    "arctanh": "Math.atanh({})",
     "ldexp": "{} * 2 ** {}",
     "fraction": "fractionOf({})",
     "exponent": "exponentOf({})",

@@ -1,0 +1,47 @@
+"""Describes TypeScript as a language of hosts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..folding import Style
+from ..host_language import HostLanguage
+from ..naming import camel, pascal
+from ..spelling import Manner
+from .printer import TypeScriptPrinter
+from .texts import texts
+
+_KEYWORDS = """
+    abstract any arguments as async await bigint boolean break case catch class const continue
+    debugger declare default delete do else enum eval export extends false finally for from function
+    get if implements import in infer instanceof interface is keyof let module namespace never new
+    null number object of package private protected public readonly require return satisfies set
+    static string super switch symbol this throw true try type typeof undefined unique unknown var
+    void while with yield
+"""
+_OF_SKELETON = """
+    Array ArrayLike Block BlockClass Bound Float32Array Infinity Int32Array LAYOUT_ID Lanes Map
+    Material Math NaN Number Numbers Object Omit Partial PipelineState Profile RangeError Record
+    SIZE Target Text Texture Uint32Array Uint8Array VertexInput bytes checked constructor counted
+    elements exponentOf f32 finite hasOwnProperty i32 integer isPrototypeOf lanesOf materials
+    nearest propertyIsEnumerable prototype remainder reset stale store toLocaleString toString u32
+    value valueOf values whole
+"""
+"""Words of the skeleton, and those that objects have themselves."""
+
+LANGUAGE = HostLanguage(
+    name="typescript",
+    title="TypeScript",
+    extension="ts",
+    skeleton=Path(__file__).with_name("binding.ts.j2"),
+    printer=TypeScriptPrinter,
+    texts=texts,
+    style=Style(comments=("//",), last_comma=True, indent="  "),
+    manner=Manner(
+        reserved=frozenset((*_KEYWORDS.split(), *_OF_SKELETON.split())),
+        type_case=pascal,
+        function_case=camel,
+        value_case=camel,
+        constant_case=camel,
+    ),
+)

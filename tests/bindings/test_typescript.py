@@ -1,0 +1,268 @@
+"""Bindings in TypeScript: tsc accepts them when it is strict, and node runs what it makes of them.
+
+One program has the blocks of all examples. It reads values, and writes the bytes of each block.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cache
+from typing import Any, NamedTuple
+
+import pytest
+
+import burnish
+from burnish.bindings import registry
+from burnish.bindings.fields import Field, Structure
+from burnish.bindings.model import Block
+from burnish.bindings.spelling import Spelling
+from burnish.bindings.writing import deriving, spelling_of, written
+from burnish.targets.toolchain.tools import program
+
+from ..suite.processes import run
+from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
+from .kit import EXAMPLES, Sample, defaults, difference, everything, samples
+
+pytestmark = pytest.mark.xdist_group("bindings")
+
+PLASTIC = EXAMPLES / "plastic.burnish"
+_OPTIONS = {
+    "target": "es2022",
+    "module": "es2022",
+    "moduleResolution": "bundler",
+    "lib": ["es2022", "dom"],
+    "types": [],
+    "strict": True,
+    "noUncheckedIndexedAccess": True,
+    "exactOptionalPropertyTypes": True,
+    "erasableSyntaxOnly": True,
+    "verbatimModuleSyntax": True,
+    "noImplicitOverride": True,
+    "noImplicitReturns": True,
+}
+_HEAD = """\
+import * as examples from "./examples.js";
+import * as builtins from "./builtins.js";
+import * as plastic from "./plastic.js";
+import * as web from "./web.js";
+type Turn = { name: string; values?: object; sources?: number[] };
+type Refused = { block: string; name: string; value: unknown };
+type Given = { turns: Turn[]; refused: Refused[]; reflections: never[] };
+type Anything = Record<string, any>;
+
+export function answer({ turns, refused, reflections }: Given): unknown {
+  const made: examples.Block[] = [];
+  const all: Anything = { ...examples, ...builtins };
+  for (const { name, values, sources } of turns) {
+    made.push(sources ? all[name](...sources.map((each) => made[each])) : new all[name](values));
+  }
+  const bytes = made.map((each) => Array.from(each.bytes));
+  const told = refused.map(({ block, name, value }) => {
+    const found = new (plastic as Anything)[block]();
+    const before = String(found.bytes);
+    try {
+      found[name] = JSON.parse(JSON.stringify(value), (_, each) => each === "NaN" ? NaN : each);
+    } catch (error) {
+      const { message } = error as Error;
+      return [error instanceof RangeError, String(found.bytes) === before, message];
+    }
+    return [];
+  });
+  const stale = reflections.map((each) => plastic.stale(plastic.plastic, each) ?? "");
+  const texts = plastic.plastic.profiles["wgsl:webgpu"].texts.map(({ text }) => text);
+  return { bytes, told, stale, texts };
+}
+
+/** What a host of WebGPU writes: the descriptors fit as they are. */
+export async function host(device: GPUDevice, module: GPUShaderModule): Promise<GPURenderPipeline> {
+  const { webgpu } = plastic.plastic;
+  const rig = new plastic.Rig({ torchPlace: [0, 3, 0] });
+  rig.lamps = [{ place: [0, 2, 1] }, new plastic.Point({ place: new Float64Array(3) })];
+  const buffer = device.createBuffer({ size: plastic.Rig.SIZE, usage: GPUBufferUsage.UNIFORM });
+  device.queue.writeBuffer(buffer, 0, rig.bytes);
+  const sampler = plastic.plastic.textures.albedo.sampler;
+  device.createSampler(sampler);
+  const bindGroupLayouts = webgpu.bindGroupLayouts.map((each) =>
+    device.createBindGroupLayout(each));
+  return device.createRenderPipelineAsync({
+    layout: device.createPipelineLayout({ bindGroupLayouts }),
+    vertex: { module, buffers: webgpu.vertexBuffers },
+    fragment: { module, targets: webgpu.targets },
+    primitive: webgpu.primitive,
+    depthStencil: { ...webgpu.depthStencil, format: "depth24plus" },
+    multisample: webgpu.multisample,
+  });
+}
+
+/** What a host of WebGL writes. */
+export function bound(gl: WebGL2RenderingContext, program: WebGLProgram): void {
+  for (const { kind, identifier } of web.plastic.profiles["glsl:es300"].bound) {
+    if (kind === "uniform") gl.getUniformBlockIndex(program, identifier);
+  }
+}
+"""
+
+
+class Told(NamedTuple):
+    """What the program answers."""
+
+    bytes: list[bytes]
+    told: list[list[Any]]
+    stale: list[str]
+    texts: list[str]
+
+
+@cache
+def _spelling() -> Spelling:
+    return spelling_of(everything(), registry.load("typescript"))
+
+
+def _values(fields: tuple[Field, ...], values: Any, spelling: Spelling) -> dict[str, Any]:
+    """Values as a host gives them; the count of an array is set behind it."""
+    pairs = zip(fields, values, strict=True)
+    return {spelling.member(field.word): _host(field, one, spelling) for field, one in pairs}
+
+
+def _host(field: Field, value: Any, spelling: Spelling) -> Any:
+    if field.capacity:
+        return [_element(field, each, spelling) for each in value]
+    return _element(field, value, spelling)
+
+
+def _element(field: Field, value: Any, spelling: Spelling) -> Any:
+    if isinstance(field.type, Structure):
+        return _values(field.type.fields, value, spelling)
+    if field.type.columns:
+        return [lane for column in value for lane in column]
+    return value if field.type.lanes > 1 else value[0]
+
+
+def _turns() -> Iterator[dict[str, Any]]:
+    """The blocks to make, in the order of the samples, the defaults, and the rounds of builtins."""
+    known: dict[tuple[str, int, str], int] = {}
+    for number, sample in enumerate(samples()):
+        if sample.block.derivation is None:
+            known[sample.material, sample.seed, sample.block.plain_name] = number
+            yield _given(sample.block, sample.values, _spelling())
+        else:
+            sources = [known[sample.material, sample.seed, each] for each in sample.sources]
+            yield {"name": _spelling().function(deriving(sample.block)), "sources": sources}
+    for block, _ in defaults():
+        yield {"name": _spelling().type(block.name)}
+    binding, _ = every_builtin()
+    spelling = spelling_of(binding, registry.load("typescript"))
+    first = len(samples()) + sum(1 for _ in defaults())
+    for seed in range(ROUNDS):
+        yield _given(binding.blocks[0], operands(seed), spelling)
+        yield {"name": "deriveResults", "sources": [first + 2 * seed]}
+
+
+def _given(block: Block, values: dict[str, Any], spelling: Spelling) -> dict[str, Any]:
+    fields = block.structure.fields
+    given = _values(fields, [values[field.word] for field in fields], spelling)
+    return {"name": spelling.type(block.name), "values": given}
+
+
+REFUSED = (
+    ("PlasticMaterial", "power", 600, "`power` is declared in 1..512: 600 is not"),
+    ("PlasticMaterial", "base", [1, 2], "`base` takes 3 numbers, not 2"),
+    ("PlasticMaterial", "shine", [1, "NaN", 0], "`shine` takes finite numbers: NaN is not"),
+    ("Rig", "torchAxis", [0, 2, 0], "`torchAxis` has to be of length 1, not 2"),
+    ("Rig", "lampsCount", 1.5, "`lampsCount` takes whole numbers: 1.5 is not"),
+    ("Rig", "lampsCount", 9, "`lampsCount` is declared in 0..8: 9 is not"),
+    ("Rig", "lamps", [{}] * 9, "`lamps` takes at most 8 elements, not 9"),
+    ("Rig", "lamps", [{"place": [0, 0, 0]}, {"place": [1]}], "`place` takes 3 numbers, not 1"),
+)  # fmt: skip
+
+
+def _reflections() -> list[Any]:
+    """The reflection of the binding, one with another layout, and one with another block."""
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    found = [json.loads(json.dumps(burnish.to_json(material.reflection))) for _ in range(3)]
+    next(row for row in found[1]["blocks"] if row["name"] == "Rig")["layout_id"] = "0"
+    found[2]["blocks"].append({"name": "Fog", "layout_id": "1"})
+    return found
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
+    """What the program tells, once tsc has accepted it."""
+    folder = tmp_path_factory.mktemp("typescript")
+    language = registry.load("typescript")
+    texts = {
+        "examples": written(everything(), language),
+        "builtins": written(every_builtin()[0], language),
+        "plastic": burnish.bind(PLASTIC, "typescript", "wgsl", embed=True),
+        "web": burnish.bind(PLASTIC, "typescript", "glsl:es300"),
+        "main": _HEAD,
+    }
+    for name, text in texts.items():
+        (folder / f"{name}.ts").write_text(text, "utf-8")
+    (folder / "package.json").write_text('{"type": "module"}', "utf-8")
+    options = {"compilerOptions": _OPTIONS, "include": ["*.ts"]}
+    (folder / "tsconfig.json").write_text(json.dumps(options), "utf-8")
+    node, compiler = program("node", "node"), program("typescript", "tsc")
+    assert node is not None
+    assert compiler is not None
+    done = run([str(node), str(compiler), "-p", str(folder)])
+    assert done.returncode == 0, done.stdout[:4000]
+    given = {
+        "turns": list(_turns()),
+        "refused": [dict(zip(("block", "name", "value"), row[:3], strict=True)) for row in REFUSED],
+        "reflections": _reflections(),
+    }
+    (folder / "given.json").write_text(json.dumps(given), "utf-8")
+    script = (
+        'import { readFileSync } from "node:fs"; import { answer } from "./main.js";'
+        'console.log(JSON.stringify(answer(JSON.parse(readFileSync("given.json", "utf-8")))));'
+    )
+    (folder / "run.js").write_text(script, "utf-8")
+    done = run([str(node), "run.js"], cwd=folder)
+    assert done.returncode == 0, done.stderr[:4000]
+    found = json.loads(done.stdout)
+    return Told(**(found | {"bytes": [bytes(each) for each in found["bytes"]]}))
+
+
+def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: Told) -> None:
+    def wrong(sample: Sample, found: bytes) -> str:
+        text = difference(sample.expected, found)
+        return text and f"{sample.block.name} of {sample.material}, {sample.seed}: {text}"
+
+    found = zip(samples(), told.bytes[: len(samples())], strict=True)
+    assert not [text for each in found if (text := wrong(*each))]
+
+
+def test_blocks_begin_with_their_defaults(told: Told) -> None:
+    found = zip(defaults(), told.bytes[len(samples()) : -2 * ROUNDS], strict=True)
+    assert not [block.name for (block, expected), bytes_ in found if bytes_ != expected]
+
+
+def test_builtins_mean_what_they_do_in_the_reference(told: Told) -> None:
+    wrong = []
+    for seed, block in enumerate(told.bytes[-2 * ROUNDS :][1::2]):
+        values = operands(seed)
+        for row in every_builtin()[1]:
+            pair = expected(row, values), stored(row, block)
+            if not all(is_close(*each) for each in zip(*pair, strict=True)):
+                given = [values[field.word] for field, _ in row.operands]
+                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
+    assert not wrong, "\n".join(wrong[:20])
+
+
+def test_values_that_break_a_promise_are_refused_and_nothing_changes(told: Told) -> None:
+    assert told.told == [[True, True, sentence] for *_, sentence in REFUSED]
+
+
+def test_a_stale_binding_is_told(told: Told) -> None:
+    stale = "the binding of Plastic is stale: "
+    assert told.stale == [
+        "",
+        f"{stale}`Rig` has another layout; run `burnish bind` again",
+        f"{stale}it lacks `Fog`; run `burnish bind` again",
+    ]
+
+
+def test_texts_are_embedded(told: Told) -> None:
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    assert told.texts == [file.text for file in material.files]
