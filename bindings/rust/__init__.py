@@ -1,0 +1,1 @@
+"""Bindings in Rust: a module with structures whose offsets the compiler checks."""

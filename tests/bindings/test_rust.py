@@ -1,0 +1,222 @@
+"""Bindings in Rust: rustc accepts them without a warning, and their bytes are those of the runtime.
+
+One program has the blocks of all examples. It reads numbers, and writes the bytes of each block.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import burnish
+from burnish.bindings import registry
+from burnish.bindings.fields import Field, Numbers, Structure
+from burnish.bindings.model import Block
+from burnish.bindings.spelling import Spelling
+from burnish.bindings.writing import deriving, spelling_of, written
+
+from ..comparers.kit import tool
+from ..suite.processes import run
+from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
+from .kit import Sample, defaults, difference, everything, samples
+from .test_own import PLASTIC
+
+pytestmark = pytest.mark.xdist_group("bindings")
+
+_STRICT = ("--edition", "2021", "-D", "warnings")
+_HEAD = """\
+mod builtins;
+mod examples {
+    include!("examples.rs");
+}
+mod plastic;
+
+use examples::*;
+
+/// The 32 bits of each number, one in each line.
+struct Numbers(std::io::Lines<std::io::StdinLock<'static>>);
+
+impl Numbers {
+    fn next(&mut self) -> u32 {
+        let line = self.0.next().unwrap().unwrap();
+        u32::from_str_radix(&line, 16).unwrap()
+    }
+    fn float(&mut self) -> f32 {
+        f32::from_bits(self.next())
+    }
+    fn int(&mut self) -> i32 {
+        self.next() as i32
+    }
+    fn uint(&mut self) -> u32 {
+        self.next()
+    }
+}
+
+fn tell(bytes: Vec<u8>) {
+    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+    println!("{}", digits.concat());
+}
+"""
+_PLASTIC = """\
+fn checked() {
+    use plastic::{Point, Rig, PLASTIC};
+    let mut rig = Rig::default();
+    let before = rig;
+    assert_eq!(rig.set_lamps(&[Point::DEFAULT; 9]), Err("`lamps` takes at most 8 elements"));
+    assert_eq!(rig, before);
+    let lamp = Point { place: [1.0, 2.0, 3.0], ..Point::DEFAULT };
+    assert_eq!(rig.set_lamps(&[lamp; 2]), Ok(()));
+    assert_eq!((rig.lamps_count, rig.lamps[1], rig.lamps[2]), (2, lamp, Point::DEFAULT));
+    assert_eq!(rig.check(), Ok(()));
+    rig.torch_inner = f32::NAN;
+    assert_eq!(rig.check(), Err("`torch.inner` is declared in 0 to 1.5708"));
+    rig = Rig { torch_axis: [0.0, 2.0, 0.0], ..before };
+    assert_eq!(rig.check(), Err("`torch.axis` has to be of length 1"));
+
+    let reflection = include_str!("Plastic.json");
+    let stale = |text: &str| PLASTIC.check(text).unwrap_err().to_string();
+    assert_eq!(PLASTIC.check(reflection), Ok(()));
+    assert_eq!(
+        stale(&reflection.replace(PLASTIC.layout_ids[1], "0")),
+        "the binding is stale: a block has another layout; run `burnish bind` again"
+    );
+    let texts = PLASTIC.profiles[0].texts;
+    assert_eq!(texts[0].text, Some(include_str!("Plastic.vert.wgsl")));
+    assert_eq!(texts[1].text, Some(include_str!("Plastic.frag.wgsl")));
+}
+"""
+
+
+@cache
+def _spelling() -> Spelling:
+    return spelling_of(everything(), registry.load("rust"))
+
+
+def _reads(field: Field, place: str, spelling: Spelling) -> Iterator[str]:
+    """The statements that read a field, or what is at its place."""
+    if field.capacity:
+        yield f"for i in 0..{field.capacity} {{"
+        yield from _reads_value(field.type, f"{place}[i]", spelling)
+        yield "}"
+    else:
+        yield from _reads_value(field.type, place, spelling)
+
+
+def _reads_value(type_: Numbers | Structure, place: str, spelling: Spelling) -> Iterator[str]:
+    if isinstance(type_, Structure):
+        for field in type_.fields:
+            yield from _reads(field, f"{place}.{spelling.member(field.word)}", spelling)
+        return
+    for column in range(type_.columns) or [None]:
+        whole = place if column is None else f"{place}[{column}]"
+        lanes = [""] if type_.lanes == 1 else [f"[{lane}]" for lane in range(type_.lanes)]
+        yield from (f"{whole}{lane} = numbers.{type_.kind}();" for lane in lanes)
+
+
+def _reader(block: Block, spelling: Spelling, module: str) -> str:
+    name = spelling.type(block.name)
+    lines = [f"fn read_{module}_{name}(numbers: &mut Numbers) -> {module}::{name} {{"]
+    lines.append(f"let mut block = {module}::{name}::default();")
+    for field in block.structure.fields:
+        lines += _reads(field, f"block.{spelling.member(field.word)}", spelling)
+    return "\n".join(["#[allow(nonstandard_style)]", *lines, "block", "}", ""])
+
+
+def _program() -> str:
+    """The program that reads all samples in their order, and then tells the defaults."""
+    readers = [
+        _reader(each, _spelling(), "examples")
+        for each in everything().blocks
+        if each.derivation is None
+    ]
+    binding, _ = every_builtin()
+    spelling = spelling_of(binding, registry.load("rust"))
+    readers.append(_reader(binding.blocks[0], spelling, "builtins"))
+    turns: list[str] = []
+    known: dict[tuple[str, int, str], str] = {}
+    for number, sample in enumerate(samples()):
+        name = _spelling().type(sample.block.name)
+        if sample.block.derivation is None:
+            known[sample.material, sample.seed, sample.block.plain_name] = f"b{number}"
+            turns.append(f"let b{number} = read_examples_{name}(numbers);")
+            turns.append(f"tell(b{number}.bytes());")
+        else:
+            sources = [f"&{known[sample.material, sample.seed, each]}" for each in sample.sources]
+            function = _spelling().function(deriving(sample.block))
+            turns.append(f"tell({function}({', '.join(sources)}).bytes());")
+    turns += [f"tell({_spelling().type(block.name)}::DEFAULT.bytes());" for block, _ in defaults()]
+    turn = "tell(builtins::derive_results(&read_builtins_Operands(numbers)).bytes());"
+    builtins = f"fn all_builtins(numbers: &mut Numbers) {{\nuse builtins::Bytes;\n{turn}\n}}\n"
+    turns += ["all_builtins(numbers);"] * ROUNDS
+    begin = "let numbers = &mut Numbers(std::io::stdin().lines());"
+    main = "\n".join(["fn main() {", "checked();", begin, *turns, "}", ""])
+    return _HEAD + _PLASTIC + "".join(readers) + builtins + main
+
+
+def _numbers(value: Any) -> Iterator[str]:
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _numbers(each)
+    elif isinstance(value, float):
+        yield struct.pack(">f", value).hex()
+    else:
+        yield f"{int(value) & 0xFFFFFFFF:x}"
+
+
+def _input() -> str:
+    given = (sample for sample in samples() if sample.block.derivation is None)
+    values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
+    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
+    """The bytes of all blocks, as the program tells them."""
+    folder = tmp_path_factory.mktemp("rust")
+    language = registry.load("rust")
+    texts = {
+        "examples.rs": written(everything(), language),
+        "builtins.rs": written(every_builtin()[0], language),
+        "plastic.rs": burnish.bind(PLASTIC, "rust", "wgsl", embed=True),
+        "main.rs": _program(),
+    }
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    texts |= {file.name: file.text for file in material.files}
+    texts["Plastic.json"] = json.dumps(burnish.to_json(material.reflection))
+    for name, text in texts.items():
+        (folder / name).write_text(text, "utf-8")
+    run([tool("rustc", "rustc"), *_STRICT, "main.rs"], cwd=folder, limit=600, check=True)
+    lines = run([str(folder / "main")], text=_input(), check=True).stdout.splitlines()
+    return [bytes.fromhex(line) for line in lines]
+
+
+def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: list[bytes]) -> None:
+    def wrong(sample: Sample, found: bytes) -> str:
+        text = difference(sample.expected, found)
+        return text and f"{sample.block.name} of {sample.material}, {sample.seed}: {text}"
+
+    found = zip(samples(), told[: len(samples())], strict=True)
+    assert not [text for each in found if (text := wrong(*each))]
+
+
+def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
+    found = zip(defaults(), told[len(samples()) : -ROUNDS], strict=True)
+    assert not [block.name for (block, expected), bytes_ in found if bytes_ != expected]
+
+
+def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
+    wrong = []
+    for seed, block in enumerate(told[-ROUNDS:]):
+        values = operands(seed)
+        for row in every_builtin()[1]:
+            pair = expected(row, values), stored(row, block)
+            if not all(is_close(*each) for each in zip(*pair, strict=True)):
+                given = [values[field.word] for field, _ in row.operands]
+                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
+    assert not wrong, "\n".join(wrong[:20])
