@@ -74,7 +74,7 @@ def _resource(material: Material, bound: Bound) -> Mapping[str, Any]:
         return {"buffer": {"type": kind}}
     if bound.kind == "image":
         (row,) = [each for each in material.reflection.targets if each.name == bound.name]
-        return {"storageTexture": {"access": "write-only", "format": row.format}}
+        return {"storageTexture": {"access": "write-only", "format": to_json(row)["format"]}}
     (texture,) = [each for each in material.reflection.textures if each.name == bound.name]
     layout = to_json(texture.layout)
     if bound.kind == "sampler":
