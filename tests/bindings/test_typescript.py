@@ -164,7 +164,7 @@ def _given(block: Block, values: dict[str, Any], spelling: Spelling) -> dict[str
     return {"name": spelling.type(block.name), "values": given}
 
 
-REFUSED = (
+REFUSED: tuple[tuple[str, str, Any, str], ...] = (
     ("PlasticMaterial", "power", 600, "`power` is declared in 1..512: 600 is not"),
     ("PlasticMaterial", "base", [1, 2], "`base` takes 3 numbers, not 2"),
     ("PlasticMaterial", "shine", [1, "NaN", 0], "`shine` takes finite numbers: NaN is not"),
