@@ -9,7 +9,6 @@ import json
 import struct
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
