@@ -97,7 +97,7 @@ setup(
         # Not every folder below these is a package.
         **{
             f"burnish.{root}": [f"**/*.{ending}" for ending in DATA]
-            for root in ("bindings", "commands", "compiler", "targets")
+            for root in ("bindings", "commands", "compiler", "engines", "targets")
         },
     },
 )

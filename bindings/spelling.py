@@ -33,6 +33,12 @@ class Spelling:
     def _scope(self, outer: Scope | None = None) -> Scope:
         return Scope(self._manner.reserved, only_ascii=self._manner.only_ascii, outer=outer)
 
+    def namespace(self, path: str) -> str:
+        """The namespace of the whole text: ``scene::glass``."""
+        parts = path.split("::")
+        case = self._manner.value_case
+        return "::".join(self._scope().name("namespace", part, case) for part in parts)
+
     def type(self, name: str) -> str:
         """The name of a block or a structure."""
         return self._globals.name("type", name, self._manner.type_case)

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from jinja2 import Environment
 
 
-_PLACEHOLDER = re.compile(r"@(\d+)@")
+_PLACEHOLDER = re.compile("\0(\\d+)\0")
+"""A number between two NUL characters, which no file of Burnish has."""
 
 
 def written(binding: Binding, language: HostLanguage) -> str:
@@ -52,7 +53,7 @@ def written(binding: Binding, language: HostLanguage) -> str:
 def _placeholder(embedded: list[str], text: str) -> str:
     """A word in place of an embedded text, as its lines stay as they are."""
     embedded.append(text)
-    return f"@{len(embedded) - 1}@"
+    return f"\0{len(embedded) - 1}\0"
 
 
 def _embedded(text: str, embedded: list[str]) -> str:

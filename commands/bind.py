@@ -18,7 +18,7 @@ from .options import (
     rig_option,
     search_option,
 )
-from .single_output import STDOUT, deliver, insist_on_another_file
+from .single_output import STDOUT, deliver, insist_on_another_file, insist_on_own
 from .terminal import FAILED
 
 
@@ -85,6 +85,7 @@ def bind(**chosen: Any) -> None:
     for file in request.files:
         insist_on_another_file(file, request.output)
     try:
+        insist_on_own(request.output, "Made by `burnish bind`", "burnish bind")
         _deliver(request.output, _text(request))
     except CompileError as error:
         show(error.diagnostics)

@@ -15,7 +15,7 @@ from .building.variants import OF_VARIANTS, asked_for, variants_of, with_options
 from .console import remark, say, show
 from .failures import fail
 from .options import answer_option, each_once, search_option
-from .single_output import STDOUT, deliver
+from .single_output import STDOUT, deliver, insist_on_own
 from .terminal import FAILED
 
 if TYPE_CHECKING:
@@ -174,6 +174,7 @@ def _write_actions(request: BuildRequest, actions: Sequence[Action]) -> None:
     batches = batches_of(actions, request.batch)
     text = to_text(document_of(batches, _called(request)))
     to = request.to or STDOUT
+    insist_on_own(to, '"build": ', "burnish build --actions")
     deliver(to, text.removesuffix("\n") if to == STDOUT else text)
 
 
@@ -182,6 +183,7 @@ def _write_ninja(request: BuildRequest, actions: Sequence[Action]) -> None:
     from .building.graph import written
 
     path, jobs = request.to or NINJA_FILE, _jobs(request)
+    insist_on_own(path, "Written by `burnish build --ninja`", "burnish build --ninja")
     batches = batches_of(actions, request.batch)
     again = _again(request, path)
     text = written(batches, request.output, path, _called(request), again, jobs)

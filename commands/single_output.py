@@ -10,6 +10,8 @@ import click
 from .terminal import print_output
 
 STDOUT = "-"
+_HEAD = 4096
+"""The bytes at the start of a file in which the command that has written it names itself."""
 
 
 def insist_on_another_file(file: Path, output: str) -> None:
@@ -17,6 +19,29 @@ def insist_on_another_file(file: Path, output: str) -> None:
     with suppress(OSError):
         if output != STDOUT and file.samefile(output):
             raise click.BadParameter("it is FILE itself", param_hint="--output")
+
+
+def insist_on_own(output: str, mark: str, command: str) -> None:
+    """Raise ``CompileError`` if a file is in the way that the command has not written.
+
+    ``mark`` stands in the first lines of all that it writes. An empty file is in nobody's way.
+    """
+    path = Path(output)
+    if output == STDOUT or not path.is_file():
+        return
+    with path.open("rb") as file:
+        head = file.read(_HEAD)
+    if head and mark.encode() not in head:
+        from ..compiler.diagnostics import rules
+        from ..compiler.diagnostics.diagnostic import CompileError, Report
+
+        report = Report()
+        report.add(
+            rules.FOREIGN_OUTPUT, None, path=path,
+            reason=f"`{command}` has not written it",
+            hint="Nothing was written. Choose another file, or delete this one first.",
+        )  # fmt: skip
+        raise CompileError(report.diagnostics)
 
 
 def deliver(output: str, text: str) -> None:

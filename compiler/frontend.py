@@ -142,7 +142,7 @@ class Frontend:
         if lights is None:
             return []
         made, without = [], []
-        for setting, shader in self._elaborated(module, lights, self._forward(), materials, set()):
+        for setting, shader in self._elaborated(module, lights, None, materials, set()):
             if shader is None:
                 continue
             before = setting.ctx.report.count

@@ -47,9 +47,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "texture_rows": _texture_rows,
         "list_of": lambda rows, name: name if rows else "{}",
         "element_type": lambda field: parts.type(field.type),
-        "namespace": "::".join(
-            snake(words(in_ascii(part))) or "_" for part in binding.namespace.split("::")
-        ),
+        "namespace": spelling.namespace(binding.namespace),
     }
 
 

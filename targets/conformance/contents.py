@@ -107,7 +107,9 @@ def _as_it_is(shader: Shader) -> Shader:
 
 
 def _compared_pixels(got: Outcome, said: Said) -> Compared:
-    formats = [format_ for _, format_ in pictures_of(said.state.instance.reflection)]
+    # Without targets, the picture is that of the depths.
+    formats = [result.state.format for result in said.source.shader.results if result.state]
+    formats = formats or [form for _, form in pictures_of(said.state.instance.reflection)]
     return Compared.of(got.pictures, said.allowed(), said.meant(), formats, said.possible)
 
 

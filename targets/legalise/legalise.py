@@ -46,7 +46,8 @@ def legalise(
 
 def _with_fragments(program: Program) -> Program:
     """A program that draws, with a fragment stage that does nothing if it has none."""
-    if program.shader.chain[-1] != FRAGMENT or program.stages[-1].row == FRAGMENT:
+    draws = program.shader.chain[-1] == FRAGMENT and not program.shader.has_functions
+    if not draws or program.stages[-1].row == FRAGMENT:
         return program
     nothing = Stage(FRAGMENT, (), (), (), (), Region(()), ())
     return changed(program, stages=(*program.stages, nothing))

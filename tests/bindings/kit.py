@@ -6,6 +6,7 @@ has it. All languages read the same samples.
 
 from __future__ import annotations
 
+import json
 import math
 import random
 import struct
@@ -22,6 +23,7 @@ from burnish.targets.runner.instances.shapes import Elements, Members, Numbers, 
 from burnish.targets.runner.instances.values import filled
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+PLASTIC = EXAMPLES / "plastic.burnish"
 SEEDS = (1, 2, 3)
 """Samples of each block. Those of the last one are edges: zeros, and the ends of ranges."""
 
@@ -189,3 +191,12 @@ def difference(expected: bytes, found: bytes) -> str:
 def _neighbours(one: bytes, other: bytes) -> bool:
     numbers = [struct.unpack("<i", each)[0] for each in (one, other)]
     return abs(numbers[0] - numbers[1]) <= 1 and all(abs(n) > 0x00800000 for n in numbers)
+
+
+def reflections() -> list[Any]:
+    """The reflection of plastic, one with another layout, and one with another block."""
+    (material,) = burnish.compile(PLASTIC, "wgsl")
+    found = [json.loads(json.dumps(burnish.to_json(material.reflection))) for _ in range(3)]
+    next(row for row in found[1]["blocks"] if row["name"] == "Rig")["layout_id"] = "0"
+    found[2]["blocks"].append({"name": "Fog", "layout_id": "1"})
+    return found

@@ -10,9 +10,7 @@ from click.testing import CliRunner, Result
 import burnish
 from burnish.commands.group import burnish as group
 
-from .kit import EXAMPLES
-
-PLASTIC = EXAMPLES / "plastic.burnish"
+from .kit import PLASTIC
 
 
 def _run(*arguments: str) -> Result:

@@ -5,6 +5,7 @@ One program has the blocks of all examples. It reads numbers, and writes the byt
 
 from __future__ import annotations
 
+import json
 import subprocess
 from collections.abc import Iterator
 from functools import cache
@@ -13,6 +14,7 @@ from typing import Any
 
 import pytest
 
+import burnish
 from burnish.bindings import registry
 from burnish.bindings.fields import Field, Numbers, Structure
 from burnish.bindings.model import Block
@@ -20,7 +22,7 @@ from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
-from .kit import Sample, defaults, difference, everything, samples
+from .kit import PLASTIC, Sample, defaults, difference, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -171,3 +173,30 @@ def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
                 given = [values[field.word] for field, _ in row.operands]
                 wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
     assert not wrong, "\n".join(wrong[:20])
+
+
+_STALE = """\
+#include "plastic.hpp"
+#include <cstdio>
+#include <iostream>
+#include <string>
+int main() {
+    for (std::string text; std::getline(std::cin, text);) {
+        const char* told = burnish::stale(burnish::plastic::plastic, text);
+        std::puts(told ? told : "fits");
+    }
+}
+"""
+
+
+def test_a_stale_binding_is_told(tmp_path: Path) -> None:
+    header = burnish.bind(PLASTIC, "cpp", "wgsl")
+    (tmp_path / "plastic.hpp").write_text(header, "utf-8")
+    (tmp_path / "main.cpp").write_text(_STALE, "utf-8")
+    _run(["g++", *_FLAGS, "main.cpp", "-o", "main"], tmp_path)
+    given = "\n".join(map(json.dumps, reflections()))
+    assert _run([str(tmp_path / "main")], tmp_path, given).splitlines() == [
+        "fits",
+        "the binding is stale: a block has another layout; run `burnish bind` again",
+        "the binding is stale: there are other blocks now; run `burnish bind` again",
+    ]

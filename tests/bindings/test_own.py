@@ -23,10 +23,9 @@ from burnish.compiler.documents.steps import (
 from burnish.support.frozen import changed
 
 from ..golden import assert_golden
-from .kit import EXAMPLES, difference
+from .kit import EXAMPLES, PLASTIC, difference
 
 GOLDEN = Path(__file__).parent / "golden"
-PLASTIC = EXAMPLES / "plastic.burnish"
 
 
 @cache

@@ -23,8 +23,7 @@ from burnish.bindings.writing import deriving, spelling_of, written
 from ..comparers.kit import tool
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
-from .kit import Sample, defaults, difference, everything, samples
-from .test_own import PLASTIC
+from .kit import PLASTIC, Sample, defaults, difference, everything, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -84,6 +83,10 @@ fn checked() {
     assert_eq!(
         stale(&reflection.replace(PLASTIC.layout_ids[1], "0")),
         "the binding is stale: a block has another layout; run `burnish bind` again"
+    );
+    assert_eq!(
+        stale(&reflection.replacen(r#""layout_id""#, r#""layout_id": "1", "layout_id""#, 1)),
+        "the binding is stale: there are other blocks now; run `burnish bind` again"
     );
     let texts = PLASTIC.profiles[0].texts;
     assert_eq!(texts[0].text, Some(include_str!("Plastic.vert.wgsl")));

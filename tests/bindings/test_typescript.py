@@ -22,11 +22,10 @@ from burnish.targets.toolchain.tools import program
 
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
-from .kit import EXAMPLES, Sample, defaults, difference, everything, samples
+from .kit import PLASTIC, Sample, defaults, difference, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
-PLASTIC = EXAMPLES / "plastic.burnish"
 _OPTIONS = {
     "target": "es2022",
     "module": "es2022",
@@ -176,15 +175,6 @@ REFUSED: tuple[tuple[str, str, Any, str], ...] = (
 )  # fmt: skip
 
 
-def _reflections() -> list[Any]:
-    """The reflection of the binding, one with another layout, and one with another block."""
-    (material,) = burnish.compile(PLASTIC, "wgsl")
-    found = [json.loads(json.dumps(burnish.to_json(material.reflection))) for _ in range(3)]
-    next(row for row in found[1]["blocks"] if row["name"] == "Rig")["layout_id"] = "0"
-    found[2]["blocks"].append({"name": "Fog", "layout_id": "1"})
-    return found
-
-
 @pytest.fixture(scope="module")
 def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
     """What the program tells, once tsc has accepted it."""
@@ -211,7 +201,7 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
     given = {
         "turns": list(_turns()),
         "refused": [dict(zip(("block", "name", "value"), row[:3], strict=True)) for row in REFUSED],
-        "reflections": _reflections(),
+        "reflections": reflections(),
     }
     (folder / "given.json").write_text(json.dumps(given), "utf-8")
     script = (
