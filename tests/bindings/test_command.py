@@ -49,3 +49,28 @@ def test_mistakes_are_told_and_nothing_is_written(tmp_path: Path) -> None:
     found = _run(str(wrong), "--lang", "python", "-o", str(wrong))
     assert (found.exit_code, "it is FILE itself" in found.output) == (2, True)
     assert not out.exists()
+
+
+def test_a_file_of_somebody_else_is_not_overwritten(tmp_path: Path) -> None:
+    own = tmp_path / "main.cpp"
+    own.write_text("int main() {}\n", "utf-8")
+    found = _run(str(PLASTIC), "--lang", "cpp", "-t", "wgsl", "-o", str(own))
+    assert found.exit_code == 1
+    assert f"`{own}` would be overwritten, and `burnish bind` has not written it" in found.output
+    assert own.read_text("utf-8") == "int main() {}\n"
+
+
+def test_a_namespace_is_no_reserved_word(tmp_path: Path) -> None:
+    source = tmp_path / "class.burnish"
+    source.write_text("material Z { color = vec3(1) }\n", "utf-8")
+    assert "namespace burnish::class_ {" in burnish.bind(source, "cpp", "wgsl")
+    text = burnish.bind(source, "cpp", "wgsl", namespace="std::Glass")
+    assert "namespace burnish::std_::glass {" in text
+
+
+def test_comments_stay_as_they_are_beside_embedded_texts(tmp_path: Path) -> None:
+    source = tmp_path / "z.burnish"
+    source.write_text("material Z { param a : float = 1  /// A star @0@ @99@\n color = vec3(a) }\n")
+    for language in ("cpp", "python", "rust", "typescript"):
+        text = burnish.bind(source, language, "wgsl", embed=True)
+        assert "A star @0@ @99@" in text and "@fragment" in text and "\0" not in text

@@ -138,3 +138,14 @@ def test_another_burnish_runs_everything_again(monkeypatch: pytest.MonkeyPatch) 
     assert ran() == {"build/materials/c"}
     monkeypatch.setattr("os.cpu_count", lambda: 3)
     assert "depth = 3\n" in write_graph("materials/c.burnish", "-j", "3")
+
+
+@pytest.mark.parametrize("kind", ["--ninja", "--actions"])
+def test_no_graph_takes_the_place_of_a_source(kind: str) -> None:
+    source = Path("materials/c.burnish")
+    before = source.read_text()
+    done = invoke("build", "materials", *LINE, kind, "--to", str(source))
+    assert (done.exit_code, done.stdout) == (1, "")
+    said = f"`{source}` would be overwritten, and `burnish build {kind}` has not written it"
+    assert said in done.stderr
+    assert source.read_text() == before

@@ -138,3 +138,9 @@ def test_the_command_writes_texts_and_a_document(tmp_path: Path) -> None:
     assert "m_rough" not in printed.stdout
     assert invoke(*command, "--slots", "color", "-o", str(out / "other")).exit_code == 1
     assert not (out / "other").exists()
+
+
+def test_a_pass_that_a_material_is_tied_to_is_no_mistake() -> None:
+    text = "pass Cut : Forward { discard when alpha < 0.5 }\n"
+    text += "material Leaf by Cut { tint = vec3(uv, 0) }\n"
+    assert burnish.functions(text, "wgsl").diagnostics == ()

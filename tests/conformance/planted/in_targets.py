@@ -258,7 +258,7 @@ PIPELINE = [
             framebuffer("glsl", "gl450", clip_control=())),
     Planted("blocks where others are", "storage: Plain", OPENGL_4,
             skeleton("glsl", ("binding = {{ block.slot.binding }}",
-                              "binding = {{ 7 - block.slot.binding }}"))),
+                              "binding = {{ 12 - block.slot.binding }}"))),
     Planted("textures where others are", "textures: Wraps", OPENGL_4,
             skeleton("glsl", ("binding = {{ texture.slot.binding }}",
                               "binding = {{ 7 - texture.slot.binding }}"))),
