@@ -5,7 +5,7 @@ layout(std140, set = 2, binding = 0) uniform Values {
     float height;
     int bump_count;
 };
-layout(std430, set = 2, binding = 2) readonly buffer Heights {
+layout(std430, set = 2, binding = 5) readonly buffer Heights {
     float bumps[];
 };
 

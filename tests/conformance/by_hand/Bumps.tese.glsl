@@ -1,6 +1,6 @@
 #version 450
 
-layout(std140, set = 0, binding = 0) uniform Camera {
+layout(std140, set = 0, binding = 1) uniform Camera {
     mat4 world_to_clip;
 };
 

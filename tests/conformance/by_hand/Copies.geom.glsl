@@ -1,6 +1,6 @@
 #version 450
 
-layout(std140, set = 0, binding = 0) uniform Camera {
+layout(std140, set = 0, binding = 1) uniform Camera {
     mat4 world_to_clip;
 };
 layout(std140, set = 2, binding = 0) uniform Values {
@@ -11,7 +11,7 @@ layout(std140, set = 2, binding = 0) uniform Values {
 layout(std140, set = 3, binding = 0) uniform Object {
     mat4 object_to_world;
 };
-layout(std430, set = 2, binding = 2) readonly buffer Tints {
+layout(std430, set = 2, binding = 5) readonly buffer Tints {
     vec4 tints[];
 };
 
