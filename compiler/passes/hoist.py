@@ -18,7 +18,7 @@ shader reads at the same position (``derived_tables.py``).
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterable
+from collections.abc import Container, Iterable, Sequence
 from functools import lru_cache
 
 from ...stdlib.builtins import BUILTINS
@@ -33,6 +33,7 @@ from ..ir.types import Array, Matrix, Scalar, Type, Vector
 from .cost import LOAD, cost_of
 from .derived_tables import Table, numbered
 from .elements import is_element
+from .invariant_results import InvariantResults
 from .naming import Naming
 
 COMMON_GROUP = "frame"
@@ -145,14 +146,19 @@ def _compares_pixels(node: Node) -> bool:
 
 
 def hoist(
-    graph: Graph, roots: Roots, notes: Notes, ranges: Ranges, taken: Iterable[str]
+    graph: Graph,
+    roots: Roots,
+    notes: Notes,
+    ranges: Ranges,
+    taken: Iterable[str],
+    apart: InvariantResults,
 ) -> tuple[Roots, tuple[Derived, ...]]:
     """The roots with the largest hoistable values replaced by derived parameters.
 
     ``taken`` are the names of declared parameters.
     """
     hoisting = _Hoisting(graph, notes, ranges, taken)
-    if not hoisting.choose(roots):
+    if not hoisting.choose(roots, [roots[number] for number in apart.placing]):
         return roots, ()
     rewritten = rewrite(graph, roots, hoisting.rule, notes.follow)
     read = {node.data for node in rewritten.nodes if node.op == "parameter"}
@@ -181,8 +187,12 @@ class _Hoisting:
         self._filled: Counter[str] = Counter()
         """The largest possible size of the tables of each group, in bytes."""
 
-    def choose(self, roots: Roots) -> bool:
-        """Find the hoistable nodes that some user which is not hoistable needs, if any."""
+    def choose(self, roots: Roots, placing: Sequence[Node]) -> bool:
+        """Find the hoistable nodes that some user which is not hoistable needs, if any.
+
+        What the results ``placing`` need, which have to be invariant, is chosen first, and by
+        itself: what is stored anyway for other results must have no say in them.
+        """
         nodes = roots.nodes
         for node in nodes:
             self._reads[node.id] = self._reads_of(node)
@@ -190,8 +200,10 @@ class _Hoisting:
                 self._positions.add(node.operands[1].id)
         chosen: list[Node] = []
         stored = set(self._positions)
+        chosen += self._needed(Roots(placing))
+        stored.update([node.id for node in chosen])
         for node in self._needed(roots):
-            if _pays(node, stored):
+            if node.id not in stored and _pays(node, stored):
                 chosen.append(node)
                 stored.add(node.id)
         if chosen:

@@ -154,7 +154,7 @@ def stage(shader: Shader, options: Options) -> Staged:
     derived: tuple[Derived, ...] = ()
     if options.hoist:
         declared = (info.leaf.name for info in shader.parameters)
-        roots, derived = hoist(graph, roots, notes, ranges, declared)
+        roots, derived = hoist(graph, roots, notes, ranges, declared, apart)
         verified("hoist", "guarded", roots)
     roots = apart.each(roots, lambda some, _: move_to_corners(graph, some, notes))
     verified("move_to_corners", "guarded", roots)
