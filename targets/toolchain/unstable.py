@@ -33,8 +33,8 @@ NOT_NEEDED = ("fonts-", "perl")
 
 APT_SETTINGS = """\
 Dir "{folder}";
-Dir::State::status "/dev/null";
-Dir::Etc::main "/dev/null";
+Dir::State::status "{folder}/status";
+Dir::Etc::main "{folder}/main";
 APT::Install-Recommends "false";
 APT::Sandbox::User "";
 Acquire::Languages "none";
@@ -88,6 +88,9 @@ def _private_apt(folder: Path) -> dict[str, str]:
         (folder / name).mkdir(parents=True)
     sources = SOURCES.format(keyring=KEYRING, mirror=_mirror(), suite=SUITE)
     (folder / "etc/apt/sources.list").write_text(sources, "utf-8")
+    # Not a device: apt may put another file in the place of these, also as root.
+    for name in ("status", "main"):
+        (folder / name).touch()
     settings = folder / "apt.conf"
     settings.write_text(APT_SETTINGS.format(folder=folder, seconds=NETWORK_SECONDS), "utf-8")
     return {"APT_CONFIG": str(settings)}

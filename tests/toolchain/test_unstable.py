@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 from pathlib import Path
 
 import pytest
@@ -59,7 +60,8 @@ def test_packages_are_unpacked_without_drivers(
     assert _folders(no_tools) == {"godot"}
     unpacked = [Path(line).name for line in (no_tools / "unpacked").read_text().split()]
     assert unpacked == ["godot.deb", "libc6.deb"]
-    assert 'Dir::State::status "/dev/null";' in (no_tools / "settings").read_text()
+    status, *_ = re.findall('Dir::State::status "(.*)";', (no_tools / "settings").read_text())
+    assert status.endswith("/status") and not status.startswith("/var/")
     assert "godot: installed" in capsys.readouterr().out
     assert install.main(["godot"]) == 0
     said = capsys.readouterr().out
