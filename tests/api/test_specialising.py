@@ -136,7 +136,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples" / "frames"
 
 def texts(path: Path, values: Mapping[str, Value]) -> dict[str, str]:
     result = burnish.compile(path, "glsl", values=values)
-    return {each.name: each.text("glsl", "fragment") for each in result}
+    return {each.name: "".join(file.text for file in each.files) for each in result}
 
 
 def test_a_frame_hands_its_values_on() -> None:

@@ -12,9 +12,7 @@ from hypothesis import strategies as st
 
 from burnish.commands.compile import compile_
 from burnish.commands.compile_options import (
-    DEPFILE_TARGET,
     EMIT,
-    OPTIMIZE,
     OPTIONS,
     CompileRequest,
     Option,
@@ -25,6 +23,12 @@ from .kit import PLAIN, shell
 
 FLAGS = [name for row in OPTIONS if not row.metavar for name in (*row.names, row.off) if name]
 NAMES = [name for row in OPTIONS if row.metavar for name in row.names]
+NEEDED = {
+    "depfile_target": ["--depfile", "d"],
+    "optimize": ["--emit", "spirv"],
+    **{field: ["--emit", "functions"] for field in ("slots", "together", "prefix")},
+}
+"""What goes with an option that means nothing by itself, by its field."""
 VALUES = ["m.burnish", "out", "-", "a,b", "-t", "--", "", "=", "x=y", "a b", "ü", "@file", "--rig"]
 
 
@@ -59,7 +63,7 @@ def test_each_option_can_be_plain(row: Option) -> None:
     for name in filter(None, (*row.names, row.off)):
         value = row.choices[0] if row.choices else "name=value"
         value = "spirv" if row is EMIT else value
-        needed = {DEPFILE_TARGET: ["--depfile", "d"], OPTIMIZE: ["--emit", "spirv"]}.get(row, [])
+        needed = NEEDED.get(row.field, [])
         line = ["m.burnish", "-o", "out", *needed, name, *([value] if row.metavar else [])]
         found = plain_request(["compile", *line])
         assert found is not None

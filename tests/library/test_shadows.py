@@ -10,13 +10,12 @@ import numpy as np
 import pytest
 
 from burnish.compiler.documents.plan import DrawStep, ResultSource
-from burnish.compiler.ir.stages import DISCARD, TARGET
+from burnish.compiler.ir.stages import CLIP_POSITION, DISCARD, TARGET
 from burnish.compiler.reference.namespace import Lanes
 
 from ..frames.kit import inputs_of, of_text
 from ..semantics.kit import at, shader
 from .kit import (
-    EYE,
     MESH,
     NORMAL_IN_WORLD,
     POSITION_IN_WORLD,
@@ -140,11 +139,14 @@ def test_a_map_has_nothing_of_what_is_hidden(is_hidden: bool) -> None:
 
 
 @truth("std.shadows.DepthOnly")
-def test_a_map_has_distances() -> None:
+def test_a_map_has_depths_alone() -> None:
     whole = shader("import std.shadows.{DepthOnly}\nmaterial M {}", pass_="DepthOnly")
-    (target,) = whole.results_of(TARGET)
-    distance = np.linalg.norm(POSITION_IN_WORLD - EYE)
-    assert at(whole, target.value, MESH)[0] == pytest.approx(distance)
+    assert not whole.results_of(TARGET)
+    (placed,) = whole.results_of(CLIP_POSITION)
+    camera = seeing((0.25, -0.5, 0.125))
+    given = {**MESH, "view_projection": tuple(camera.T.ravel())}
+    expected = camera @ (*POSITION_IN_WORLD, 1.0)
+    assert at(whole, placed.value, given) == pytest.approx(tuple(expected))
 
 
 def seeing(middle: tuple[float, float, float]) -> Floats:

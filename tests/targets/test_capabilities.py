@@ -161,7 +161,8 @@ def test_unproven_languages_are_no_way_out() -> None:
 
 
 def test_every_limit_has_its_words() -> None:
-    assert LIMITED.keys() == Limits.__annotations__.keys()
+    # Numbers run out nowhere: then only what is read has one.
+    assert LIMITED.keys() == Limits.__annotations__.keys() - {"numbers"}
 
 
 def test_profiles_with_higher_limits_are_a_way_out() -> None:
