@@ -24,6 +24,7 @@ WITHOUT = {
 }
 """The commands without an answer, each with the reason."""
 LINES: dict[str, Sequence[str]] = {
+    "build": ("m.burnish", "-t", "wgsl", "-o", "built"),
     "check": ("m.burnish",),
     "compile": ("m.burnish", "-t", "wgsl", "-o", "out"),
     "conform": ("m.burnish", "--routes", "llvmpipe:gl330"),

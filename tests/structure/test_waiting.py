@@ -18,6 +18,7 @@ TESTS = ROOT / "tests"
 OUTSIDE = {
     "suite/processes.py": "starts and awaits programs and threads for all others, with limits",
     "bench/checkout.py": "no test; its worker ends itself by a limit on its CPU time",
+    "engines/godot.py": "ends its display by itself, and looks for its number for a limited time",
     "library/mutants.py": "its threads wait for processes with a limit each",
     "mutants/judge/children.py": "a process with a limit for each mutant, which is then killed",
 }

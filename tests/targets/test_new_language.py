@@ -204,7 +204,8 @@ work lambert_phong(
 ...
 work the_fs_main(
 ...
-    material is paper Material (paper 3), albedo is flat_picture (picture 0)
+    derived_from_rig is paper DerivedFromRig (paper 7), material is paper Material (paper 3),
+    albedo is flat_picture (picture 0)
 )
     let tint is num3 be loose(material.base) * pick abc of (albedo.at(given.uv))
 ...
