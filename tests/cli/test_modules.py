@@ -109,7 +109,7 @@ def test_a_missing_tool_leaves_nothing(form: str, tool: str) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("--emit metallib", "--emit takes shaders, spirv and dxil, not 'metallib'"),
+        ("--emit metallib", "--emit takes shaders, spirv, dxil or functions, not 'metallib'"),
         ("--emit spirv -o -", "--emit makes files of bytes: it goes with a folder, not with -o -"),
         ("--optimize", "--optimize is for SPIR-V: it goes with --emit spirv"),
         ("--optimize --emit dxil", "--optimize is for SPIR-V: it goes with --emit spirv"),

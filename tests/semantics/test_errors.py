@@ -29,6 +29,8 @@ NOT_OF_A_SOURCE = {
     "no_clip_position": "the library's `Surface` has one",
     "unsupported": "about an option of the command line, in tests/cli",
     "other_pass": "about an option of the command line, in tests/semantics/test_ties.py",
+    "no_text_of_module": "about an option of the command line, in tests/cli",
+    "not_optimised": "about an option of the command line, in tests/cli",
     "no_line_directives": "about an option of the command line, in tests/cli",
     "not_specialised": "about an option of the command line, in tests/cli",
     "too_large_to_draw": "what `burnish graph` says, in tests/cli",

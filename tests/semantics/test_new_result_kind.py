@@ -54,8 +54,8 @@ KINDS: tuple[MemberKind, ...] = (
     ),
     (
         DELIVERS,
-        "        *_targets(ctx, passing.record, passing, layers or views),\n",
-        "        *_targets(ctx, passing.record, passing, layers or views),\n"
+        "        *_targets(ctx, passing.record, passing),\n",
+        "        *_targets(ctx, passing.record, passing),\n"
         "        *_pictures(ctx, passing.record, passing),\n",
     ),
     (

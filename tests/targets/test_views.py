@@ -73,8 +73,9 @@ def test_the_texts(native: bool) -> None:
 
 def test_only_compilers_that_know_views_check_them() -> None:
     """The value came to glslang's HLSL later than it is required to be here."""
+    names = ("M.Eyes.vert.hlsl", "M.Eyes.frag.hlsl")
     checkers = {file.name: file.checkers for file in compiled(EYES, "hlsl:sm6", native=True).files}
-    assert checkers == dict.fromkeys(("M.vert.hlsl", "M.frag.hlsl"), ("dxc-dxil", "dxc-spirv"))
+    assert checkers == dict.fromkeys(names, ("dxc-dxil", "dxc-spirv"))
 
 
 @pytest.mark.parametrize("profile", OTHERS)
