@@ -181,7 +181,7 @@ def test_it_is_reflected(between: tuple[Shader, Staged]) -> None:
         ("coordinate", "geometry", "fragment"),
     ]
     stages = {block.name: block.stages for block in found.blocks}
-    assert stages == {"Material": ("geometry",), "MaterialDerived": ("fragment",)}
+    assert stages == {"Material": ("geometry", "fragment")}
 
 
 def test_it_is_emitted(between: tuple[Shader, Staged]) -> None:
@@ -218,7 +218,6 @@ def test_a_profile_without_the_stage_lacks_it(between: tuple[Shader, Staged]) ->
 def test_it_is_drawn(between: tuple[Shader, Staged]) -> None:
     found = program_picture(*between, everything=False)
     assert [cluster.title for cluster in found.clusters if cluster.is_stage] == [
-        "host, once for each change of a parameter",
         "vertex stage",
         "geometry stage",
         "fragment stage",
