@@ -68,7 +68,7 @@ def _pictures(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result
         target = ast.Target(
             picture.span, picture.doc, picture.name, format_, picture.value, None
         )
-        result = _target(ctx, drawn, passing, 0, target, owner, level)
+        result = _target(ctx, drawn, passing, target, owner, level)
         if result is not None:
             yield result
 
