@@ -8,6 +8,7 @@ from __future__ import annotations
 from ..compiler.ir.leaves import Number
 from ..compiler.ir.shader import ConstantValue, ParameterInfo
 from ..compiler.ir.types import Array, Scalar, Type, Vector, scalar_kind, width
+from ..compiler.reflection.parameters import choices_of
 from ..stdlib.builtins.facts import Fact
 from ..support.frozen import changed
 from ..targets.runner.instances.shapes import Numbers
@@ -42,13 +43,15 @@ def _shape(info: ParameterInfo, name: str) -> Numbers:
             name, f"`{name}` ({info.declared_type}) cannot be narrowed: numbers, vectors and "
             "arrays of these can",
         )  # fmt: skip
-    return Numbers(declared, kind, width(type_), range=info.range)
+    names = tuple(choice.name for choice in choices_of(info.leaf) or ())
+    return Numbers(declared, kind, width(type_), range=info.range, choices=names)
 
 
 def _lane(shape: Numbers, written: str, name: str) -> Number:
     """A number that each lane of a value may be."""
     type_ = shape.kind if shape.lanes > 1 else shape.type
-    (lane,) = _lanes(Numbers(type_, shape.kind, 1, range=shape.range), written, name)
+    one = Numbers(type_, shape.kind, 1, range=shape.range, choices=shape.choices)
+    (lane,) = _lanes(one, written, name)
     return lane
 
 

@@ -153,3 +153,16 @@ def test_a_material_of_a_frame_is_named() -> None:
         if without_blocks(text) != without_blocks(plain[name])
     }  # fmt: skip
     assert changes == {"Lamps.Forward.Clay"}
+
+
+@pytest.mark.parametrize("value", ["rusty", "Wear.rusty", 2])
+def test_a_member_of_an_enumeration_is_named_or_numbered(value: Value) -> None:
+    text = """
+enum Wear { clean, used, rusty }
+material M {
+    param wear : Wear = Wear.clean
+    color = if wear == Wear.rusty then vec3(0.75) else vec3(0.5)
+}
+"""
+    (made,) = burnish.compile(text, "wgsl", values={"wear": value})
+    assert "0.75" in made.text("wgsl", "fragment") and "0.5" not in made.text("wgsl", "fragment")

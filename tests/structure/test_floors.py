@@ -144,7 +144,7 @@ FLOORS: dict[str, str] = {
         "legalise emit selection graphs runner"
     ),
     "api.remembered": "frozen locks watching compiled",
-    "api.narrowed_values": "frozen stdlib ir runner",
+    "api.narrowed_values": "frozen stdlib ir reflection runner",
     "api.specialising": "frozen diagnostics ir passes runner narrowed_values",
     "api.shared_texts": "frozen emit selection graphs",
     "api.compiling": (
