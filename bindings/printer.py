@@ -25,6 +25,8 @@ class Printer(ABC):
     CONVERSIONS: ClassVar[Mapping[tuple[Kind, Kind], Form]]
     """The forms that make a number of one kind of another; those without a form need none."""
     INDENT: ClassVar[str] = "    "
+    END: ClassVar[str] = ";"
+    """What ends a statement."""
 
     def __init__(self) -> None:
         self.used: set[str] = set()
@@ -61,13 +63,13 @@ class Printer(ABC):
     def state(self, name: str, value: Expression) -> str:
         """The statement that makes a variable, which changes later."""
 
-    @abstractmethod
     def change(self, name: str, value: str) -> str:
         """The statement that changes a variable."""
+        return f"{name} = {value}{self.END}"
 
-    @abstractmethod
     def returned(self, value: str) -> str:
         """The statement that returns a number."""
+        return f"return {value}{self.END}"
 
     def lesser(self, count: Expression, bound: int) -> str:
         """The number of terms of a fold, which has at most ``bound``."""

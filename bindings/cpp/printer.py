@@ -135,11 +135,3 @@ class CppPrinter(Printer):
     def state(self, name: str, value: Expression) -> str:
         """The statement that makes a variable."""
         return f"{_TYPES[value.kind]} {name} = {self.text(value)};"
-
-    def change(self, name: str, value: str) -> str:
-        """The statement that changes a variable."""
-        return f"{name} = {value};"
-
-    def returned(self, value: str) -> str:
-        """The statement that returns a number."""
-        return f"return {value};"

@@ -107,14 +107,10 @@ class _Parts:
     def _structure(self, type_: Structure, values: Any) -> str:
         """A structure by its members in order, pads among them."""
         given = dict(zip((each.word for each in type_.fields), values, strict=True))
-        parts = []
-        for part in type_.parts:
-            if not isinstance(part, Field):
-                parts.append("{}")
-            elif _is_scalar(part.type) and not part.capacity:
-                parts.append(self._value(part.type, given[part.word]))
-            else:
-                parts.append(self._value(part.type, given[part.word]))
+        parts = (
+            self._value(part.type, given[part.word]) if isinstance(part, Field) else "{}"
+            for part in type_.parts
+        )
         return f"{{{', '.join(parts)}}}"
 
     def asserts(self, structure: Structure) -> Iterator[str]:

@@ -26,6 +26,7 @@ def _safe(names: Mapping[str, str]) -> dict[str, Form]:
 class PythonPrinter(Printer):
     """Prints Python."""
 
+    END = ""
     FORMS: ClassVar[Mapping[str, Form]] = {
         "add": infix("+", SUM),
         "sub": infix("-", SUM),
@@ -129,11 +130,3 @@ class PythonPrinter(Printer):
     def state(self, name: str, value: Expression) -> str:
         """The statement that makes a variable."""
         return self.let(name, value)
-
-    def change(self, name: str, value: str) -> str:
-        """The statement that changes a variable."""
-        return f"{name} = {value}"
-
-    def returned(self, value: str) -> str:
-        """The statement that returns a number."""
-        return f"return {value}"

@@ -159,10 +159,6 @@ class RustPrinter(Printer):
         """The statement that makes a variable."""
         return f"let mut {name}: {_TYPES[value.kind]} = {self.text(value)};"
 
-    def change(self, name: str, value: str) -> str:
-        """The statement that changes a variable."""
-        return f"{name} = {value};"
-
     def returned(self, value: str) -> str:
         """The value of a function, which is its last expression."""
         return value

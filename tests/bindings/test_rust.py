@@ -22,8 +22,9 @@ from burnish.bindings.writing import deriving, spelling_of, written
 
 from ..comparers.kit import tool
 from ..suite.processes import run
-from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
-from .kit import PLASTIC, Sample, defaults, difference, everything, samples
+from .calls import ROUNDS, every_builtin, operands
+from .judging import assert_builtins, assert_bytes, assert_defaults
+from .kit import PLASTIC, defaults, everything, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -199,26 +200,12 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
 
 
 def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: list[bytes]) -> None:
-    def wrong(sample: Sample, found: bytes) -> str:
-        text = difference(sample.expected, found)
-        return text and f"{sample.block.name} of {sample.material}, {sample.seed}: {text}"
-
-    found = zip(samples(), told[: len(samples())], strict=True)
-    assert not [text for each in found if (text := wrong(*each))]
+    assert_bytes(told)
 
 
 def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
-    found = zip(defaults(), told[len(samples()) : -ROUNDS], strict=True)
-    assert not [block.name for (block, expected), bytes_ in found if bytes_ != expected]
+    assert_defaults(told)
 
 
 def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
-    wrong = []
-    for seed, block in enumerate(told[-ROUNDS:]):
-        values = operands(seed)
-        for row in every_builtin()[1]:
-            pair = expected(row, values), stored(row, block)
-            if not all(is_close(*each) for each in zip(*pair, strict=True)):
-                given = [values[field.word] for field, _ in row.operands]
-                wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
-    assert not wrong, "\n".join(wrong[:20])
+    assert_builtins(told)
