@@ -24,7 +24,7 @@ _KEYWORDS = """
 _OF_SKELETON = """
     Binding Field Kind List Material Profile Sampler Target Text Texture VertexFormat VertexInput
     bvec2 bvec3 bvec4 capacity count detail fault first ivec2 ivec3 ivec4 mat2 mat3 mat4 mat2x4
-    mat3x4 materials stale std uvec2 uvec3 uvec4 vec2 vec3 vec4 near far min max assert errno NULL
+    mat3x4 stale std uvec2 uvec3 uvec4 vec2 vec3 vec4 near far min max assert errno NULL
     unix linux
 """
 """Words of the skeleton, and some that headers of operating systems define as macros."""

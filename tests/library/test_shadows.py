@@ -144,7 +144,7 @@ def test_a_map_has_depths_alone() -> None:
     assert not whole.results_of(TARGET)
     (placed,) = whole.results_of(CLIP_POSITION)
     camera = seeing((0.25, -0.5, 0.125))
-    given = {**MESH, "view_projection": tuple(camera.T.ravel())}
+    given = {**MESH, "view_projection": columns(camera)}
     expected = camera @ (*POSITION_IN_WORLD, 1.0)
     assert at(whole, placed.value, given) == pytest.approx(tuple(expected))
 
