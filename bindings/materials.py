@@ -89,10 +89,20 @@ class Bound:
     binding: int | None
     register: str | None
     identifier: str
-    """Name in the text."""
+    """Name in the text; empty for what no text has."""
     stages: tuple[str, ...]
+    """The stages that read it; of a shared group, all that see it."""
     size: int = 0
     """Bytes of a block."""
+    type: str = ""
+    """WebGPU's word for the type of the binding, where there are groups: ``read-only-storage``."""
+    is_shared: bool = False
+    """True in a group that materials share: its layout is that of all, and names no sizes."""
+    is_read: bool = True
+    """False for what is there only since all materials of a project have one layout.
+
+    The binding may have no type for such a block. A host binds whatever fits.
+    """
 
 
 @frozen(kw_only=True)
@@ -113,6 +123,8 @@ class Profile:
     name: str
     """Such as ``wgsl:webgpu``."""
     row: BackendRow
+    binding_id: str
+    """A digest of what a host binds and feeds, by which a stale binding is found out."""
     bound: tuple[Bound, ...]
     texts: tuple[Text, ...]
 

@@ -1,14 +1,26 @@
-"""Lists what a host binds for each profile, and the texts."""
+"""Lists what a host binds for each profile, and the texts.
+
+A group that materials share is listed as it is declared, so that all of them have one layout.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ..compiler.documents.backends import BackendRow, BindingRow, BlockBindingRow
+from ..compiler.documents.backends import (
+    BackendRow,
+    BindingRow,
+    BlockBindingRow,
+    EntryRow,
+    GroupLayoutRow,
+)
 from ..compiler.documents.reflection import Reflection
+from ..support.frozen import changed
 from .materials import Block, Bound, Profile, Text
 
 COMPUTE = ("compute",)
+_KINDS = {"block": "uniform", "buffer": "storage", "combined": "texture"}
+"""The kinds of entries that have another name here."""
 
 
 def profiles_of(
@@ -17,8 +29,8 @@ def profiles_of(
     """The profiles of a material, in the order of their names."""
     return tuple(
         Profile(
-            name=name, row=row, bound=tuple(_bound(reflection, row, blocks)),
-            texts=tuple(_texts(row, texts)),
+            name=name, row=row, binding_id=row.binding_id,
+            bound=tuple(_bound(reflection, row, blocks)), texts=tuple(_texts(row, texts)),
         )
         for name, row in sorted(reflection.backends.items())
     )  # fmt: skip
@@ -34,12 +46,51 @@ def _texts(row: BackendRow, texts: Mapping[str, str]) -> Iterator[Text]:
 
 def _bound(reflection: Reflection, backend: BackendRow, blocks: Sequence[Block]) -> Iterator[Bound]:
     """What is bound, by its group and binding; in the order of the reflection without them."""
-    found = [
+    declared: Declared = {
+        (layout.group, entry.binding): (layout, entry)
+        for layout in backend.layouts
+        for entry in layout.entries
+    }
+    read = [
         *_blocks(reflection, backend, blocks),
         *_buffers(reflection, backend),
         *_textures(reflection, backend),
     ]
+    found = [_declared(each, declared) for each in read if _is_owner(each, declared)]
+    places = {(each.group, each.binding) for each in found}
+    found += [
+        _unread(*rows) for place, rows in declared.items() if rows[0].shared and place not in places
+    ]
     yield from sorted(found, key=lambda each: (each.group or 0, each.binding or 0))
+
+
+Declared = Mapping[tuple[int | None, int | None], tuple[GroupLayoutRow, EntryRow]]
+"""The entries of layouts by group and number."""
+
+
+def _is_owner(bound: Bound, declared: Declared) -> bool:
+    """False for the sampler of a texture that is read by the sampler of another one."""
+    _, entry = declared.get((bound.group, bound.binding), (None, None))
+    return bound.kind != "sampler" or entry is None or entry.name == bound.name
+
+
+def _declared(bound: Bound, declared: Declared) -> Bound:
+    """What is read, with what its layout says of it."""
+    layout, entry = declared.get((bound.group, bound.binding), (None, None))
+    if layout is None or entry is None:
+        return bound
+    if not layout.shared:
+        return changed(bound, type=entry.type)
+    return changed(bound, type=entry.type, stages=layout.visibility, is_shared=True)
+
+
+def _unread(layout: GroupLayoutRow, entry: EntryRow) -> Bound:
+    """What is declared in a shared group, and read by no stage of this material."""
+    return Bound(
+        name=entry.name, kind=_KINDS.get(entry.kind, entry.kind), group=layout.group,
+        binding=entry.binding, register=None, identifier="", stages=layout.visibility,
+        type=entry.type, is_shared=True, is_read=False,
+    )  # fmt: skip
 
 
 def _blocks(

@@ -162,11 +162,13 @@ class _Parts:
 
     def bound_row(self, row: Bound) -> str:
         """A row of the table of bindings."""
-        size = f"sizeof({self._spelling.type(row.name)})" if row.kind == "uniform" else "0"
+        has_block = row.kind == "uniform" and row.is_read
+        size = f"sizeof({self._spelling.type(row.name)})" if has_block else "0"
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return (
             f"{{{_string(row.name)}, Kind::{row.kind}, {_or_none(row.group)}, "
-            f"{_or_none(row.binding)}, {stages}, {size}, {_string(row.identifier)}}}"
+            f"{_or_none(row.binding)}, {stages}, {size}, {_string(row.identifier)}, "
+            f"{str(row.is_read).lower()}}}"
         )
 
 

@@ -169,12 +169,14 @@ class _Parts:
 
     def bound_row(self, row: Bound) -> str:
         """A row of the table of bindings."""
-        size = f"size_of::<{self._spelling.type(row.name)}>()" if row.kind == "uniform" else "0"
+        has_block = row.kind == "uniform" and row.is_read
+        size = f"size_of::<{self._spelling.type(row.name)}>()" if has_block else "0"
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return (
             f"Binding {{ name: {_string(row.name)}, kind: Kind::{row.kind.capitalize()}, "
             f"group: {_option(row.group)}, binding: {_option(row.binding)}, stages: {stages}, "
-            f"size: {size}, identifier: {_string(row.identifier)} }}"
+            f"size: {size}, identifier: {_string(row.identifier)}, "
+            f"is_read: {str(row.is_read).lower()} }}"
         )
 
 

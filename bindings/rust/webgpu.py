@@ -39,16 +39,17 @@ def groups(spelling: Spelling, material: Material) -> list[list[str]]:
 def _type(spelling: Spelling, material: Material, row: Bound) -> str:
     """The call of the skeleton's that makes the type of what is bound."""
     if row.kind == "uniform":
-        return f"uniform(size_of::<{spelling.type(row.name)}>())"
+        size = "0" if row.is_shared else f"size_of::<{spelling.type(row.name)}>()"
+        return f"uniform({size})"
     if row.kind in ("storage", "result"):
-        return f"storage({str(row.kind == 'storage').lower()})"
+        return f"storage({str(row.type == 'read-only-storage').lower()})"
     if row.kind == "image":
         (target,) = [each for each in material.reflection.targets if each.name == row.name]
         return f"image(TextureFormat::{_format(to_json(target)['format'])})"
-    layout = _layouts(material)[row.name]
     if row.kind == "sampler":
-        return f"BindingType::Sampler(SamplerBindingType::{_words(layout['sampler'])})"
-    sample, dimension = _SAMPLES[layout["sampleType"]], _DIMENSIONS[layout["viewDimension"]]
+        return f"BindingType::Sampler(SamplerBindingType::{_words(row.type)})"
+    dimension = _DIMENSIONS[_layouts(material)[row.name]["viewDimension"]]
+    sample = _SAMPLES[row.type]
     return f"texture(TextureSampleType::{sample}, TextureViewDimension::{dimension})"
 
 

@@ -67,20 +67,17 @@ def _entry(material: Material, bound: Bound) -> Mapping[str, Any]:
 
 
 def _resource(material: Material, bound: Bound) -> Mapping[str, Any]:
-    if bound.kind == "uniform":
-        return {"buffer": {"type": "uniform", "minBindingSize": bound.size}}
-    if bound.kind in ("storage", "result"):
-        kind = "storage" if bound.kind == "result" else "read-only-storage"
-        return {"buffer": {"type": kind}}
+    if bound.kind in ("uniform", "storage", "result"):
+        size = {"minBindingSize": bound.size} if bound.size and not bound.is_shared else {}
+        return {"buffer": {"type": bound.type, **size}}
     if bound.kind == "image":
         (row,) = [each for each in material.reflection.targets if each.name == bound.name]
         return {"storageTexture": {"access": "write-only", "format": to_json(row)["format"]}}
     (texture,) = [each for each in material.reflection.textures if each.name == bound.name]
     layout = to_json(texture.layout)
     if bound.kind == "sampler":
-        return {"sampler": {"type": layout["sampler"]}}
-    sample, dimension = layout["sampleType"], layout["viewDimension"]
-    return {"texture": {"sampleType": sample, "viewDimension": dimension}}
+        return {"sampler": {"type": bound.type}}
+    return {"texture": {"sampleType": bound.type, "viewDimension": layout["viewDimension"]}}
 
 
 def _buffers(material: Material) -> Iterator[Mapping[str, Any]]:

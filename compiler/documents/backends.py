@@ -176,6 +176,11 @@ class BackendRow:
     """Samplers by the name of the texture; empty where the profile combines the two."""
     layouts: tuple[GroupLayoutRow, ...]
     """The layouts of all bind groups, by number; empty where the API has no groups."""
+    binding_id: str
+    """A digest of all that a host binds and feeds for these texts, and of their files' names.
+
+    A binding in the language of a host has the one that it was made for, and is stale with others.
+    """
     vertex_inputs: Mapping[str, VertexInputNameRow]
     """Vertex inputs by name."""
     stream_output: Literal["text", "names", "semantics", None]

@@ -20,11 +20,13 @@ from ...compiler.documents.backends import (
 from ...compiler.ir.program import Block, Program, StoredMember
 from ...compiler.ir.render_state import Winding
 from ...compiler.ir.stages import CAPTURE
+from ...support.frozen import changed
 from ..description.binding_scheme import BindingKind
 from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..legalise.bindings import BindingSlot
 from ..legalise.limits import demands
+from .binding_ids import binding_id
 from .emitter import Emission
 from .group_layouts import layout_rows, push_constants_row
 from .names import Names
@@ -49,7 +51,7 @@ def backend_row(
     """
     names, bound = emission.names, _Bindings(language, profile, emission)
     turned = flip_y and not profile.framebuffer.clip_y_down
-    return BackendRow(
+    row = BackendRow(
         language=language.name,
         files=_file_rows(emission, files),
         blocks={each.name: bound.block(each) for each in program.blocks},
@@ -83,7 +85,9 @@ def backend_row(
         front_face="cw" if (front == "clockwise") != turned else "ccw",
         first_row="bottom" if profile.framebuffer.rows_up != turned else "top",
         source_maps={name: _source_map(spans) for name, spans in sorted(source_maps.items())},
+        binding_id="",
     )
+    return changed(row, binding_id=binding_id(row, program))
 
 
 def _file_rows(emission: Emission, files: Mapping[str, str]) -> tuple[FileRow, ...]:

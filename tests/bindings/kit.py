@@ -194,9 +194,21 @@ def _neighbours(one: bytes, other: bytes) -> bool:
 
 
 def reflections() -> list[Any]:
-    """The reflection of plastic, one with another layout, and one with another block."""
-    (material,) = burnish.compile(PLASTIC, "wgsl")
-    found = [json.loads(json.dumps(burnish.to_json(material.reflection))) for _ in range(3)]
+    """The reflection of plastic, and what may have become of it since a binding was made.
+
+    A block has another layout; there is another block; the view is bound elsewhere; the texture is
+    another one.
+    """
+    (plain,) = burnish.compile(PLASTIC, "wgsl")
+    (moved,) = burnish.compile(PLASTIC, "wgsl", bindings={"first": {"view": 4}})
+    text = PLASTIC.read_text("utf-8").replace("albedo", "wood")
+    (other,) = burnish.compile(text, "wgsl")
+    materials = (plain, plain, plain, moved, other)
+    found = [json.loads(json.dumps(burnish.to_json(each.reflection))) for each in materials]
     next(row for row in found[1]["blocks"] if row["name"] == "Rig")["layout_id"] = "0"
     found[2]["blocks"].append({"name": "Fog", "layout_id": "1"})
     return found
+
+
+ELSEWHERE = "other things are bound or fed, or elsewhere; run `burnish bind` again"
+"""What is told of the last two."""

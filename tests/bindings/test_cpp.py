@@ -23,7 +23,7 @@ from burnish.bindings.writing import deriving, spelling_of, written
 
 from .calls import ROUNDS, every_builtin, operands
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, reflections, samples
+from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -186,4 +186,5 @@ def test_a_stale_binding_is_told(tmp_path: Path) -> None:
         "fits",
         "the binding is stale: a block has another layout; run `burnish bind` again",
         "the binding is stale: there are other blocks now; run `burnish bind` again",
+        *[f"the binding is stale: {ELSEWHERE}"] * 2,
     ]

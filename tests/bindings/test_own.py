@@ -23,7 +23,7 @@ from burnish.compiler.documents.steps import (
 from burnish.support.frozen import changed
 
 from ..golden import assert_golden
-from .kit import EXAMPLES, PLASTIC, difference
+from .kit import ELSEWHERE, EXAMPLES, PLASTIC, difference, reflections
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -73,17 +73,20 @@ def test_lengths_counts_and_names_are_checked() -> None:
 
 
 def test_a_stale_binding_is_told() -> None:
-    module = _module(PLASTIC)
-    (material,) = burnish.compile(PLASTIC, "wgsl")
-    reflection = burnish.to_json(material.reflection)
-    module.PLASTIC.check(reflection)
-    (rig,) = [row for row in reflection["blocks"] if row["name"] == "Rig"]
-    rig["layout_id"] = "0"
-    with pytest.raises(ValueError) as error:
-        module.PLASTIC.check(reflection)
-    assert str(error.value) == (
-        "the binding of Plastic is stale: `Rig` has another layout; run `burnish bind` again"
-    )
+    material = _module(PLASTIC).PLASTIC
+    fits, *others = reflections()
+    material.check(fits)
+    told = []
+    for reflection in others:
+        with pytest.raises(ValueError) as error:
+            material.check(reflection)
+        told.append(str(error.value))
+    stale = "the binding of Plastic is stale: "
+    assert told == [
+        f"{stale}`Rig` has another layout; run `burnish bind` again",
+        f"{stale}it lacks `Fog`; run `burnish bind` again",
+        *[f"{stale}for `wgsl:webgpu`, {ELSEWHERE}"] * 2,
+    ]
 
 
 NAMES = """

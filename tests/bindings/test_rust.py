@@ -89,6 +89,13 @@ fn checked() {
         stale(&reflection.replacen(r#""layout_id""#, r#""layout_id": "1", "layout_id""#, 1)),
         "the binding is stale: there are other blocks now; run `burnish bind` again"
     );
+    assert_eq!(
+        stale(&reflection.replace(PLASTIC.profiles[0].binding_id, "0")),
+        concat!(
+            "the binding is stale: ",
+            "other things are bound or fed, or elsewhere; run `burnish bind` again"
+        )
+    );
     let texts = PLASTIC.profiles[0].texts;
     assert_eq!(texts[0].text, Some(include_str!("Plastic.vert.wgsl")));
     assert_eq!(texts[1].text, Some(include_str!("Plastic.frag.wgsl")));

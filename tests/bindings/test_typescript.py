@@ -22,7 +22,16 @@ from burnish.targets.toolchain.tools import program
 
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
-from .kit import PLASTIC, Sample, defaults, difference, everything, reflections, samples
+from .kit import (
+    ELSEWHERE,
+    PLASTIC,
+    Sample,
+    defaults,
+    difference,
+    everything,
+    reflections,
+    samples,
+)
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -251,6 +260,7 @@ def test_a_stale_binding_is_told(told: Told) -> None:
         "",
         f"{stale}`Rig` has another layout; run `burnish bind` again",
         f"{stale}it lacks `Fog`; run `burnish bind` again",
+        *[f"{stale}for `wgsl:webgpu`, {ELSEWHERE}"] * 2,
     ]
 
 

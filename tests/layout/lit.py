@@ -207,6 +207,7 @@ _PLAIN = BackendRow(
     captures={},
     host_uniforms=("burnish_height",),
     required_limits={},
+    binding_id="0",
 )
 
 BACKENDS = {
