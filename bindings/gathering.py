@@ -40,12 +40,15 @@ def gathered(
         blocks = tuple(Blocks(name, each.reflection, structures, helpers, shared).all())
         profiles = profiles_of(each.reflection, blocks, each.texts)
         materials.append(
-            Material(name=name, reflection=each.reflection, blocks=blocks, profiles=profiles)
-        )
+            Material(
+                name=name, reflection=each.reflection, blocks=blocks,
+                buffers=structures.buffers(each.reflection), profiles=profiles,
+            )
+        )  # fmt: skip
     return Binding(
-        sources=sources, namespace=namespace, structures=structures.found,
-        blocks=tuple(shared.values()), helpers=helpers.found, materials=tuple(materials),
-        frames=tuple(frames),
+        sources=sources, namespace=namespace, enumerations=structures.enumerations,
+        structures=structures.found, blocks=tuple(shared.values()), helpers=helpers.found,
+        materials=tuple(materials), frames=tuple(frames),
     )  # fmt: skip
 
 

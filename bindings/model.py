@@ -11,7 +11,7 @@ from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection
 from ..compiler.documents.steps import StepRow
 from ..support.frozen import frozen
-from .fields import Structure
+from .fields import Enumeration, Numbers, Structure
 from .statements import Statement
 
 
@@ -99,6 +99,19 @@ class Bound:
 
 
 @frozen(kw_only=True)
+class Buffer:
+    """What lies in a storage buffer, one element behind the other."""
+
+    name: str
+    type: Numbers | Structure
+    stride: int
+    """Bytes from one element to the next."""
+    count: str
+    """The parameter with the number of elements; empty where a kernel writes them."""
+    doc: str
+
+
+@frozen(kw_only=True)
 class Text:
     """One text of a profile."""
 
@@ -129,6 +142,8 @@ class Material:
     reflection: Reflection
     blocks: tuple[Block, ...]
     """Its blocks, and those of which only derived values are."""
+    buffers: tuple[Buffer, ...]
+    """Its storage buffers: those that it reads, then those that it writes."""
     profiles: tuple[Profile, ...]
 
     def block(self, plain_name: str) -> Block:
@@ -143,6 +158,7 @@ class Binding:
     sources: tuple[str, ...]
     """Names of the files that were compiled."""
     namespace: str
+    enumerations: tuple[Enumeration, ...]
     structures: tuple[Structure, ...]
     """Structures of elements, those inside others first."""
     blocks: tuple[Block, ...]
