@@ -37,6 +37,8 @@ APART = 2
 """The number of steps of 255 by which a byte may differ."""
 SHARE = 0.01
 """The share of pixels that may differ by more: those at edges."""
+WHITE = {"diffuse_color": (1, 1, 1), "specular_color": (1, 1, 1)}
+"""What the library declares for lights. Scenes of the runner make other colours up."""
 
 
 def runner() -> Runner:
@@ -50,7 +52,9 @@ def whole_scene(name: str, drawing: Runner, toolchain: Toolchain) -> Picture:
     asked = document["scenes"][name]
     host = FrameHost(_frame(name), _scenery(asked["models"]), (SIZE, SIZE))
     for light, values in asked["lights"].items():
-        host.set(light, values)
+        given = values if isinstance(values, list) else [values]
+        lamps = [{**WHITE, **each} for each in given]
+        host.set(light, lamps if isinstance(values, list) else lamps[0])
     for texture, picture in asked["textures"].items():
         is_color = texture == "albedo"
         host.set(texture, _texture(document["pictures"][picture], srgb=is_color))
