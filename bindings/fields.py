@@ -25,6 +25,23 @@ class Numbers:
 
 
 @frozen(kw_only=True)
+class Choice:
+    """A member of an enumeration."""
+
+    name: str
+    doc: str
+
+
+@frozen(kw_only=True)
+class Enumeration:
+    """An enumeration of the language: its members by their numbers, from 0."""
+
+    name: str
+    """Name in the binding, which no other enumeration or structure has."""
+    members: tuple[Choice, ...]
+
+
+@frozen(kw_only=True)
 class Field:
     """A value in a block or a structure."""
 
@@ -44,8 +61,8 @@ class Field:
     """The value before a host sets one, in nested tuples; ``None`` where it has to be set."""
     range: tuple[float, float] | None = None
     """The lowest and the highest value that a lane may have."""
-    choices: tuple[str, ...] = ()
-    """Members of the enumeration that it is, by their numbers."""
+    enumeration: Enumeration | None = None
+    """The enumeration that it is, if it is one: what is stored is the number of a member."""
     meaning: str = ""
     """The type as written: ``rgb``, ``direction<world>``."""
     doc: str = ""
@@ -56,6 +73,11 @@ class Field:
     """The word of the array whose elements in use it counts; empty for any other field."""
     computed: bool = False
     """True if it is derived from others, so that no host sets it."""
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """Names of the members of the enumeration that it is; none of any other field."""
+        return () if self.enumeration is None else tuple(e.name for e in self.enumeration.members)
 
     @property
     def is_unit(self) -> bool:

@@ -51,17 +51,20 @@ def gathered(
         blocks = tuple(Blocks(name, each.reflection, structures, helpers, shared).all())
         profiles = profiles_of(each.reflection, blocks, each.texts)
         materials.append(
-            Material(name=name, reflection=each.reflection, blocks=blocks, profiles=profiles)
-        )
+            Material(
+                name=name, reflection=each.reflection, blocks=blocks,
+                buffers=structures.buffers(each.reflection), profiles=profiles,
+            )
+        )  # fmt: skip
     found = []
     for frame, name in zip(frames, _told_apart(frames), strict=True):
         shaders = [materials[number] for number in frame.shaders]
         found.append(frame_of(name, frame.plan, shaders, structures, helpers))
         shared |= {block.name: block for block in (found[-1].parameters, found[-1].numbers)}
     return Binding(
-        sources=sources, namespace=namespace, structures=structures.found,
-        blocks=tuple(shared.values()), helpers=helpers.found, materials=tuple(materials),
-        frames=tuple(found),
+        sources=sources, namespace=namespace, enumerations=structures.enumerations,
+        structures=structures.found, blocks=tuple(shared.values()), helpers=helpers.found,
+        materials=tuple(materials), frames=tuple(found),
     )  # fmt: skip
 
 

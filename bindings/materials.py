@@ -6,7 +6,7 @@ from ..compiler.documents.backends import BackendRow
 from ..compiler.documents.reflection import Reflection
 from ..compiler.documents.steps import StepRow
 from ..support.frozen import frozen
-from .fields import Structure
+from .fields import Numbers, Structure
 from .statements import Statement
 
 
@@ -106,6 +106,19 @@ class Bound:
 
 
 @frozen(kw_only=True)
+class Buffer:
+    """What lies in a storage buffer, one element behind the other."""
+
+    name: str
+    type: Numbers | Structure
+    stride: int
+    """Bytes from one element to the next."""
+    count: str
+    """The parameter with the number of elements; empty where a kernel writes them."""
+    doc: str
+
+
+@frozen(kw_only=True)
 class Text:
     """One text of a profile."""
 
@@ -138,6 +151,8 @@ class Material:
     reflection: Reflection
     blocks: tuple[Block, ...]
     """Its blocks, and those of which only derived values are."""
+    buffers: tuple[Buffer, ...]
+    """Its storage buffers: those that it reads, then those that it writes."""
     profiles: tuple[Profile, ...]
 
     def block(self, plain_name: str) -> Block:

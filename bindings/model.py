@@ -8,9 +8,19 @@ blocks and materials, and ``frames.model`` those of frames.
 from __future__ import annotations
 
 from ..support.frozen import frozen
-from .fields import Structure
+from .fields import Enumeration, Structure
 from .frames.model import Frame
-from .materials import Block, Bound, Derivation, Helper, Material, Profile, Source, Text
+from .materials import (
+    Block,
+    Bound,
+    Buffer,
+    Derivation,
+    Helper,
+    Material,
+    Profile,
+    Source,
+    Text,
+)
 
 
 @frozen(kw_only=True)
@@ -20,6 +30,7 @@ class Binding:
     sources: tuple[str, ...]
     """Names of the files that were compiled."""
     namespace: str
+    enumerations: tuple[Enumeration, ...]
     structures: tuple[Structure, ...]
     """Structures of elements, those inside others first."""
     blocks: tuple[Block, ...]
@@ -32,6 +43,6 @@ class Binding:
 
 
 __all__ = [
-    "Binding", "Block", "Bound", "Derivation", "Frame", "Helper", "Material", "Profile", "Source",
-    "Text",
+    "Binding", "Block", "Bound", "Buffer", "Derivation", "Frame", "Helper", "Material", "Profile",
+    "Source", "Text",
 ]  # fmt: skip

@@ -29,6 +29,7 @@ class Spelling:
         self._globals = self._scope()
         self._members = self._scope()
         self._locals = self._scope(self._globals)
+        self._choices: dict[str, Scope] = {}
 
     def _scope(self, outer: Scope | None = None) -> Scope:
         return Scope(self._manner.reserved, only_ascii=self._manner.only_ascii, outer=outer)
@@ -54,6 +55,11 @@ class Spelling:
     def member(self, word: str) -> str:
         """The name of a field. Fields of all structures share names, which does no harm."""
         return self._members.name("field", word, self._manner.value_case)
+
+    def choice(self, enumeration: str, name: str) -> str:
+        """The name of a member of an enumeration, which other enumerations may have as well."""
+        scope = self._choices.setdefault(enumeration, self._scope())
+        return scope.name("choice", name, self._manner.constant_case)
 
     def local(self, name: str) -> str:
         """The name of a variable or a parameter of a function."""

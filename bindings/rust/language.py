@@ -19,8 +19,9 @@ _KEYWORDS = """
     while yield _
 """
 _OF_SKELETON = """
-    Binding Bytes Default Err Kind MATERIALS Material None Ok Option Profile Result Sampler Some
-    Target Text Texture Vec VertexInput has_length_one
+    Binding Buffer Bytes Default Err Kind MATERIALS Material NAMES NamedBinding None Ok
+    Option Profile PulledInput Result Sampler Some Target Text Texture Vec VertexInput columns
+    has_length_one
 """
 """Words of the skeleton and of the prelude; types, variables and modules are apart in Rust."""
 

@@ -8,9 +8,10 @@ from functools import partial
 from typing import Any
 
 from ...compiler.documents.writing import to_json
+from ...support.frozen import changed
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Numbers, Pad, Structure
-from ..model import Binding, Bound, Material
+from ..model import Binding, Bound, Buffer, Material
 from ..printer import single
 from ..spelling import Spelling
 from . import webgpu
@@ -24,30 +25,40 @@ _WIDTH = 92
 def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
     parts = _Parts(spelling)
-    profiles = (profile for material in binding.materials for profile in material.profiles)
+    profiles = [profile for material in binding.materials for profile in material.profiles]
     return {
         "FUNCTIONS": FUNCTIONS,
         "computed": {"float": "f64", "int": "i64", "bool": "bool"},
         "member_type": parts.member_type,
-        "element_type": lambda field: parts.type(field.type),
+        "element_type": parts.element_type,
+        "lanes_type": parts.type,
         "stored": lambda field: _STORED[field.type.kind],
         "default": parts.default,
         "part_name": parts.part_name,
         "asserts": parts.asserts,
         "checks": lambda structure: list(parts.checks(structure, "self")),
         "field_doc": _field_doc,
+        "element_doc": _element_doc,
+        "plain_doc": _plain_doc,
+        "number": {"int": "i32", "uint": "u32"},
         "block_doc": partial(about_block, binding),
         "sources_text": sources,
         "string": _string,
         "option": _option,
         "raw": _raw,
         "bound_row": parts.bound_row,
+        "named_row": parts.named_row,
+        "has_texts": any(each.text is not None for profile in profiles for each in profile.texts),
         "texture_row": _texture_row,
         "target_row": _target_row,
         "state_row": _state_row,
         "has_webgpu": any(each.name == webgpu.PROFILE for each in profiles),
+        "webgpu_profile": webgpu.profile_of,
         "webgpu_groups": partial(webgpu.groups, spelling),
         "webgpu_buffers": webgpu.vertex_buffers,
+        "webgpu_targets": webgpu.targets,
+        "webgpu_samplers": webgpu.samplers,
+        "webgpu_state": webgpu.state,
     }
 
 
@@ -75,8 +86,14 @@ class _Parts:
         """The type of a member."""
         if isinstance(part, Pad):
             return f"[u32; {part.lanes}]"
-        one = self.type(part.type)
+        one = self.element_type(part)
         return f"[{one}; {part.capacity}]" if part.capacity else one
+
+    def element_type(self, field: Field) -> str:
+        """The type of a field, or of an element of an array."""
+        if field.enumeration is not None:
+            return self._spelling.type(field.enumeration.name)
+        return self.type(field.type)
 
     def default(self, part: Field | Pad) -> str:
         """What a member is before a host sets it: zeros where it has no default."""
@@ -86,9 +103,16 @@ class _Parts:
 
     def _member(self, field: Field, value: Any) -> str:
         if not field.capacity:
-            return self._value(field.type, value)
+            return self._one(field, value)
         each = [None] * field.capacity if value is None else value
-        return _array([self._value(field.type, one) for one in each])
+        return _array([self._one(field, one) for one in each])
+
+    def _one(self, field: Field, value: Any) -> str:
+        if field.enumeration is None:
+            return self._value(field.type, value)
+        name = field.enumeration.name
+        member = field.enumeration.members[int(value or 0)].name
+        return f"{self._spelling.type(name)}::{self._spelling.choice(name, member)}"
 
     def _value(self, type_: Numbers | Structure, value: Any) -> str:
         if isinstance(type_, Structure):
@@ -157,6 +181,9 @@ class _Parts:
             yield from self.checks(field.type, place, f"{name}.")
             return
         if field.range is not None and not field.type.columns:
+            place, reference = (
+                (f"{place}.0", f"&{place}.0") if field.enumeration else (place, reference)
+            )
             low, high = (_number(field.type, bound) for bound in field.range)
             shown = " to ".join(f"{bound:g}" for bound in field.range)
             lanes = [f"&{place}[{lane}]" for lane in range(field.type.lanes)]
@@ -168,16 +195,27 @@ class _Parts:
             yield from _refusal(condition, f"`{name}` has to be of length 1")
 
     def bound_row(self, row: Bound) -> str:
-        """A row of the table of bindings."""
-        has_block = row.kind == "uniform" and row.is_read
-        size = f"size_of::<{self._spelling.type(row.name)}>()" if has_block else "0"
+        """A row of the table of bindings that have numbers."""
+        return (
+            f"Binding {{ {self._bound(row)}, group: {row.group}, binding: {row.binding}, "
+            f"{self._bytes(row)}, is_read: {str(row.is_read).lower()} }}"
+        )
+
+    def named_row(self, row: Bound) -> str:
+        """A row of the table of what is bound by its name in the text."""
+        return f"NamedBinding {{ {self._bound(row)}, {self._bytes(row)} }}"
+
+    def _bound(self, row: Bound) -> str:
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return (
-            f"Binding {{ name: {_string(row.name)}, kind: Kind::{row.kind.capitalize()}, "
-            f"group: {_option(row.group)}, binding: {_option(row.binding)}, stages: {stages}, "
-            f"size: {size}, identifier: {_string(row.identifier)}, "
-            f"is_read: {str(row.is_read).lower()} }}"
+            f"name: {_string(row.name)}, kind: Kind::{row.kind.capitalize()}, stages: {stages}, "
+            f"identifier: {_string(row.identifier)}"
         )
+
+    def _bytes(self, row: Bound) -> str:
+        has_type = row.kind == "uniform" and row.is_read
+        size = f"size_of::<{self._spelling.type(row.name)}>()" if has_type else "0"
+        return f"size: {size}"
 
 
 def _refusal(condition: str, message: str) -> Iterator[str]:
@@ -203,7 +241,34 @@ def _number(type_: Numbers, value: Any) -> str:
 
 
 def _field_doc(part: Field | Pad) -> str:
-    text = "" if isinstance(part, Pad) else about_field(part)
+    """What is said of a field; the fourth lanes of columns are Rust's own affair."""
+    if isinstance(part, Pad):
+        return ""
+    if part.enumeration is not None:  # Its type says which members there are.
+        part = changed(part, enumeration=None, range=None)
+    return _plain_doc("; ".join(filter(None, (about_field(part), _unread(part.type)))))
+
+
+def _element_doc(buffer: Buffer) -> str:
+    """What is said of the elements of a buffer."""
+    about = f"an element of the storage buffer `{buffer.name}`, of {buffer.stride} bytes"
+    return _plain_doc(
+        "; ".join(filter(None, (buffer.doc.rstrip("."), about, _unread(buffer.type))))
+    )
+
+
+def _unread(type_: Numbers | Structure) -> str:
+    if isinstance(type_, Structure) or type_.stored_lanes == type_.lanes:
+        return ""
+    return f"{type_.lanes} lanes, and behind them {_ZEROS[type_.stored_lanes - type_.lanes]} read"
+
+
+_ZEROS = {1: "one that is not", 2: "two that are not"}
+
+
+def _plain_doc(text: str) -> str:
+    """A text as a sentence in one line."""
+    text = " ".join(text.split()).rstrip(".")
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
@@ -225,7 +290,7 @@ def _raw(text: str) -> str:
     marks = "#"
     while f'"{marks}' in text:
         marks += "#"
-    return f'Some(r{marks}"{text}"{marks})'
+    return f'r{marks}"{text}"{marks}'
 
 
 def _texture_row(material: Material, row: Any) -> str:
@@ -268,6 +333,7 @@ def _state_row(material: Material) -> Mapping[str, str]:
     depth = state["depth"]
     return {
         "topology": _string(to_json(material.reflection.draw)["topology"]),
+        "corners": str(material.reflection.draw.corners),
         "cull": _string(state["cull"]),
         "samples": str(state["samples"]),
         "depth_compare": _string(depth["compare"]),

@@ -66,8 +66,8 @@ def every_builtin() -> tuple[Binding, tuple[Called, ...]]:
         ),
     )  # fmt: skip
     binding = Binding(
-        sources=(), namespace="builtins", structures=(), blocks=blocks, helpers=helpers.found,
-        materials=(),
+        sources=(), namespace="builtins", enumerations=(), structures=(), blocks=blocks,
+        helpers=helpers.found, materials=(),
     )  # fmt: skip
     return binding, tuple(rows)
 

@@ -35,6 +35,7 @@ mod examples {
     include!("examples.rs");
 }
 mod plastic;
+mod small;
 
 use examples::*;
 
@@ -97,8 +98,46 @@ fn checked() {
         )
     );
     let texts = PLASTIC.profiles[0].texts;
-    assert_eq!(texts[0].text, Some(include_str!("Plastic.vert.wgsl")));
-    assert_eq!(texts[1].text, Some(include_str!("Plastic.frag.wgsl")));
+    assert_eq!(texts[0].text, include_str!("Plastic.vert.wgsl"));
+    assert_eq!(texts[1].text, include_str!("Plastic.frag.wgsl"));
+}
+"""
+
+_SMALL = """\
+/// The number of the coat.
+enum Mode {
+    add,  /// Their sum.
+    mix
+}
+material Coated {
+    param mode: Mode = Mode.mix
+    param turn: mat3
+    param tints: vec3[2]
+    color = choose(mode, add = rgb(turn * vec3(1.0, 2.0, 3.0)), mix = rgb(tints[1]))
+}
+"""
+_SMALL_CHECKED = """\
+fn small() {
+    use small::{columns, Bytes, CoatedMaterial, Mode, COATED};
+    let mut coated = CoatedMaterial {
+        turn: columns([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]),
+        tints: columns([[1.0, 2.0, 3.0]; 2]),
+        ..CoatedMaterial::DEFAULT
+    };
+    assert_eq!(coated.turn[1], [4.0, 5.0, 6.0, 0.0]);
+    assert_eq!((coated.mode, coated.bytes()[0], Mode::NAMES), (Mode::MIX, 1, ["add", "mix"]));
+    let derived = |coated| small::derive_coated_material(coated).bytes()[..12].to_vec();
+    assert_eq!(derived(&coated), Bytes::bytes(&[1.0_f32, 2.0, 3.0]));
+    coated.mode = Mode::ADD;
+    assert_eq!(derived(&coated), Bytes::bytes(&[30.0_f32, 36.0, 42.0]));
+    coated.mode = Mode(2);
+    assert_eq!(coated.check(), Err("`mode` is declared in 0 to 1"));
+
+    let profile = |name: &str| COATED.profiles.iter().find(|each| each.name == name).unwrap();
+    let numbered = profile("wgsl:webgpu").bindings;
+    assert_eq!((numbered[0].name, numbered[0].group, numbered[0].binding), ("View", 0, 1));
+    let named = profile("glsl:es300").named;
+    assert!(profile("glsl:es300").bindings.is_empty() && named.len() == numbered.len());
 }
 """
 
@@ -165,8 +204,8 @@ def _program() -> str:
     builtins = f"fn all_builtins(numbers: &mut Numbers) {{\nuse builtins::Bytes;\n{turn}\n}}\n"
     turns += ["all_builtins(numbers);"] * ROUNDS
     begin = "let numbers = &mut Numbers(std::io::stdin().lines());"
-    main = "\n".join(["fn main() {", "checked();", begin, *turns, "}", ""])
-    return _HEAD + _PLASTIC + "".join(readers) + builtins + main
+    main = "\n".join(["fn main() {", "checked();", "small();", begin, *turns, "}", ""])
+    return _HEAD + _PLASTIC + _SMALL_CHECKED + "".join(readers) + builtins + main
 
 
 def _numbers(value: Any) -> Iterator[str]:
@@ -196,6 +235,9 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
         "plastic.rs": burnish.bind(PLASTIC, "rust", "wgsl", embed=True),
         "main.rs": _program(),
     }
+    (folder / "small.burnish").write_text(_SMALL, "utf-8")
+    targets = ("wgsl", "glsl:es300")
+    texts["small.rs"] = burnish.bind(folder / "small.burnish", "rust", targets)
     (material,) = burnish.compile(PLASTIC, "wgsl")
     texts |= {file.name: file.text for file in material.files}
     texts["Plastic.json"] = json.dumps(burnish.to_json(material.reflection))
