@@ -61,7 +61,9 @@ class Blocks:
     def _shared_block(self, block: Block) -> Block:
         """The block as it is called in the binding."""
         own = f"{self._material}.{block.plain_name}"
-        wishes = [block.plain_name, own] if block.group in SHARED else [own]
+        plain = block.plain_name
+        others = [name for name, each in self._shared.items() if each.plain_name == plain]
+        wishes = [plain, *others, own] if block.group in SHARED else [own]
         wishes += [f"{own}.{number}" for number in range(2, len(self._shared) + 3)]
         for name in wishes:
             called = changed(block, structure=changed(block.structure, name=name))

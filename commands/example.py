@@ -13,6 +13,8 @@ from .giving_out import give_out
 from .options import answer_option
 from .shipped import EXAMPLES, chosen, say_groups
 
+_OF_PROJECTS = "hosts/"
+"""The folder of what `burnish new` makes projects of."""
 _COMMENT = re.compile(r"^//!(.*)$", re.MULTILINE)
 _FILE = re.compile(r"[\w./-]+\.\w+")
 
@@ -40,10 +42,15 @@ def example(name: str | None, out: Path, as_path: bool) -> None:
     """
     from .catalogue import catalogue
 
-    listed = {
-        group.title: {each.name.removesuffix(".burnish"): each.what for each in group.files}
+    found = {
+        group.title: {
+            each.name.removesuffix(".burnish"): each.what
+            for each in group.files
+            if not each.name.startswith(_OF_PROJECTS)
+        }
         for group in catalogue(EXAMPLES)
     }
+    listed = {title: rows for title, rows in found.items() if rows}
     if name is None:
         if as_path:
             say(str(EXAMPLES))

@@ -35,6 +35,7 @@ COMMANDS = (
     "docs",
     "example",
     "integration",
+    "new",
     "explain",
     "schema",
 )

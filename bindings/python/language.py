@@ -17,8 +17,9 @@ _OF_SKELETON = (
     "Any", "Array", "Block", "BlockType", "Bound", "ClassVar", "Columns", "Each", "Elements",
     "Field", "Generic", "Iterable", "Iterator", "Kind", "LAYOUT_ID", "Lanes", "MATERIALS",
     "Mapping", "Material", "NamedTuple", "Number", "Part", "Profile", "SIZE", "Self", "Sequence",
-    "T", "Text", "Texture", "TypeVar", "VertexInput", "annotations", "bind_group_layouts", "block",
-    "check", "math", "memory", "overload", "reset", "self", "struct", "vertex_buffers",
+    "T", "Text", "Texture", "TypeVar", "VertexInput", "annotations", "bind_group_layouts",
+    "bind_groups", "block", "check", "math", "memory", "overload", "render_pipeline", "reset",
+    "self", "struct", "uniform_buffers", "vertex_buffers",
 )  # fmt: skip
 
 LANGUAGE = HostLanguage(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from ...compiler.documents.drawing import SamplerRow, TargetRow, TextureRow
@@ -16,6 +17,8 @@ from ..printer import single
 from ..spelling import Spelling
 from .functions import FUNCTIONS
 
+_WGPU = Path(__file__).with_name("wgpu.py.j2")
+"""Functions for the package wgpu, which no template's words are in."""
 _KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
 _PREFIXES = {"float": "", "int": "i", "uint": "u"}
 
@@ -43,6 +46,7 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "topology": lambda material: _string(to_json(material.reflection.draw)["topology"]),
         "quoted": _quoted,
         "literal": _literal,
+        "WGPU": _WGPU.read_text("utf-8"),
         "has_webgpu": any(each.name == "wgsl:webgpu" for each in profiles),
     }
 

@@ -67,8 +67,10 @@ def test_lengths_counts_and_names_are_checked() -> None:
         rig.torch_axis = (0.0, 2.0, 0.0)
     with pytest.raises(ValueError, match=r"^`lamps` takes at most 8 elements, not 9$"):
         rig.lamps = [module.Point()] * 9
-    with pytest.raises(AttributeError, match=r"^Rig has no field `lamp`$"):
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'lamp'"):
         module.Rig(lamp=1)
+    with pytest.raises(AttributeError, match=r"^'Rig' object has no attribute 'lamp'"):
+        rig.lamp = 1
     assert bytes(rig) == bytes(module.Rig())
 
 

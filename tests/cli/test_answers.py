@@ -47,6 +47,7 @@ LINES: dict[str, Sequence[str]] = {
     "import": ("chair.mtlx", "-o", "chair"),
     "integration": (),
     "judge": ("golden", "golden"),
+    "new": (),
     "render": ("m.burnish", "-o", "m.png", "--size", "4"),
     "same": ("m.burnish", "m.burnish"),
     "schema": ("answer",),

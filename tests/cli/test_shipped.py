@@ -12,7 +12,12 @@ from burnish.commands.shipped import DOCS, EXAMPLES, groups
 
 from .kit import invoke
 
-NAMES = [each.name for group in catalogue(EXAMPLES) for each in group.files]
+NAMES = [
+    each.name
+    for group in catalogue(EXAMPLES)
+    for each in group.files
+    if not each.name.startswith("hosts/")
+]
 
 
 def files(folder: Path) -> set[str]:

@@ -16,6 +16,8 @@ from burnish.compiler.syntax.parser import parse
 from .tables import NOTE, cell, table
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+HOSTS = EXAMPLES / "hosts"
+"""Copies of examples, and what other programs draw."""
 LEFT_OUT = ("meaning", "tessellator")
 """Files that the compiler imports by itself: what operations mean, and how patches are divided."""
 
@@ -62,7 +64,8 @@ def _parsed(path: Path) -> ast.File:
 def _users(name: str) -> Iterator[Path]:
     """The examples that import a file of the library."""
     imported = re.compile(rf"^import {re.escape(name)}\b(?!\.\w)", re.MULTILINE)
-    for path in sorted(EXAMPLES.rglob("*.burnish")):
+    found = (path for path in EXAMPLES.rglob("*.burnish") if HOSTS not in path.parents)
+    for path in sorted(found):
         if imported.search(path.read_text("utf-8")):
             yield path
 
