@@ -339,8 +339,9 @@ class _Writer:
         for row in self._document.functions:
             for slot in row.slots:
                 yield Entry(
-                    slot.name, comment=_comment(slot.doc, None), variable=_variable(row.name)
-                )
+                    slot.name, type=f'Node<"{slot.representation}">',
+                    comment=_comment(slot.doc, None), variable=_variable(row.name),
+                )  # fmt: skip
 
     def _nodes(self) -> Iterator[Entry]:
         for row in rows_for(self._words):
