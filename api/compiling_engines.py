@@ -30,6 +30,7 @@ def functions_for(
     source: str | Path,
     *,
     material: str | None = None,
+    rig: str | None = None,
     search_path: tuple[Path, ...] = (),
     prefix: str | None = None,
     values: tuple[tuple[str, str], ...] = (),
@@ -42,12 +43,12 @@ def functions_for(
     ``base_color``; ``only`` are the slots to which others are not added, if there are any. A
     material without anything that an engine could light is left out.
     """
-    assert engine.dialect is not None
     _check_words(named)
+    offered = offers(scene_names()["slots"], named, only, engine.taken)
     asked = AskedFunctions(
-        targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
-        together=False, prefix=prefix, values=values,
-        offers=offers(scene_names()["slots"], named, only), languages=(engine.dialect(),),
+        targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
+        slots=(), together=False, prefix=prefix, values=values, offers=offered,
+        languages=() if engine.dialect is None else (engine.dialect(),),
     )  # fmt: skip
     found = functions_of(asked)
     _check_slots(found, (*named.values(), *only))

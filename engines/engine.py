@@ -43,6 +43,8 @@ class Engine:
 
     What the engine cannot do is reported.
     """
+    taken: frozenset[str] = frozenset()
+    """The values of ``slot_table.py`` that it takes; what a material gives beside is told."""
     write_shaders: Callable[[Reflection, Texts, Report], Mapping[str, str]] | None = None
     """Makes the files of the whole shaders of one material, for an engine that takes these."""
     unproven: str = ""
