@@ -45,13 +45,16 @@ def functions_for(
     """
     _check_words(named)
     offered = offers(scene_names()["slots"], named, only, engine.taken)
+    slots: tuple[str, ...] = ()
+    if only and engine.dialect is None:  # Its materials have any slots, for users' own nodes.
+        offered, slots = (), (*only, *named.values())
     asked = AskedFunctions(
         targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
-        slots=(), together=False, prefix=prefix, values=values, offers=offered,
+        slots=slots, together=False, prefix=prefix, values=values, offers=offered,
         languages=() if engine.dialect is None else (engine.dialect(),),
     )  # fmt: skip
     found = functions_of(asked)
-    _check_slots(found, (*named.values(), *only))
+    _check_slots(found, () if slots else (*named.values(), *only))
     roles = {slot: word for word, slot in named.items()}
     return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
 

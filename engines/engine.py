@@ -51,3 +51,6 @@ class Engine:
     """The reason why nobody should rely on the files yet: "never compiled by …"."""
     dialect: Callable[[], Dialect] | None = None
     """Makes the language of its own in which it takes functions, or whole shaders."""
+    is_offered: bool = False
+    """True if it gets the slots that it takes, where nobody says which; else all of a material's
+    own."""

@@ -15,4 +15,5 @@ ENGINE = Engine(
     write=writing("Filament", "mat", definition),
     taken=TABLES.taken,
     dialect=language,
+    is_offered=True,
 )

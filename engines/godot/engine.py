@@ -15,4 +15,5 @@ ENGINE = Engine(
     write=writing("Godot", "gdshader", shader),
     taken=TABLES.taken,
     dialect=language,
+    is_offered=True,
 )

@@ -7,5 +7,6 @@ from . import slots
 from .module import GLSL, WGSL, write
 
 ENGINE = Engine(
-    name="three", title="three.js", targets=(WGSL, GLSL), write=write, taken=slots.TAKEN
-)
+    name="three", title="three.js", targets=(WGSL, GLSL), write=write, taken=slots.TAKEN,
+    is_offered=True,
+)  # fmt: skip

@@ -30,6 +30,10 @@ from .slots import VERTICES, rows_for
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
+NO_NODE = (
+    "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
+    "`--slots base_color=…`, or take it with its lights, by `--engine three-webgl`"
+)
 _HERE = Path(__file__).parent
 _SHARED = ("surface", "attribute")
 """The sources of arguments that are the same nodes for all functions."""
@@ -116,6 +120,11 @@ def write(
     if not _fits(document, report):
         return {}
     module = _Writer(document, emissions).module()
+    if not module.nodes:
+        report.add(
+            rules.UNFIT_FOR_ENGINE, None, slot=document.material, engine="three.js", reason=NO_NODE
+        )
+        return {}
     name = f"{document.material}.three"
     return {
         f"{name}.js": _filled("module.js.j2", module),
