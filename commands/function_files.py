@@ -112,9 +112,7 @@ def _of_shaders(request: CompileRequest, file: Path, engine: Engine) -> Compiled
     for material in () if result.frames else result.materials:
         own = shader_files(engine, material, report)
         texts |= own
-        lines.append(
-            f"{material.name}: {len(own)} files for {engine.title} in {request.output}\n"
-        )
+        lines.append(f"{material.name}: {len(own)} files for {engine.title} in {request.output}\n")
     if report.failed:
         raise CompileError((*result.diagnostics, *report.diagnostics))
     told = () if request.prints else tuple(lines)

@@ -9,7 +9,7 @@ from ...bindings.fields import Field, Numbers, Structure
 from ...bindings.statements import Place, Set
 from ...bindings.typescript.printer import TypeScriptPrinter
 from ...compiler.tracing import Expression
-from .uniforms import Uniform, is_color, lanes_of, whole_array
+from .uniforms import Uniform, is_color, room_of, whole_array
 
 _COLOR, _VECTOR = "rgb", "xyzw"
 
@@ -44,7 +44,8 @@ class UniformPrinter(TypeScriptPrinter):
         if not isinstance(field.type, Numbers):
             return text
         if index:
-            return f"{text}[{_scaled(index, lanes_of(field.type), _lane(field.type, part))}]"
+            lane = _lane(part, 4 if field.type.columns else field.type.lanes)
+            return f"{text}[{_scaled(index, room_of(field.type), lane)}]"
         return f"{text}{_accessed(field, part)}" if part else text
 
     def part(self, place: str, part: tuple[int, ...]) -> str:
@@ -80,9 +81,10 @@ def _member(field: Field, word: str) -> Field | None:
     return next((each for each in field.type.fields if each.word == word), None)
 
 
-def _lane(type_: Numbers, part: tuple[int, ...]) -> int:
+def _lane(part: tuple[int, ...], rows: int) -> int:
+    """The number of a lane, or of one of a column of so many."""
     *columns, lane = part or (0,)
-    return sum(type_.lanes * column for column in columns) + lane
+    return sum(rows * column for column in columns) + lane
 
 
 def _scaled(index: str, count: int, lane: int) -> str:
@@ -93,10 +95,9 @@ def _scaled(index: str, count: int, lane: int) -> str:
 def _accessed(field: Field, part: tuple[int, ...]) -> str:
     """The lane of a value by the words of three.js."""
     assert isinstance(field.type, Numbers)
-    lane = _lane(field.type, part)
+    lane = _lane(part, field.type.lanes)
     if field.computed:
         return f"[{lane}]"
     if field.type.columns:
         return f".elements[{lane}]"
     return f".{(_COLOR if is_color(field) else _VECTOR)[lane]}"
-

@@ -124,6 +124,7 @@ class _Writer:
         each_frame = [*self._set_by_renderer(per_object=False), *self._calls(per_object=False)]
         each_draw = [*self._set_by_renderer(per_object=True), *self._calls(per_object=True)]
         used = [
+            "Matrix4" if any("setBones" in line for line in each_draw) else "",
             *(each.begins for each in (*self._uniforms, *textures)), *properties.values(),
             *(value for each in textures for _name, value in each.sampling),
         ]  # fmt: skip
@@ -270,5 +271,3 @@ def _about(row: TextureRow) -> str:
 def _quoted(text: str) -> str:
     """A text between backquotes."""
     return text.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
-
-

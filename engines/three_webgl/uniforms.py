@@ -39,7 +39,7 @@ class Uniform:
                 return f"Array.from({{ length: {field.capacity} }}, () => ({element}))"
             listed = ", ".join(value(field, each) for each in field.default)
             return f"[{listed}]"
-        count = field.capacity * lanes_of(field.type)
+        count = field.capacity * room_of(field.type)
         given = field.default
         numbers = "" if given is None else f"[{', '.join(map(number, _flat(given)))}]"
         return f"new {ARRAYS[field.type.kind]}({numbers or count})"
@@ -76,17 +76,24 @@ def uniforms_of(material: Material, backend: BackendRow) -> Iterator[Uniform]:
 def whole_array(field: Field) -> Numbers | Structure | None:
     """The type of an array's elements if one array of numbers holds all; ``None`` if none does.
 
-    three.js takes such an array for computed values, and for all vectors of integers.
+    three.js takes such an array for computed values and for vectors of integers. In the texts, an
+    array of matrices is one of their columns.
     """
     if not isinstance(field.type, Numbers) or not field.capacity:
         return None
-    is_plain = field.computed or lanes_of(field.type) == 1 or field.type.kind != "float"
-    return field.type if is_plain else None
+    type_ = field.type
+    is_vector = lanes_of(type_) > 1 and type_.kind == "float" and not type_.columns
+    return None if is_vector and not field.computed else type_
 
 
 def lanes_of(type_: Numbers) -> int:
     """The numbers of a value."""
     return type_.lanes * (type_.columns or 1)
+
+
+def room_of(type_: Numbers) -> int:
+    """The numbers that an element of an array takes up: each column of a matrix has four."""
+    return 4 * type_.columns if type_.columns else type_.lanes
 
 
 def is_color(field: Field) -> bool:
