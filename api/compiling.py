@@ -75,6 +75,8 @@ class Asked(NamedTuple):
     """False if the texts serve all values, and only hosts are told of these."""
     bindings: Path | str | None = None
     """The file of a binding scheme, or a scheme as JSON; ``None`` for the usual one."""
+    languages: tuple[tuple[Language, Profile], ...] = ()
+    """The language of an engine, instead of ``targets``."""
 
 
 @seldom_collected
@@ -110,7 +112,9 @@ class _Computed:
 
 def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     """Run all phases, from reading to printing. Raises ``CompileError``."""
-    chosen = select_targets(asked.targets, report, single_file=asked.emit.single_file)
+    chosen: Sequence[tuple[Language, Profile]] = asked.languages or select_targets(
+        asked.targets, report, single_file=asked.emit.single_file
+    )
     if asked.bindings is not None:
         chosen = _bound(chosen, asked.bindings, inputs, report)
     frontend = Frontend(report, asked.search_path, inputs)

@@ -1,7 +1,7 @@
-"""Compiles materials to the functions that an engine takes which lights surfaces itself.
+"""Compiles materials to what an engine takes in a dialect of its own, which is no target.
 
-``entry_points.py`` calls ``functions_for`` for engines with a dialect of their own, which is no
-target, and ``compiling_functions.py`` makes the functions.
+The command line calls ``functions_for`` for engines that light surfaces themselves, and
+``shaders_for`` for those that take whole shaders.
 """
 
 from __future__ import annotations
@@ -13,11 +13,15 @@ from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
+from ..compiler.passes.pipeline import Options
 from ..compiler.reflection.roles import scene_names
 from ..engines.engine import Engine
 from ..engines.slot_table import INPUTS, offers
 from ..support.frozen import EMPTY, changed
+from ..targets.emit.emitter import EmitOptions
+from .compiled import CompiledMaterial, CompileResult
 from .compiled_functions import CompiledFunctions, FunctionsResult
+from .compiling import Asked, result_of
 from .compiling_functions import AskedFunctions, functions_of
 
 
@@ -26,6 +30,7 @@ def functions_for(
     source: str | Path,
     *,
     material: str | None = None,
+    rig: str | None = None,
     search_path: tuple[Path, ...] = (),
     prefix: str | None = None,
     values: tuple[tuple[str, str], ...] = (),
@@ -38,15 +43,18 @@ def functions_for(
     ``base_color``; ``only`` are the slots to which others are not added, if there are any. A
     material without anything that an engine could light is left out.
     """
-    assert engine.dialect is not None
     _check_words(named)
+    offered = offers(scene_names()["slots"], named, only, engine.taken)
+    slots: tuple[str, ...] = ()
+    if only and engine.dialect is None:  # Its materials have any slots, for users' own nodes.
+        offered, slots = (), (*only, *named.values())
     asked = AskedFunctions(
-        targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
-        together=False, prefix=prefix, values=values,
-        offers=offers(scene_names()["slots"], named, only), languages=(engine.dialect(),),
+        targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
+        slots=slots, together=False, prefix=prefix, values=values, offers=offered,
+        languages=() if engine.dialect is None else (engine.dialect(),),
     )  # fmt: skip
     found = functions_of(asked)
-    _check_slots(found, (*named.values(), *only))
+    _check_slots(found, () if slots else (*named.values(), *only))
     roles = {slot: word for word, slot in named.items()}
     return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
 
@@ -94,3 +102,31 @@ def _with_roles(material: CompiledFunctions, roles: Mapping[str, str]) -> Compil
         return changed(made, functions=tuple(map(row, made.functions)))
 
     return CompiledFunctions(material.name, material.files, document)
+
+
+def shaders_for(
+    engine: Engine,
+    source: str | Path,
+    *,
+    material: str | None = None,
+    rig: str | None = None,
+    pass_: str | None = None,
+    search_path: tuple[Path, ...] = (),
+    values: tuple[tuple[str, str], ...] = (),
+    hoist: bool = True,
+) -> CompileResult:
+    """The materials of a file as whole shaders in an engine's dialect. Raises ``CompileError``."""
+    assert engine.dialect is not None
+    asked = Asked(
+        targets=(), source=source, search_path=search_path, material=material, rig=rig,
+        pass_=pass_, options=Options(hoist), emit=EmitOptions(), partial=False,
+        native_stages=False, keep_graphs=False, values=values, languages=(engine.dialect(),),
+    )  # fmt: skip
+    return result_of(asked)
+
+
+def shader_files(engine: Engine, material: CompiledMaterial, report: Report) -> Mapping[str, str]:
+    """The files of an engine for one material; what the engine lacks is reported."""
+    assert engine.write_shaders is not None
+    texts = {file.stage: file.text for file in material.files}
+    return engine.write_shaders(material.reflection, texts, report)

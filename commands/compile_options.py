@@ -73,8 +73,8 @@ SLOTS = Option(
     ("--slots",),
     "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
     "follows its name. Default: those that the material itself, or its model, gives a value, and "
-    "that need no lights. With `--engine godot` and `filament`, `base_color=stain` says that the "
-    "slot `stain` is the base colour.",
+    "that need no lights. With `--engine three`, `godot` and `filament`, `base_color=stain` says "
+    "that the slot `stain` is the base colour.",
     metavar="NAME[@vertex],…",
     many=True,
 )
@@ -88,7 +88,8 @@ ENGINE = Option(
     ("--engine",),
     "Write what an engine takes, instead of texts: a module with a material for `three` "
     "(three.js), a shader for `godot`, a definition for `filament`, functions for nodes of `unity` "
-    "and `unreal`. It implies `--emit functions`.",
+    "and `unreal`. It implies `--emit functions`, except `three-webgl`: that is a module with a "
+    "material of whole shaders for three.js's WebGLRenderer.",
     metavar="NAME",
 )
 PREFIX = Option(
@@ -240,6 +241,16 @@ class CompileRequest:
         return self.emit == FUNCTIONS or self.engine is not None
 
     @property
+    def has_engine_shaders(self) -> bool:
+        """True if an engine is asked for that takes whole shaders."""
+        if self.engine is None:
+            return False
+        from ..engines import known
+
+        name = self.engine
+        return name in known.names() and known.load(name).write_shaders is not None
+
+    @property
     def prints(self) -> bool:
         """True if the shaders are printed instead of written."""
         return self.output == STDOUT
@@ -284,6 +295,8 @@ class CompileRequest:
         """What is wrong between options about whole shaders and those about functions."""
         if self.engine is not None and self.targets:
             return "--engine says the targets itself: leave --target out"
+        if self.has_engine_shaders:
+            return self._misfit_of_engine_shaders
         if self.engine is not None and self.together:
             return "an engine takes one function for each slot: leave --together out"
         of_others = _OF_SHADERS if self.has_functions else _OF_FUNCTIONS
@@ -293,6 +306,15 @@ class CompileRequest:
             words = "is about whole shaders: leave it out, or `--emit functions` and `--engine`"
             return f"{given[0]} {words}" if given else None
         return f"{given[0]} goes with `--emit functions` only" if given else None
+
+    @property
+    def _misfit_of_engine_shaders(self) -> str | None:
+        """What does not go with an engine that takes whole shaders, in a dialect of its own."""
+        rows = [*_OF_FUNCTIONS, *(row for row in _OF_SHADERS if row != PASS)]
+        given = [row.names[-1] for row in rows if getattr(self, row.field) not in _NOTHING]
+        if self.emit != SHADERS:
+            given.append(f"--emit {self.emit}")
+        return f"{given[0]} does not go with --engine {self.engine}" if given else None
 
     @property
     def _contradiction(self) -> str | None:

@@ -23,6 +23,8 @@ def compiled_functions(request: CompileRequest) -> Compiled:
     (file,) = request.files
     try:
         engine = None if request.engine is None else _engine(request.engine)
+        if engine is not None and engine.write_shaders is not None:
+            return _of_shaders(request, file, engine)
         result = _result(request, file, engine)
         texts = {each.name: each.text for material in result for each in material.files}
         if engine is not None:
@@ -53,8 +55,8 @@ def _engine(name: str) -> Engine:
 
 
 def _result(request: CompileRequest, file: Path, engine: Engine | None) -> FunctionsResult:
-    if engine is not None and engine.dialect is not None:
-        return _in_dialect(request, file, engine)
+    if engine is not None and engine.is_offered:
+        return _offered(request, file, engine)
     targets = _apart(request.targets) if engine is None else list(engine.targets)
     return api.functions(
         file,
@@ -69,8 +71,8 @@ def _result(request: CompileRequest, file: Path, engine: Engine | None) -> Funct
     )
 
 
-def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
-    """The functions for an engine that takes them in a language of its own."""
+def _offered(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
+    """The functions for an engine that is given the slots which it takes."""
     from ..api.compiling_engines import functions_for
 
     given = [each.partition("=") for each in _apart(request.slots)]
@@ -78,12 +80,43 @@ def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> Function
         engine,
         file,
         material=request.material,
+        rig=request.rig,
         search_path=tuple(map(Path, request.search_path)),
         prefix=request.prefix,
         values=tuple(map(name_and_value, request.values)),
         named={word.strip(): slot.strip() for word, sign, slot in given if sign},
         only=[word for word, sign, _slot in given if not sign],
     )
+
+
+def _of_shaders(request: CompileRequest, file: Path, engine: Engine) -> Compiled:
+    """The files of an engine that takes whole shaders. Raises ``CompileError``."""
+    from ..api.compiling_engines import shader_files, shaders_for
+
+    result = shaders_for(
+        engine,
+        file,
+        material=request.material,
+        rig=request.rig,
+        pass_=request.pass_,
+        search_path=tuple(map(Path, request.search_path)),
+        values=tuple(map(name_and_value, request.values)),
+        hoist=request.hoist,
+    )
+    report, texts, lines = Report(), dict[str, str](), []
+    for frame in result.frames:
+        report.add(
+            rules.UNFIT_FOR_ENGINE, None, slot=frame.name, engine=engine.title,
+            reason="it is a frame of several passes, and the engine takes single materials",
+        )  # fmt: skip
+    for material in () if result.frames else result.materials:
+        own = shader_files(engine, material, report)
+        texts |= own
+        lines.append(f"{material.name}: {len(own)} files for {engine.title} in {request.output}\n")
+    if report.failed:
+        raise CompileError((*result.diagnostics, *report.diagnostics))
+    told = () if request.prints else tuple(lines)
+    return Compiled(texts, {}, {}, {}, told, (), result.diagnostics, result.inputs)
 
 
 def _files_of(engine: Engine, result: FunctionsResult) -> dict[str, str]:

@@ -15,7 +15,8 @@ from .engine import Engine
 def names() -> tuple[str, ...]:
     """The names of all engines, sorted; none of them is imported for this."""
     inside = (folder for place in folders for folder in Path(place).iterdir())
-    return tuple(sorted(each.name for each in inside if (each / "engine.py").is_file()))
+    found = (each.name for each in inside if (each / "engine.py").is_file())
+    return tuple(sorted(name.replace("_", "-") for name in found))
 
 
 @cache
@@ -23,5 +24,5 @@ def load(name: str) -> Engine:
     """The engine called ``name``; ``KeyError`` if there is none."""
     if name not in names():
         raise KeyError(name)
-    engine: Engine = import_module(f"{package}.{name}.engine").ENGINE
+    engine: Engine = import_module(f"{package}.{name.replace('-', '_')}.engine").ENGINE
     return engine

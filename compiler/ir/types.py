@@ -239,6 +239,11 @@ def with_width(kind: ScalarKind, lanes: int) -> Numeric:
     return _NUMERIC[kind, lanes]
 
 
+def of_floats(type_: Type) -> Type:
+    """The type of as many floats, of a number or a vector; any other type itself."""
+    return with_width("float", width(type_)) if isinstance(type_, Scalar | Vector) else type_
+
+
 def scalar_kind(type_: Type) -> ScalarKind | None:
     """The kind of a type's lanes; ``None`` for aggregates and textures."""
     return type_.kind if isinstance(type_, Scalar | Vector | Matrix) else None

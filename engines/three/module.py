@@ -23,12 +23,17 @@ from ...compiler.documents.functions import (
 )
 from ...support.frozen import frozen
 from ...targets.emit.functions import FunctionEmission
+from .. import slot_table
 from . import inputs
-from .slots import VERTICES, rows_for, words_of
+from .slots import VERTICES, rows_for
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
+NO_NODE = (
+    "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
+    "`--slots base_color=…`, or take it with its lights, by `--engine three-webgl`"
+)
 _HERE = Path(__file__).parent
 _SHARED = ("surface", "attribute")
 """The sources of arguments that are the same nodes for all functions."""
@@ -115,6 +120,11 @@ def write(
     if not _fits(document, report):
         return {}
     module = _Writer(document, emissions).module()
+    if not module.nodes:
+        report.add(
+            rules.UNFIT_FOR_ENGINE, None, slot=document.material, engine="three.js", reason=NO_NODE
+        )
+        return {}
     name = f"{document.material}.three"
     return {
         f"{name}.js": _filled("module.js.j2", module),
@@ -181,7 +191,8 @@ class _Writer:
         self._document, self._emissions = document, emissions
         self._arguments = {row.name: row for row in document.arguments}
         self._functions = {row.name: row for row in document.functions}
-        self._words = words_of(slot for row in document.functions for slot in row.slots)
+        given = slot_table.found(document.functions)
+        self._words = {word: row.slots[0].name for word, row in given.items()}
         self._texts = {
             name: {
                 language: document.backends[profile].functions[name]
@@ -230,9 +241,9 @@ class _Writer:
 
     def _base(self, nodes: Sequence[Entry]) -> str:
         named = {node.name for node in nodes}
-        is_unlit = "color" in self._words and "base_color" not in self._words
         others = named - {"colorNode", "opacityNode", "maskNode", "positionNode"}
-        return "MeshBasicNodeMaterial" if is_unlit and not others else "MeshPhysicalNodeMaterial"
+        is_basic = not slot_table.is_lit(self._words) and not others
+        return "MeshBasicNodeMaterial" if is_basic else "MeshPhysicalNodeMaterial"
 
     # --- code ------------------------------------------------------------------------------------
 
@@ -339,8 +350,9 @@ class _Writer:
         for row in self._document.functions:
             for slot in row.slots:
                 yield Entry(
-                    slot.name, comment=_comment(slot.doc, None), variable=_variable(row.name)
-                )
+                    slot.name, type=f'Node<"{slot.representation}">',
+                    comment=_comment(slot.doc, None), variable=_variable(row.name),
+                )  # fmt: skip
 
     def _nodes(self) -> Iterator[Entry]:
         for row in rows_for(self._words):

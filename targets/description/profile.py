@@ -296,6 +296,9 @@ class Profile:
     bits."""
     integer_attributes: bool = True
     """True if vertex attributes can be integers."""
+    attributes_of_floats: bool = False
+    """True if a host hands integers on to vertices as floats, from which the text makes integers
+    again: those of 24 bits stay the same."""
     flat_varyings: bool = True
     """True if a varying can be flat: the value of one vertex of the triangle. Integers have to be
     flat."""

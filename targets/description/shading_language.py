@@ -71,6 +71,9 @@ class Language:
     helpers: Mapping[str, Mapping[Dimension, str]] = EMPTY
     """Functions that natives call where the language has only statements; ``{texture}`` is the
     type of the texture that each takes."""
+    host_names: Mapping[str, str] = EMPTY
+    """The names of uniforms and vertex inputs that a host sets by itself, by their names in
+    Burnish. Nothing else has such a name."""
     splats: frozenset[str] = frozenset()
     """Natives whose scalar operands have to be vectors like the result: ``clamp(v, 0.0, 1.0)``."""
     inputs: Mapping[str, PipelineInput] = EMPTY

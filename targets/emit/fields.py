@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from ...compiler.ir.program import Field, Output, Program, Stage
 from ...compiler.ir.stages import CAPTURE, CONTROL, EVALUATION, PATCHES, TARGET
+from ...compiler.ir.types import of_floats
 from ...support.frozen import changed
 from ..description.shading_language import FieldRole
 from .comments import comment_line
@@ -123,10 +124,13 @@ class Fields:
 
     def _field(self, field: Field, role: FieldRole, per_corner: bool, invariant: bool) -> FieldView:
         name, types = self._name(field, role), self._context.types
+        type_ = field.type
+        if role == "attribute" and self._context.profile.attributes_of_floats:
+            type_ = of_floats(type_)
         return FieldView(
             name=name,
-            type=types.type(field.type),
-            typed=types.declare(name, field.type),
+            type=types.type(type_),
+            typed=types.declare(name, type_),
             location=field.location,
             semantic=self._semantic(field, role),
             crosses=role == "varying",

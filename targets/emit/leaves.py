@@ -11,7 +11,7 @@ from ...compiler.ir.node import Node
 from ...compiler.ir.operations import ARGUMENT, ATTRIBUTE, BUFFER, CROSS, PARAMETER, TEXTURE
 from ...compiler.ir.program import Stage, Varying
 from ...compiler.ir.stages import PATCHES, SystemInput
-from ...compiler.ir.types import Scalar, Type, Vector, scalar_kind, width, with_width
+from ...compiler.ir.types import Scalar, Type, Vector, of_floats, scalar_kind, width, with_width
 from ...stdlib.builtins import BUILTINS
 from .context import Context
 from .precedence import NAME, POSTFIX, Field, Printed
@@ -33,6 +33,7 @@ class LeafPrinter:
         self._names = context.names
         self._inputs = context.dialect.inputs
         self._members = context.members
+        self._attributes_of_floats = context.profile.attributes_of_floats
         self._read_parameters = context.read_parameters
         self._crossings = dict(_crossings(context.program.entering(stage)))
         faces = context.program.interfaces_into(stage)
@@ -94,8 +95,11 @@ class LeafPrinter:
         return self._names.samplers.get(TEXTURE.data(node).name, "")
 
     def attribute(self, node: Node) -> Printed:
-        """A vertex input."""
-        return self._read(self._names.attributes[ATTRIBUTE.data(node).name])
+        """A vertex input; integers are made of floats where a host hands these on."""
+        text, level = self._read(self._names.attributes[ATTRIBUTE.data(node).name])
+        if self._attributes_of_floats and of_floats(node.type) != node.type:
+            return f"{self._types.type(node.type)}({text})", POSTFIX
+        return text, level
 
     def argument(self, node: Node) -> Printed:
         """An argument of a function that an engine calls."""

@@ -166,11 +166,18 @@ class _Naming:
             scope = Namer(self._reserved)
             declare = self._declare if self._language.global_members else scope.declare
             for member in block.members:
-                yield (block.name, member.name), declare(member.name)
+                yield (block.name, member.name), self._of_host(member.name) or declare(member.name)
         for struct in self._program.structs:
             scope = Namer(self._reserved)
             for name, _type in struct.members:
                 yield (struct.name, name), scope.declare(name)
+
+    def _of_host(self, name: str) -> str:
+        """The name that a host has for a value; empty if it has none."""
+        found = self._language.host_names.get(name, "")
+        if found:
+            self._module.take(found)
+        return found
 
     def _structs(self) -> Iterable[str]:
         return dict.fromkeys(struct.name for struct in self._program.structs)
@@ -187,12 +194,16 @@ class _Naming:
             names = dict.fromkeys(field.name for field in fields)
             return {name: namer.declare(prefix + name) for name in names}
 
+        attributes = {
+            name: self._of_host(name) or given
+            for name, given in declare(program.vertex_inputs).items()
+        }
         outputs = [output for stage in program.stages for output in stage.results]
         written = [out.field for out in outputs if out.field and out.kind == TARGET]
         delivered = [out.field for out in outputs if out.field and out.kind != TARGET]
         handed_on = [field for stage in program.stages for field in stage.handed_on]
         return _Fields(
-            attributes=declare(program.vertex_inputs),
+            attributes=attributes,
             varyings=declare(delivered, language.varying_prefix),
             points=declare(handed_on, language.point_prefix),
             render_targets=declare(written, language.output_prefix),

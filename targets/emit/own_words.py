@@ -98,7 +98,7 @@ def _rows(language: Language) -> tuple[object, ...]:
         language.types, language.textures, tuple(language.images), language.images,
         language.literals, language.forms, language.natives, language.inputs,
         language.primitives, language.patches, language.spacings, language.emitted,
-        language.atomics,
+        language.atomics, language.host_names,
     )  # fmt: skip
 
 

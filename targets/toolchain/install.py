@@ -69,6 +69,7 @@ NPM_PACKAGES = {
     "typescript": "typescript",
     "pyodide": "pyodide",
     "three": "three",
+    "three-types": "@types/three",
     "vite": "vite",
 }
 """The packages of npm, by the tool that each of them is."""
@@ -305,6 +306,7 @@ INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "pyodide": partial(_npm, "pyodide"),
     "vite": partial(_npm, "vite"),
     "three": partial(_npm, "three"),
+    "three-types": partial(_npm, "three-types"),
 }
 
 

@@ -47,6 +47,9 @@ TINT_PACKAGE = "node_modules/webgpu/package.json"
 PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mjs")
 VITE = ("node_modules/vite/package.json", "node_modules/vite/bin/vite.js")
 THREE = ("node_modules/three/package.json", "node_modules/three/build/three.webgpu.js")
+THREE_TYPES = (
+    "node_modules/@types/three/package.json", "node_modules/@types/three/build/three.webgpu.d.ts",
+)  # fmt: skip
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
 
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
@@ -193,6 +196,13 @@ TOOLS: tuple[Tool, ...] = (
         name="three",
         purpose="three.js, in which tests draw what is made for it",
         place=FolderFiles(THREE),
+        version=stated("version"),
+        source=OwnInstaller("0.187.0"),
+    ),
+    Tool(
+        name="three-types",
+        purpose="the types of three.js, by which tests check those of materials for it",
+        place=FolderFiles(THREE_TYPES),
         version=stated("version"),
         source=OwnInstaller("0.187.0"),
     ),

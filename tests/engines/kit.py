@@ -46,12 +46,12 @@ def module_of(compiled: CompiledFunctions, folder: Path) -> str:
     return next(name for name in files if name.endswith(".js"))
 
 
-def site_in(folder: Path) -> Path:
-    """A folder with three.js and the page."""
+def site_in(folder: Path, page: str = "draw.html") -> Path:
+    """A folder with three.js and a page."""
     found = tool_named("three").find()
     assert found is not None
     (folder / "three").symlink_to(found[0].parent / "build")
-    shutil.copy(HERE / "draw.html", folder / "index.html")
+    shutil.copy(HERE / page, folder / "index.html")
     return folder
 
 

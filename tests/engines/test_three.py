@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +28,7 @@ from .kit import (
     page_of,
     site_in,
 )
+from .typed import complaints as complaints_of_types
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 GOLDEN = Path(__file__).parent / "golden"
@@ -93,17 +95,23 @@ functions of WebGL 2 or of three.js cannot have."""
 FILES = sorted(EXAMPLES.glob("*.burnish"))
 
 
+@pytest.fixture(scope="module")
+def modules(site: Path) -> Mapping[Path, Sequence[tuple[CompiledFunctions, str]]]:
+    """The materials of all examples with their modules, each file in a folder of its own."""
+    return {file: made(file, site) for file in FILES}
+
+
 @pytest.mark.xdist_group("three")
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_examples_are_lit(backend: str, page: Page, site: Path) -> None:
+def test_examples_are_lit(
+    backend: str, page: Page, modules: Mapping[Path, Sequence[tuple[CompiledFunctions, str]]]
+) -> None:
     """Each renderer draws the half of them, and has nothing to say."""
     drawn, wrong = 0, []
     for file in FILES[BACKENDS.index(backend) :: 2]:
-        for compiled, module in made(file, site):
+        for compiled, module in modules[file]:
             given = {
-                # Files may have materials of one name, and a browser keeps modules by address.
-                "module": f"./{module}?{file.stem}", "material": f"{compiled.name}Material",
-                "size": SIZE,
+                "module": f"./{module}", "material": f"{compiled.name}Material", "size": SIZE,
                 "attributes": attributes_of(compiled),
             }  # fmt: skip
             before = len(complaints(page))
@@ -119,12 +127,43 @@ def test_examples_are_lit(backend: str, page: Page, site: Path) -> None:
 
 def made(file: Path, site: Path) -> list[tuple[CompiledFunctions, str]]:
     """The materials of a file with their modules; none if three.js cannot draw one of them."""
+    folder = site / file.stem
+    folder.mkdir()
     try:
-        return [(each, module_of(each, site)) for each in functions(file)]
+        return [(each, f"{file.stem}/{module_of(each, folder)}") for each in functions(file)]
     except CompileError as error:
         codes = {found.rule.code for found in error.diagnostics if found.severity == "error"}
         assert codes <= CANNOT, f"{file.name}: {error}"
         return []
+
+
+PROGRAM = """\
+import { Color, Texture } from "three/webgpu";
+import { PlasticMaterial } from "./plastic/Plastic.three.js";
+
+const material = new PlasticMaterial({ base: new Color("#2266aa"), albedo: new Texture() });
+material.parameters.base.value.set("#b5651d");
+material.colorNode = material.slots.tint;
+material.roughness = 0.25;
+// @ts-expect-error A colour is no number.
+new PlasticMaterial({ base: 3 });
+// @ts-expect-error It is called base.
+material.parameters.basis;
+"""
+
+
+@pytest.mark.xdist_group("three")
+def test_types_are_those_of_three(
+    modules: Mapping[Path, Sequence[tuple[CompiledFunctions, str]]], site: Path, tmp_path: Path
+) -> None:
+    """A strict tsc takes the declarations of all examples, and a program by what they declare."""
+    assert modules
+    for file in site.glob("*/*.d.ts"):
+        copy = tmp_path / file.relative_to(site)
+        copy.parent.mkdir(exist_ok=True)
+        shutil.copy(file, copy)
+    (tmp_path / "program.ts").write_text(PROGRAM, encoding="utf-8")
+    assert complaints_of_types(tmp_path) == []
 
 
 def test_the_files_are_as_they_were(tmp_path: Path) -> None:

@@ -137,6 +137,9 @@ FLOORS: dict[str, str] = {
     "engines.unreal": "emit engine surface texts",
     "engines.known": "engine",
     "engines.three": "frozen diagnostics documents emit engine",
+    "engines.three_webgl": (
+        "frozen diagnostics documents ir tracing bindings description registry engine three"
+    ),
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (

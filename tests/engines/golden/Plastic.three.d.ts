@@ -23,7 +23,7 @@ export interface PlasticTextures {
 }
 
 export interface PlasticSlots {
-  readonly tint: Node;
+  readonly tint: Node<"vec3">;
 }
 
 export type PlasticValues = {

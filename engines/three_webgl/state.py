@@ -1,0 +1,117 @@
+"""The state of a pass as properties of three.js's materials, and of samplers as those of textures.
+
+What three.js cannot do is a sentence instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from ...compiler.documents.drawing import SamplerState, TargetRow
+from ...compiler.documents.reflection import Reflection
+from ...compiler.ir.blending import Blend
+
+SIDES = {"none": "DoubleSide", "back": "FrontSide", "front": "BackSide"}
+DEPTHS = {
+    "never": "NeverDepth", "less": "LessDepth", "equal": "EqualDepth",
+    "less_equal": "LessEqualDepth", "greater": "GreaterDepth", "not_equal": "NotEqualDepth",
+    "greater_equal": "GreaterEqualDepth", "always": "AlwaysDepth",
+}  # fmt: skip
+FACTORS = {
+    "zero": "ZeroFactor", "one": "OneFactor", "src": "SrcColorFactor",
+    "one_minus_src": "OneMinusSrcColorFactor", "src_alpha": "SrcAlphaFactor",
+    "one_minus_src_alpha": "OneMinusSrcAlphaFactor", "dst": "DstColorFactor",
+    "one_minus_dst": "OneMinusDstColorFactor", "dst_alpha": "DstAlphaFactor",
+    "one_minus_dst_alpha": "OneMinusDstAlphaFactor",
+    "src_alpha_saturated": "SrcAlphaSaturateFactor", "constant": "ConstantColorFactor",
+    "one_minus_constant": "OneMinusConstantColorFactor",
+}  # fmt: skip
+OPERATIONS = {
+    "add": "AddEquation", "subtract": "SubtractEquation",
+    "reverse_subtract": "ReverseSubtractEquation", "min": "MinEquation", "max": "MaxEquation",
+}  # fmt: skip
+WRAPS = {
+    "repeat": "RepeatWrapping", "clamp": "ClampToEdgeWrapping", "mirror": "MirroredRepeatWrapping",
+}  # fmt: skip
+FILTERS = {
+    ("linear", "linear"): "LinearMipmapLinearFilter",
+    ("linear", "nearest"): "LinearMipmapNearestFilter",
+    ("linear", "none"): "LinearFilter",
+    ("nearest", "linear"): "NearestMipmapLinearFilter",
+    ("nearest", "nearest"): "NearestMipmapNearestFilter",
+    ("nearest", "none"): "NearestFilter",
+}
+"""The filter where a texture is shrunk, by the filter in a level and that between levels."""
+MAGNIFIED = {"linear": "LinearFilter", "nearest": "NearestFilter"}
+COMPARISONS = {name: word.replace("Depth", "Compare") for name, word in DEPTHS.items()}
+
+
+def lacking(reflection: Reflection) -> Iterator[str]:
+    """What the draw needs and three.js does not do, each as the rest of a sentence."""
+    state, draw = reflection.render_state, reflection.draw
+    if reflection.extent is not None:
+        yield "it is a kernel, and WebGL has none"
+    if reflection.capture is not None:
+        yield "its pass captures vertices, and draws nothing"
+    if draw.expanded_by is not None or draw.tessellation is not None:
+        yield "it makes vertices of its own"
+    if draw.layers is not None:
+        yield "its pass draws several layers"
+    if state.stencil is not None:
+        yield "its pass has a stencil test"
+    if state.front != "counter_clockwise":
+        yield "its pass has clockwise front faces"
+    if any(row.mask not in ("none", _lanes(row)) for row in reflection.targets):
+        yield "its pass writes some lanes of a target only"
+
+
+def _lanes(row: TargetRow) -> str:
+    """The lanes that the target's format has."""
+    return "rgba"[: len(row.format) - len(row.format.lstrip("rgba"))]
+
+
+def state_of(reflection: Reflection) -> Mapping[str, str]:
+    """The properties of the material, each with its value in JavaScript."""
+    state = reflection.render_state
+    depth = state.depth
+    found = {"side": SIDES[state.cull], "forceSinglePass": "true"}
+    found["depthTest"] = "true" if depth.is_used else "false"
+    found |= {
+        "depthFunc": DEPTHS[depth.compare],
+        "depthWrite": "true" if depth.write else "false",
+    }
+    if depth.bias or depth.slope_bias:
+        found |= {
+            "polygonOffset": "true", "polygonOffsetFactor": f"{depth.slope_bias:g}",
+            "polygonOffsetUnits": str(depth.bias),
+        }  # fmt: skip
+    if state.alpha_to_coverage:
+        found["alphaToCoverage"] = "true"
+    if reflection.targets and reflection.targets[0].mask == "none":
+        found["colorWrite"] = "false"
+    blend = next((row.blend for row in reflection.targets if row.blend is not None), None)
+    return found | ({"blending": "NoBlending"} if blend is None else _blending(blend))
+
+
+def _blending(blend: Blend) -> Mapping[str, str]:
+    color, alpha = blend.color, blend.alpha
+    return {
+        "transparent": "true", "blending": "CustomBlending",
+        "blendEquation": OPERATIONS[color.operation], "blendSrc": FACTORS[color.source],
+        "blendDst": FACTORS[color.destination], "blendEquationAlpha": OPERATIONS[alpha.operation],
+        "blendSrcAlpha": FACTORS[alpha.source], "blendDstAlpha": FACTORS[alpha.destination],
+    }  # fmt: skip
+
+
+def sampling(state: SamplerState) -> Mapping[str, str]:
+    """The properties of a texture that say how it is read."""
+    across, down = (getattr(state, f"wrap_{axis}") or state.wrap for axis in "uv")
+    found = {
+        "wrapS": WRAPS[across], "wrapT": WRAPS[down], "magFilter": MAGNIFIED[state.filter],
+        "minFilter": FILTERS[state.filter, state.mip],
+    }  # fmt: skip
+    if state.anisotropy is not None:
+        found["anisotropy"] = str(state.anisotropy)
+    if state.compare is not None:
+        found["compareFunction"] = COMPARISONS[state.compare]
+    return found
