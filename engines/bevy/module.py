@@ -1,0 +1,136 @@
+"""The module of a material: Rust that gives Bevy its shader, its parameters and its textures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...support.frozen import frozen
+from ..surface import Surface
+from .fields import Choice, Field, choice, parameter
+from .images import Loading, Texel, field, loading, texel
+from .shader import bindings, structure
+from .statements import Statements
+from .texts import filled
+from .values import ATTRIBUTES
+
+PREPASS_LOCATIONS = {"normal": 3, "tangent": 4}
+"""The locations of vertex inputs, where pixels are drawn before they are lit."""
+IDENTITY = "https://burnish.invalid/bevy/"
+"""The beginning of what the identities of assets are made of."""
+
+
+@frozen
+class Named:
+    """A texture that stands in, with its identity."""
+
+    texel: Texel
+    uuid: str
+
+
+@frozen
+class Deep:
+    """A vertex input that Bevy leaves out where it draws only depths."""
+
+    definition: str
+    attribute: str
+    location: int
+
+
+@frozen(kw_only=True)
+class Module:
+    """Everything that the template prints."""
+
+    name: str
+    doc: tuple[str, ...]
+    file: str
+    uuid: str
+    structure: str
+    fields: tuple[Field, ...]
+    parameters: tuple[Field, ...]
+    choices: tuple[Choice, ...]
+    textures: tuple[Loading, ...]
+    texels: tuple[Named, ...]
+    image_words: tuple[str, ...]
+    settings: tuple[str, ...]
+    shaders: tuple[str, ...]
+    attributes: tuple[str, ...]
+    deep: tuple[Deep, ...]
+
+
+def module_text(surface: Surface, statements: Statements, shader: str, file: str) -> str:
+    """The text of the module."""
+    return filled("material.rs.j2", material=_module(surface, statements, shader, file))
+
+
+def _module(surface: Surface, statements: Statements, shader: str, file: str) -> Module:
+    rows = statements.parameters
+    parameters = tuple(parameter(surface.name, name, row) for name, row in rows.items())
+    textures = tuple(loading(name, row) for name, row in statements.textures.items())
+    texels = dict.fromkeys(map(texel, statements.textures.values()))
+    attributes = statements.attributes
+    return Module(
+        name=surface.name,
+        doc=tuple(surface.document.doc.splitlines()),
+        file=file,
+        uuid=_identity(shader),
+        structure=structure(surface),
+        fields=(*parameters, *_textures(surface, statements)),
+        parameters=parameters,
+        choices=tuple(filter(None, (choice(surface.name, row) for row in rows.values()))),
+        textures=textures,
+        texels=tuple(Named(each, _identity(f"{each}")) for each in texels),
+        image_words=tuple(_image_words(textures)),
+        settings=tuple(_settings(surface, statements)),
+        shaders=tuple(_shaders(statements)),
+        attributes=tuple(ATTRIBUTES[name] for name in attributes),
+        deep=tuple(
+            Deep(f"VERTEX_{name.upper()}S", ATTRIBUTES[name], PREPASS_LOCATIONS[name])
+            for name in statements.needs_deep
+        ),
+    )
+
+
+def _textures(surface: Surface, statements: Statements) -> Iterator[Field]:
+    rows = bindings(surface, statements)
+    numbers = {row.name: row.number for row in rows}
+    samplers = {row.number for row in rows if row.type == "sampler"}
+    for name, row in statements.textures.items():
+        yield field(name, row, numbers[name], numbers[name] + 1 in samplers)
+
+
+def _image_words(textures: tuple[Loading, ...]) -> Iterator[str]:
+    """What the module imports of Bevy's images."""
+    text = " ".join(setting for each in textures for setting in each.sampler)
+    for word in ("ImageAddressMode", "ImageFilterMode", "ImageSamplerBorderColor"):
+        if f"{word}::" in text:
+            yield word
+
+
+def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
+    """The settings of Bevy's own material without which slots have no effect."""
+    if not surface.is_lit:
+        yield "unlit: true"
+    if "alpha" in surface.inputs:
+        yield "alpha_mode: AlphaMode::Blend"
+    elif "is_hidden" in surface.inputs:
+        yield "alpha_mode: AlphaMode::Mask(0.5)"
+    if "front_facing" in statements.reads:
+        yield "cull_mode: None"
+    if "clearcoat" in surface.inputs:
+        yield "clearcoat: 1.0"
+
+
+def _shaders(statements: Statements) -> Iterator[str]:
+    """The stages that have a shader of the material's own."""
+    if statements.has_vertices:
+        yield from ("vertex", "prepass_vertex", "deferred_vertex")
+    yield from ("fragment", "deferred_fragment")
+    if statements.has_prepass:
+        yield "prepass_fragment"
+
+
+def _identity(text: str) -> str:
+    """The identity of an asset: that of its text."""
+    import uuid
+
+    return str(uuid.uuid5(uuid.NAMESPACE_URL, IDENTITY + text))
