@@ -40,10 +40,11 @@ def functions_for(
     """
     assert engine.dialect is not None
     _check_words(named)
+    offered = offers(scene_names()["slots"], named, only, engine.taken)
     asked = AskedFunctions(
         targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
         together=False, prefix=prefix, values=values,
-        offers=offers(scene_names()["slots"], named, only), languages=(engine.dialect(),),
+        offers=offered, languages=(engine.dialect(),),
     )  # fmt: skip
     found = functions_of(asked)
     _check_slots(found, (*named.values(), *only))

@@ -35,6 +35,8 @@ class Engine:
 
     What the engine cannot do is reported.
     """
+    taken: frozenset[str]
+    """The values of ``slot_table.py`` that it takes; what a material gives beside is told."""
     unproven: str = ""
     """The reason why nobody should rely on the files yet: "never compiled by …"."""
     dialect: Callable[[], Dialect] | None = None

@@ -2,13 +2,14 @@
 
 ``stdlib/scene.toml`` says what the library's own slots are. Materials may call theirs as they like:
 the table has the names of the library's models and terms, and whoever uses other names says so.
+What a value is called in an engine, and which values it has not got, says its own folder.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
-from ..compiler.documents.functions import SlotRow
+from ..compiler.documents.functions import FunctionRow, SlotRow
 from ..compiler.ir.functions import Offer
 from ..support.frozen import frozen
 
@@ -59,16 +60,34 @@ COLOR = "color"
 MOVED = ("object_drawn", "object_place", "object_pose", "object_shape")
 """The slots of the library in which a material moves the points of a mesh."""
 
+BASE_COLOR = ("base_color", "albedo", "tint", "diffuse", "diffuse_color", "kd", "base")
+
 INPUTS: tuple[Input, ...] = (
-    Input("base_color", ("base_color", "albedo", "tint", "kd", "base")),
+    Input("base_color", BASE_COLOR),
     Input("metallic", ("metallic", "metalness")),
-    Input("roughness", ("roughness",)),
+    Input("roughness", ("roughness", "rough")),
     Input("squared_roughness"),
-    Input("clearcoat", ("clearcoat",)),
-    Input("clearcoat_roughness", ("clearcoat_roughness",)),
-    Input("emissive", ("emissive", "emission")),
-    Input("emissive_strength"),
-    Input("occlusion", ("occlusion",)),
+    Input("ior", ("ior",), changed=True),
+    Input("specular", changed=True),
+    Input("specular_color", changed=True),
+    Input("clearcoat", ("clearcoat",), changed=True),
+    Input("clearcoat_roughness", ("clearcoat_roughness",), changed=True),
+    Input("clearcoat_normal", changed=True),
+    Input("sheen_color", ("sheen_color",), changed=True),
+    Input("sheen_roughness", ("sheen_roughness",), changed=True),
+    Input("anisotropy_strength", changed=True),
+    Input("anisotropy_direction", changed=True),
+    Input("iridescence", ("iridescence",), changed=True),
+    Input("iridescence_ior", ("iridescence_ior",), changed=True),
+    Input("iridescence_thickness", ("iridescence_thickness",), changed=True),
+    Input("transmission", ("transmission",), changed=True),
+    Input("thickness", ("thickness",), changed=True),
+    Input("attenuation_color", changed=True),
+    Input("attenuation_distance", changed=True),
+    Input("dispersion", changed=True),
+    Input("emissive", ("emissive", "emission", "glow"), changed=True),
+    Input("emissive_strength", changed=True),
+    Input("occlusion", ("occlusion", "ambient_occlusion")),
     Input("normal", changed=True, made_of=MOVED),
     Input("alpha", changed=True),
     Input("is_hidden", changed=True),
@@ -86,15 +105,47 @@ LIT = frozenset({
 """A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
 
 
+def is_lit(words: Collection[str]) -> bool:
+    """True if an engine lights a surface that gives these values; else it sends out its own."""
+    return COLOR not in words
+
+
+def found(functions: Iterable[FunctionRow]) -> Mapping[str, FunctionRow]:
+    """The function for each value that a material gives, by the value's name.
+
+    Each function returns one slot. Slots of the library come before a user's own, and these in the
+    order of the table.
+    """
+    rows = tuple(functions)
+    best: dict[str, FunctionRow] = {}
+    for value in INPUTS:
+        ranked = [
+            (rank, number)
+            for number, row in enumerate(rows)
+            if row.stage == value.stage and (rank := value.rank(row.slots[0])) is not None
+        ]
+        if ranked:
+            best[value.name] = rows[min(ranked)[1]]
+    return best
+
+
 def offers(
-    words: Mapping[str, str], named: Mapping[str, str], only: Collection[str]
+    words: Mapping[str, str],
+    named: Mapping[str, str],
+    only: Collection[str],
+    taken: Collection[str],
 ) -> tuple[Offer, ...]:
     """All slots that engines can use, or ``only`` some of them, if it has any.
 
-    ``words`` are the roles of slots of the library, and ``named`` slots that a user has named for
-    a value, such as ``stain`` for ``base_color``.
+    ``words`` are the roles of slots of the library, ``named`` slots that a user has named for
+    a value, such as ``stain`` for ``base_color``, and ``taken`` the values that the engine takes:
+    of a user's own names, there are none for others.
     """
-    found = [offer for row in INPUTS for offer in row.offers(words)]
+    offered = [
+        offer
+        for row in INPUTS
+        for offer in row.offers(words)
+        if (offer.owner or row.name in taken) and (not only or offer.name in only)
+    ]
     places = {row.name: row.at_vertices for row in INPUTS}
-    found = [offer for offer in found if not only or offer.name in only]
-    return (*found, *(Offer(slot, places[word]) for word, slot in named.items()))
+    return (*offered, *(Offer(slot, places[word]) for word, slot in named.items()))

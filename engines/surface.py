@@ -14,7 +14,7 @@ from ..compiler.documents.functions import (
 )
 from ..support.frozen import cached_property, frozen
 from ..targets.emit.functions import EmittedPart, EmittedSignature, FunctionEmission
-from .slot_table import COLOR, INPUTS, LIT
+from . import slot_table
 
 
 class UnfitError(Exception):
@@ -58,17 +58,10 @@ class Surface:
     @cached_property
     def inputs(self) -> Mapping[str, Given]:
         """The function for each value that the material gives."""
-        found = {}
-        for row in INPUTS:
-            ranked = [
-                (rank, number, given)
-                for number, given in enumerate(self._all.values())
-                if given.row.stage == row.stage
-                and (rank := row.rank(given.row.slots[0])) is not None
-            ]
-            if ranked:
-                found[row.name] = min(ranked)[-1]
-        return found
+        return {
+            word: self._all[row.name]
+            for word, row in slot_table.found(self.document.functions).items()
+        }
 
     @property
     def is_lit(self) -> bool:
@@ -76,10 +69,10 @@ class Surface:
 
         Raises ``UnfitError`` for a surface that gives neither.
         """
-        if LIT & self.inputs.keys() and COLOR not in self.inputs:
-            return True
-        if COLOR in self.inputs:
+        if not slot_table.is_lit(self.inputs):
             return False
+        if slot_table.LIT & self.inputs.keys():
+            return True
         raise UnfitError(
             self.name,
             "it says itself how it is lit, and none of its slots is one by which an engine lights; "

@@ -69,3 +69,9 @@ class Tables:
     between: str = "{name}"
     hand_over: str = "{name} = {value};"
     """The statement of a vertex that hands a value to pixels."""
+
+    @property
+    def taken(self) -> frozenset[str]:
+        """The rows of the table of all engines that the engine takes."""
+        rows = (*self.lit, *self.unlit, *self.moved)
+        return frozenset({each.input for each in rows} | {each.factor for each in rows} - {""})

@@ -6,11 +6,13 @@ from ..engine import Engine
 from ..surface import writing
 from .language import language
 from .shader import shader
+from .values import TABLES
 
 ENGINE = Engine(
     name="godot",
     title="Godot 4",
     targets=(),
     write=writing("Godot", "gdshader", shader),
+    taken=TABLES.taken,
     dialect=language,
 )

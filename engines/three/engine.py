@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from ..engine import Engine
+from . import slots
 from .module import GLSL, WGSL, write
 
-ENGINE = Engine(name="three", title="three.js", targets=(WGSL, GLSL), write=write)
+ENGINE = Engine(
+    name="three", title="three.js", targets=(WGSL, GLSL), write=write, taken=slots.TAKEN
+)

@@ -23,8 +23,9 @@ from ...compiler.documents.functions import (
 )
 from ...support.frozen import frozen
 from ...targets.emit.functions import FunctionEmission
+from .. import slot_table
 from . import inputs
-from .slots import VERTICES, rows_for, words_of
+from .slots import VERTICES, rows_for
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
@@ -181,7 +182,8 @@ class _Writer:
         self._document, self._emissions = document, emissions
         self._arguments = {row.name: row for row in document.arguments}
         self._functions = {row.name: row for row in document.functions}
-        self._words = words_of(slot for row in document.functions for slot in row.slots)
+        given = slot_table.found(document.functions)
+        self._words = {word: row.slots[0].name for word, row in given.items()}
         self._texts = {
             name: {
                 language: document.backends[profile].functions[name]
@@ -230,9 +232,9 @@ class _Writer:
 
     def _base(self, nodes: Sequence[Entry]) -> str:
         named = {node.name for node in nodes}
-        is_unlit = "color" in self._words and "base_color" not in self._words
         others = named - {"colorNode", "opacityNode", "maskNode", "positionNode"}
-        return "MeshBasicNodeMaterial" if is_unlit and not others else "MeshPhysicalNodeMaterial"
+        is_basic = not slot_table.is_lit(self._words) and not others
+        return "MeshBasicNodeMaterial" if is_basic else "MeshPhysicalNodeMaterial"
 
     # --- code ------------------------------------------------------------------------------------
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..engine import Engine
+from ..slot_table import INPUTS
 from ..surface import writing
 from .functions import functions
 
@@ -11,5 +12,6 @@ ENGINE = Engine(
     title="Unreal Engine",
     targets=("hlsl",),
     write=writing("Unreal Engine", "ush", functions),
+    taken=frozenset(row.name for row in INPUTS),
     unproven="never compiled by Unreal's own compiler",
 )
