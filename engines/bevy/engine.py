@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..engine import Engine
 from .extension import write
 from .language import language
+from .values import TABLES
 
 ENGINE = Engine(
     name="bevy",
@@ -12,4 +13,5 @@ ENGINE = Engine(
     targets=(),
     write=write,
     dialect=language,
+    taken=TABLES.taken,
 )

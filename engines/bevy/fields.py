@@ -40,19 +40,28 @@ class Field:
 
 
 @frozen
+class Member:
+    """A value of an enumeration."""
+
+    name: str
+    number: int
+    doc: tuple[str, ...]
+
+
+@frozen
 class Choice:
     """An enumeration."""
 
     name: str
     field: str
-    members: tuple[str, ...]
+    members: tuple[Member, ...]
 
 
-def parameter(material: str, name: str, row: ArgumentRow) -> Field:
+def parameter(material: str, row: ArgumentRow) -> Field:
     """The field of a parameter."""
     element, _, count = row.representation.partition("[")
     size = int(count.removesuffix("]")) if count else 0
-    name = identifier(name)
+    name = identifier(row.name)
     kind = "LinearRgba" if row.type in COLORS else TYPES[element]
     place = f"material.{name}"
     if row.choices is not None and not count:
@@ -73,7 +82,9 @@ def choice(material: str, row: ArgumentRow) -> Choice | None:
     """The enumeration of a parameter, if it is one."""
     if row.choices is None or "[" in row.representation:
         return None
-    members = (f"{member_name(each)} = {number}" for number, each in enumerate(row.choices))
+    members = (
+        Member(member_name(each), number, told(each.doc)) for number, each in enumerate(row.choices)
+    )
     return Choice(choice_name(material, row.name), row.name, tuple(members))
 
 
@@ -117,13 +128,19 @@ def _pascal(name: str) -> str:
     return "".join(word[:1].upper() + word[1:] for word in re.split("_+", name) if word) or "One"
 
 
+def sentences(*parts: str) -> tuple[str, ...]:
+    """Lines of a doc comment of several sentences; a user's own may have no full stop."""
+    ended = (f"{part}." if part[-1].isalnum() else part for part in parts if part)
+    return told(" ".join(ended) if len(parts) > 1 else parts[0])
+
+
 def _doc(row: ArgumentRow) -> tuple[str, ...]:
-    parts = [row.doc] if row.doc else []
-    if row.range is not None:
-        parts.append(f"From {row.range[0]:g} to {row.range[1]:g}.")
+    found = [row.doc]
+    if row.range is not None and row.choices is None:
+        found.append(f"From {row.range[0]:g} to {row.range[1]:g}.")
     if row.type in COLORS:
-        parts.append("In linear light.")
-    return tuple(line for part in parts for line in told(part))
+        found.append("In linear light.")
+    return sentences(*found)
 
 
 def _stored(kind: str, place: str, size: int) -> tuple[str, str]:
@@ -136,8 +153,8 @@ def _stored(kind: str, place: str, size: int) -> tuple[str, str]:
             "bool": ("u32", f"{place}.into()"),
         }.get(kind, (plain, place))
     wide = {
-        "float": ("Vec4", "|x| Vec4::splat(x)"), "int": ("IVec4", "|x| IVec4::splat(x)"),
-        "uint": ("UVec4", "|x| UVec4::splat(x)"), "vec2": ("Vec4", "|x| x.extend(0.0).extend(0.0)"),
+        "float": ("Vec4", "Vec4::splat"), "int": ("IVec4", "IVec4::splat"),
+        "uint": ("UVec4", "UVec4::splat"), "vec2": ("Vec4", "|x| x.extend(0.0).extend(0.0)"),
         "rgb": ("Vec3", "|x| x.to_vec3()"), "rgba": ("Vec4", "|x| x.to_vec4()"),
     }  # fmt: skip
     if kind not in wide:

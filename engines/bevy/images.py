@@ -1,4 +1,4 @@
-"""The textures of a material in Rust: fields, how images are loaded, and what stands in for them."""
+"""The textures of a material in Rust: fields, how images are loaded, and what stands in."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...compiler.documents.drawing import SamplerState
 from ...compiler.documents.functions import FunctionTextureRow
 from ...support.frozen import frozen
-from .fields import Field, identifier, number, told
+from .fields import Field, identifier, number, sentences
 
 DIMENSIONS = {
     "2d": "D2", "2d_array": "D2Array", "3d": "D3", "cube": "Cube", "cube_array": "CubeArray",
@@ -40,8 +40,6 @@ class Loading:
     """How an image for a texture is loaded."""
 
     name: str
-    plain: str
-    """The name without Rust's mark of words that it has itself."""
     is_srgb: str
     sampler: tuple[str, ...]
 
@@ -58,23 +56,23 @@ def texel(row: FunctionTextureRow) -> Texel:
     return Texel(constant, row.default.replace("_", " "), dimension, format_, f"[{text}]")
 
 
-def field(name: str, row: FunctionTextureRow, number_: int, is_sampled: bool) -> Field:
+def field(row: FunctionTextureRow, number_: int, is_sampled: bool) -> Field:
     """The field of a texture whose binding is ``number_``, and that of its sampler the next."""
     dimension = "" if row.dimension == "2d" else f', dimension = "{row.dimension}"'
     attributes = [f"texture({number_}{dimension}{SAMPLES[row.sample]})"]
     if is_sampled:
         attributes.append(f"sampler({number_ + 1})")
-    kind = {"float": "", "int": "Of whole numbers. ", "uint": "Of whole numbers. "}[row.sample]
-    doc = (*told(row.doc), *told(f"{kind}Until it is set, {row.default.replace('_', ' ')}."))
+    kind = "" if row.sample == "float" else "Of whole numbers."
+    doc = sentences(row.doc, kind, f"Until it is set, {row.default.replace('_', ' ')}.")
     default = f"{texel(row).constant}.clone()"
-    return Field(identifier(name), "Handle<Image>", default, doc, tuple(attributes))
+    return Field(identifier(row.name), "Handle<Image>", default, doc, tuple(attributes))
 
 
-def loading(name: str, row: FunctionTextureRow) -> Loading:
+def loading(row: FunctionTextureRow) -> Loading:
     """How an image for a texture is loaded."""
     is_srgb = "true" if row.intent == "color" else "false"
     state = row.state
-    return Loading(name, name, is_srgb, tuple(_sampler(state)) if state is not None else ())
+    return Loading(row.name, is_srgb, tuple(_sampler(state)) if state is not None else ())
 
 
 def _sampler(state: SamplerState) -> Iterator[str]:

@@ -13,9 +13,8 @@ from ...targets.description.shading_language import Language
 from .values import MODULES
 
 OWN = frozenset({
-    *MODULES, "FragmentOutput", "Vertex", "VertexOutput", "fragment", "given", "object_to_world",
-    "out", "parameters", "pbr_input", "pixel", "vertex", "world_from_local", "world_normal",
-    "world_position",
+    *MODULES, "FragmentOutput", "Vertex", "VertexOutput", "coverage", "fragment", "out",
+    "parameters", "pbr_input", "pixel", "vertex",
 })  # fmt: skip
 """What the files have beside the functions. Imports are found by their names alone, anywhere."""
 

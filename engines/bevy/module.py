@@ -15,6 +15,8 @@ from .values import ATTRIBUTES
 
 PREPASS_LOCATIONS = {"normal": 3, "tangent": 4}
 """The locations of vertex inputs, where pixels are drawn before they are lit."""
+MARKS = {"clearcoat": "clearcoat: 1.0", "transmission": "specular_transmission: 1.0"}
+"""Settings without which Bevy leaves the code of a slot out, by the slots."""
 IDENTITY = "https://burnish.invalid/bevy/"
 """The beginning of what the identities of assets are made of."""
 
@@ -64,8 +66,8 @@ def module_text(surface: Surface, statements: Statements, shader: str, file: str
 
 def _module(surface: Surface, statements: Statements, shader: str, file: str) -> Module:
     rows = statements.parameters
-    parameters = tuple(parameter(surface.name, name, row) for name, row in rows.items())
-    textures = tuple(loading(name, row) for name, row in statements.textures.items())
+    parameters = tuple(parameter(surface.name, row) for row in rows.values())
+    textures = tuple(loading(row) for row in statements.textures.values())
     texels = dict.fromkeys(map(texel, statements.textures.values()))
     attributes = statements.attributes
     return Module(
@@ -95,15 +97,20 @@ def _textures(surface: Surface, statements: Statements) -> Iterator[Field]:
     numbers = {row.name: row.number for row in rows}
     samplers = {row.number for row in rows if row.type == "sampler"}
     for name, row in statements.textures.items():
-        yield field(name, row, numbers[name], numbers[name] + 1 in samplers)
+        yield field(row, numbers[name], numbers[name] + 1 in samplers)
 
 
 def _image_words(textures: tuple[Loading, ...]) -> Iterator[str]:
     """What the module imports of Bevy's images."""
     text = " ".join(setting for each in textures for setting in each.sampler)
-    for word in ("ImageAddressMode", "ImageFilterMode", "ImageSamplerBorderColor"):
+    for word in ("ImageAddressMode", "ImageFilterMode"):
         if f"{word}::" in text:
             yield word
+    yield "ImageLoaderSettings"
+    if text:
+        yield from ("ImageSampler", "ImageSamplerDescriptor")
+    if "ImageSamplerBorderColor::" in text:
+        yield "ImageSamplerBorderColor"
 
 
 def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
@@ -116,8 +123,9 @@ def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
         yield "alpha_mode: AlphaMode::Mask(0.5)"
     if "front_facing" in statements.reads:
         yield "cull_mode: None"
-    if "clearcoat" in surface.inputs:
-        yield "clearcoat: 1.0"
+    for name, setting in MARKS.items():
+        if name in surface.inputs:
+            yield setting
 
 
 def _shaders(statements: Statements) -> Iterator[str]:

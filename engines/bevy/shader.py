@@ -108,7 +108,7 @@ def _shader(surface: Surface, statements: Statements) -> Shader:
         functions=tuple(part.text.strip("\n") for part in statements.parts()),
         output=f"{surface.name}VertexOutput" if between else "VertexOutput",
         between=tuple(members),
-        inputs=", ".join(inputs),
+        inputs=_inputs(inputs),
         has_vertices=statements.has_vertices,
         has_prepass=statements.has_prepass,
         has_alpha="alpha" in surface.inputs,
@@ -119,6 +119,13 @@ def _shader(surface: Surface, statements: Statements) -> Shader:
         depths=tuple(lines_of(statements.depths)),
         normals=tuple(lines_of(statements.normals)),
     )
+
+
+def _inputs(inputs: list[str]) -> str:
+    """The parameters of a function, each in a line of its own where there are many."""
+    if len(inputs) == 2:
+        return ", ".join(inputs)
+    return "\n    " + ",\n    ".join(inputs) + ",\n"
 
 
 def _member(number: int, row: Between) -> str:

@@ -66,7 +66,7 @@ class Statements(Writer):
             return text
         element, _, count = row.representation.partition("[")
         if element == "bool" and not count:
-            return f"({text} != 0u)"
+            return f"{text} != 0u"
         if element not in TYPES:
             raise UnfitError(row.name, f"it is a {row.type}, and Bevy has no such uniforms")
         lanes = {"vec2": ".xy"}.get(element, ".x")
@@ -90,4 +90,5 @@ def uniform_type(row: ArgumentRow) -> str:
 
 def lines_of(statements: list[str]) -> list[str]:
     """Statements of a function, indented and broken where they are long."""
-    return [wrapped(f"    {statement}")[0] for statement in statements]
+    lines = (line for statement in statements for line in statement.split("\n"))
+    return [wrapped(f"    {line}")[0] for line in lines]

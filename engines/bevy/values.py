@@ -8,7 +8,7 @@ from __future__ import annotations
 from ..values import Between, Output, Tables
 
 MODULES = (
-    "mesh_functions", "mesh_view_bindings", "pbr_bindings", "pbr_deferred_functions",
+    "clustered", "mesh_functions", "mesh_view_bindings", "pbr_bindings", "pbr_deferred_functions",
     "pbr_fragment", "pbr_functions", "pbr_prepass_functions", "pbr_types", "skinning",
     "view_transformations",
 )  # fmt: skip
@@ -53,6 +53,16 @@ TABLES = Tables(
             "squared_roughness", "float", "pbr_input.material.perceptual_roughness = sqrt({value});"
         ),
         Output("roughness", "float", "pbr_input.material.perceptual_roughness = {value};"),
+        Output(
+            "ior",
+            "float",
+            "pbr_input.material.ior = {value};\n"
+            "pbr_input.material.reflectance = vec3<f32>(\n"
+            "    2.5 * abs(pbr_input.material.ior - 1.0) / (pbr_input.material.ior + 1.0)\n"
+            ");",
+        ),
+        Output("transmission", "float", "pbr_input.material.specular_transmission = {value};"),
+        Output("thickness", "float", "pbr_input.material.thickness = {value};"),
         Output("clearcoat", "float", "pbr_input.material.clearcoat = {value};"),
         Output(
             "clearcoat_roughness",
@@ -122,8 +132,8 @@ TABLES = Tables(
 
 DEPTHS = (
     HIDDEN,
-    Output("alpha", "float", "let alpha = {value};"),
+    Output("alpha", "float", "let coverage = {value};"),
 )
 """What a pixel is of which only the depth is drawn: what decides if it is there."""
-NORMALS = (Output("normal", "vec3", f"let normal = {NORMAL};"),)
+NORMALS = (Output("normal", "vec3", f"out.normal = vec4<f32>({NORMAL} * 0.5 + 0.5, 1.0);"),)
 """What is drawn of a pixel beside its depth."""

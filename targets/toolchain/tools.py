@@ -48,6 +48,7 @@ PYODIDE = ("node_modules/pyodide/package.json", "node_modules/pyodide/pyodide.mj
 VITE = ("node_modules/vite/package.json", "node_modules/vite/bin/vite.js")
 THREE = ("node_modules/three/package.json", "node_modules/three/build/three.webgpu.js")
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
+BEVY = ("bevy-composer", "modules/bevy_pbr/render/pbr.wgsl")
 
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
@@ -308,6 +309,13 @@ TOOLS: tuple[Tool, ...] = (
         version=says("--version", r"^(\d+)"),
         source=Debian(("libfilament-tools",)),
         minimum=(10,),  # the one of Debian 12, which is Filament 1.9.25
+    ),
+    Tool(
+        name="bevy",
+        purpose="composes shaders with the modules of the engine Bevy; only tests need it",
+        place=FolderFiles(BEVY),
+        version=in_folder_name,
+        source=OwnInstaller("0.19.1"),
     ),
     Tool(
         name="godot",
