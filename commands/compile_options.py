@@ -73,8 +73,8 @@ SLOTS = Option(
     ("--slots",),
     "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
     "follows its name. Default: those that the material itself, or its model, gives a value, and "
-    "that need no lights. With `--engine godot` and `filament`, `base_color=stain` says that the "
-    "slot `stain` is the base colour.",
+    "that need no lights. With `--engine godot`, `filament` and `bevy`, `base_color=stain` says "
+    "that the slot `stain` is the base colour.",
     metavar="NAME[@vertex],…",
     many=True,
 )
@@ -87,8 +87,8 @@ ENGINE = Option(
     "engine",
     ("--engine",),
     "Write what an engine takes, instead of texts: a module with a material for `three` "
-    "(three.js), a shader for `godot`, a definition for `filament`, functions for nodes of `unity` "
-    "and `unreal`. It implies `--emit functions`.",
+    "(three.js), a shader for `godot`, a definition for `filament`, a shader with a module in Rust "
+    "for `bevy`, functions for nodes of `unity` and `unreal`. It implies `--emit functions`.",
     metavar="NAME",
 )
 PREFIX = Option(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...support.frozen import frozen
 from ..surface import Surface
-from .fields import Choice, Field, choice, parameter
+from .fields import Choice, Field, choice, identifier, parameter
 from .images import Loading, Texel, field, loading, texel
 from .shader import bindings, structure
 from .statements import Statements
@@ -80,7 +80,7 @@ def _module(surface: Surface, statements: Statements, shader: str, file: str) ->
         parameters=parameters,
         choices=tuple(filter(None, (choice(surface.name, row) for row in rows.values()))),
         textures=textures,
-        texels=tuple(Named(each, _identity(f"{each}")) for each in texels),
+        texels=tuple(Named(each, _identity(f"{each.constant} {each.lanes}")) for each in texels),
         image_words=tuple(_image_words(textures)),
         settings=tuple(_settings(surface, statements)),
         shaders=tuple(_shaders(statements)),
@@ -117,15 +117,26 @@ def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
     """The settings of Bevy's own material without which slots have no effect."""
     if not surface.is_lit:
         yield "unlit: true"
-    if "alpha" in surface.inputs:
-        yield "alpha_mode: AlphaMode::Blend"
-    elif "is_hidden" in surface.inputs:
-        yield "alpha_mode: AlphaMode::Mask(0.5)"
+    alpha = _alpha_mode(surface, statements)
+    if alpha is not None:
+        yield f"alpha_mode: {alpha}"
     if "front_facing" in statements.reads:
         yield "cull_mode: None"
     for name, setting in MARKS.items():
         if name in surface.inputs:
             yield setting
+
+
+def _alpha_mode(surface: Surface, statements: Statements) -> str | None:
+    """How pixels are blended; only those of a mask may be absent where depths are drawn."""
+    opaque = "AlphaMode::Mask(0.5)" if "is_hidden" in surface.inputs else "AlphaMode::Opaque"
+    if "alpha" in surface.inputs:
+        for row in statements.parameters.values():
+            if row.role == "is_opaque":
+                name = identifier(row.name)
+                return f"if self.{name} {{ {opaque} }} else {{ AlphaMode::Blend }}"
+        return "AlphaMode::Blend"
+    return opaque if "is_hidden" in surface.inputs else None
 
 
 def _shaders(statements: Statements) -> Iterator[str]:

@@ -23,7 +23,7 @@ WRITTEN = {"plastic": "Plastic", "gltf_material": "Painted", "water": "Water"}
 """Examples whose files are read: a plain one, one with a normal map and holes, one that moves."""
 COMPOSED = {
     **WRITTEN, "texture_array": "Terrain", "indexed": "Indexed", "cube_map": "Shade",
-    "gltf_layers": "Glass", "foliage": "Leaf", "rocks": "Rock",
+    "gltf_layers": "Glass", "foliage": "Leaf", "morphing": "Soap",
 }  # fmt: skip
 """Examples with textures of all kinds, with layers of a surface, with values of vertices."""
 

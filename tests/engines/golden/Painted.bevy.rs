@@ -19,9 +19,9 @@ use bevy::shader::ShaderRef;
 /// The shader, which is in a file beside this one.
 const SHADER: Handle<Shader> = uuid_handle!("6b08d3bd-6720-5356-a276-3ccbf3e554fd");
 /// The texture until another one is set: white.
-const WHITE_2D: Handle<Image> = uuid_handle!("3ca76694-cb7a-5577-b09d-e836a6cb8e1e");
+const WHITE_2D: Handle<Image> = uuid_handle!("a9de7408-5abb-59af-8138-5c562c7feb29");
 /// The texture until another one is set: flat normal.
-const FLAT_NORMAL_2D: Handle<Image> = uuid_handle!("a6e5a872-b0de-585a-a740-87d361064c6b");
+const FLAT_NORMAL_2D: Handle<Image> = uuid_handle!("0d0d2852-2ff8-556c-8169-5aeb95158a93");
 
 /// Bevy's standard material, whose surface is what `Painted` says.
 pub type PaintedMaterial = ExtendedMaterial<StandardMaterial, Painted>;
@@ -84,7 +84,7 @@ impl Painted {
     /// The material with the settings of Bevy's own that it needs; these may be changed.
     pub fn material(self) -> PaintedMaterial {
         let base = StandardMaterial {
-            alpha_mode: AlphaMode::Blend,
+            alpha_mode: if self.is_opaque { AlphaMode::Mask(0.5) } else { AlphaMode::Blend },
             cull_mode: None,
             ..default()
         };
@@ -216,9 +216,7 @@ impl MaterialExtension for Painted {
         let defs = &mut descriptor.vertex.shader_defs;
         let has_normals = ShaderDefVal::from("NORMAL_PREPASS_OR_DEFERRED_PREPASS");
         if defs.contains(&"PREPASS_PIPELINE".into()) && !defs.contains(&has_normals) {
-            let added = [
-                has_normals, "VERTEX_NORMALS".into(), "VERTEX_TANGENTS".into(),
-            ];
+            let added = [has_normals, "VERTEX_NORMALS".into(), "VERTEX_TANGENTS".into()];
             defs.extend(added.clone());
             if let Some(fragment) = &mut descriptor.fragment {
                 fragment.shader_defs.extend(added);

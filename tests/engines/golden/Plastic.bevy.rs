@@ -19,7 +19,7 @@ use bevy::shader::ShaderRef;
 /// The shader, which is in a file beside this one.
 const SHADER: Handle<Shader> = uuid_handle!("ca829410-d772-5555-ae90-7f7f94f32f65");
 /// The texture until another one is set: white.
-const WHITE_2D: Handle<Image> = uuid_handle!("3ca76694-cb7a-5577-b09d-e836a6cb8e1e");
+const WHITE_2D: Handle<Image> = uuid_handle!("a9de7408-5abb-59af-8138-5c562c7feb29");
 
 /// Bevy's standard material, whose surface is what `Plastic` says.
 pub type PlasticMaterial = ExtendedMaterial<StandardMaterial, Plastic>;
