@@ -73,8 +73,8 @@ SLOTS = Option(
     ("--slots",),
     "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
     "follows its name. Default: those that the material itself, or its model, gives a value, and "
-    "that need no lights. With `--engine three`, `godot` and `filament`, `base_color=stain` says "
-    "that the slot `stain` is the base colour.",
+    "that need no lights. With `--engine three`, `godot`, `filament` and `bevy`, `base_color=stain` "
+    "says that the slot `stain` is the base colour.",
     metavar="NAME[@vertex],…",
     many=True,
 )
@@ -87,9 +87,9 @@ ENGINE = Option(
     "engine",
     ("--engine",),
     "Write what an engine takes, instead of texts: a module with a material for `three` "
-    "(three.js), a shader for `godot`, a definition for `filament`, functions for nodes of `unity` "
-    "and `unreal`. It implies `--emit functions`, except `three-webgl`: that is a module with a "
-    "material of whole shaders for three.js's WebGLRenderer.",
+    "(three.js), a shader for `godot`, a definition for `filament`, a shader with a module in Rust "
+    "for `bevy`, functions for nodes of `unity` and `unreal`. It implies `--emit functions`, except "
+    "`three-webgl`: that is a module with a material of whole shaders for three.js's WebGLRenderer.",
     metavar="NAME",
 )
 PREFIX = Option(

@@ -91,6 +91,8 @@ class Writer:
             elif argument.kind == "texture":
                 self.textures[argument.name] = self._surface.textures[argument.given]
                 values.append(self._tables.texture.format(name=argument.name))
+            else:
+                values.append(argument.name)
         return f"{given.signature.part.name}({', '.join(values)})"
 
     def _value(self, name: str, identifier: str, given: Given) -> str:

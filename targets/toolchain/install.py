@@ -28,7 +28,7 @@ from functools import partial
 from pathlib import Path
 from typing import TextIO
 
-from . import unstable
+from . import bevy, unstable
 from .installer_commands import (
     NETWORK_SECONDS,
     PATIENCE,
@@ -301,6 +301,7 @@ def _extract_dxc(archive: Path, folder: Path) -> None:
 INTO_CACHE: dict[str, Callable[[str, Path], None]] = {
     "dxc": _pip_dxc,
     "naga": _cargo_naga,
+    "bevy": bevy.install,
     "tint": partial(_npm, "tint"),
     "typescript": partial(_npm, "typescript"),
     "pyodide": partial(_npm, "pyodide"),

@@ -51,6 +51,7 @@ THREE_TYPES = (
     "node_modules/@types/three/package.json", "node_modules/@types/three/build/three.webgpu.d.ts",
 )  # fmt: skip
 TYPESCRIPT = ("node_modules/typescript/package.json", "node_modules/typescript/bin/tsc")
+BEVY = ("bevy-composer", "modules/bevy_pbr/render/pbr.wgsl")
 
 CARGO_PACKAGES = ("cargo-web", "gcc", "libc6-dev")
 """Debian's own ``cargo`` is too old for naga; ``cargo-web`` is as new as the browsers built with
@@ -318,6 +319,13 @@ TOOLS: tuple[Tool, ...] = (
         version=says("--version", r"^(\d+)"),
         source=Debian(("libfilament-tools",)),
         minimum=(10,),  # the one of Debian 12, which is Filament 1.9.25
+    ),
+    Tool(
+        name="bevy",
+        purpose="composes shaders with the modules of the engine Bevy; only tests need it",
+        place=FolderFiles(BEVY),
+        version=in_folder_name,
+        source=OwnInstaller("0.19.1"),
     ),
     Tool(
         name="godot",

@@ -133,6 +133,9 @@ FLOORS: dict[str, str] = {
     "engines.filament": (
         "frozen ir documents description registry emit engine surface values writer"
     ),
+    "engines.bevy": (
+        "frozen ir diagnostics documents description registry emit engine surface values writer"
+    ),
     "engines.unity": "emit engine surface texts",
     "engines.unreal": "emit engine surface texts",
     "engines.known": "engine",

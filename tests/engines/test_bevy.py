@@ -1,0 +1,97 @@
+"""Bevy's own composer takes the shaders of materials, with Bevy's own modules, in all its passes.
+
+That cargo takes the modules in Rust is no part of these tests, as Bevy is large:
+``python -m burnish.tests.engines.bevy_suite`` checks it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from burnish.compiler.diagnostics.diagnostic import CompileError
+
+from ..golden import assert_golden
+from .bevy import composed
+from .files import EXAMPLES, files_of
+
+GOLDEN = Path(__file__).parent / "golden"
+pytestmark = pytest.mark.xdist_group("bevy")
+
+WRITTEN = {"plastic": "Plastic", "gltf_material": "Painted", "water": "Water"}
+"""Examples whose files are read: a plain one, one with a normal map and holes, one that moves."""
+COMPOSED = {
+    **WRITTEN, "texture_array": "Terrain", "indexed": "Indexed", "cube_map": "Shade",
+    "gltf_layers": "Glass", "foliage": "Leaf", "morphing": "Soap",
+}  # fmt: skip
+"""Examples with textures of all kinds, with layers of a surface, with values of vertices."""
+
+OWN = """burnish 1
+
+enum Mode { plain, striped }
+
+/// All kinds of parameters.
+material Own {
+    param base    : rgb = #ffffff
+    param match   : float in 0..1 = 0.5     /// How well it fits
+    param mode    : Mode = Mode.striped
+    param weights : float[3] = [1, 2, 3]
+    param is_wet  : bool = true
+    param turn    : mat2 = mat2(vec2(0, 1), vec2(1, 0))
+    map   grain   : utexture2d
+
+    roughness = match * weights[1] * float(grain.load(ivec2(0, 0), 0).x) + (turn * uv).x
+    metallic  = choose(mode, plain = 0.0, striped = uv.x) + (if is_wet then 0.1 else 0.2)
+}
+"""
+
+
+@pytest.mark.parametrize("name", list(WRITTEN))
+def test_text(name: str) -> None:
+    for file, text in files_of("bevy", EXAMPLES / f"{name}.burnish", WRITTEN[name]).items():
+        assert_golden(text, GOLDEN / f"{file.partition('.')[0]}.bevy.{file.partition('.')[2]}")
+
+
+def test_the_composer_takes_the_shaders_in_all_passes(tmp_path: Path) -> None:
+    materials = {
+        name: files_of("bevy", EXAMPLES / f"{name}.burnish", material)
+        for name, material in COMPOSED.items()
+    }
+    materials["own"] = files_of("bevy", OWN, "Own")
+    wrong = dict(materials["plastic"])
+    wrong["Plastic.wgsl"] = wrong["Plastic.wgsl"].replace("return base *", "return bass *")
+    said = composed({**materials, "wrong": wrong}, tmp_path)
+    refused = {label: text for label, text in said.items() if text}
+    assert refused.keys() == {label for label in said if label.startswith("wrong, ")}
+    assert all("no definition in scope for identifier: `bass`" in text for text in refused.values())
+    assert {label.partition(", ")[2] for label in said if label.startswith("plastic")} == {
+        "forward", "forward, skinned", "deferred", "deferred, skinned",
+    }  # fmt: skip
+    assert sum(label.endswith(", shadows") for label in said) > 3
+
+
+def test_parameters_of_all_kinds() -> None:
+    module = files_of("bevy", OWN, "Own")["Own.rs"]
+    for line in (
+        "    /// How well it fits. From 0 to 1.\n    pub r#match: f32,",
+        "    pub mode: OwnMode,", "            mode: OwnMode::Striped,",
+        "            mode: material.mode as i32,",
+        "            weights: material.weights.map(Vec4::splat),",
+        "            is_wet: material.is_wet.into(),",
+        "            turn: Mat2::from_cols_array(&[0.0, 1.0, 1.0, 0.0]),",
+        "    /// Of whole numbers. Until it is set, zero.\n",
+        '    #[texture(101, sample_type = "u_int")]\n    pub grain: Handle<Image>,',
+    ):  # fmt: skip
+        assert line in module
+
+
+@pytest.mark.parametrize(("name", "material", "said"), [
+    ("tones", "Tones", "`clip_position`: Bevy places the vertices of what it draws itself"),
+    ("splatting", "Terrain", "`kinds`: it is a Ground[4], and Bevy has no such uniforms"),
+    ("skinned", "Robot", "`tangent_handedness`: it reads `vertex_joints`, which Bevy lacks"),
+])  # fmt: skip
+def test_what_bevy_cannot_have_is_told(name: str, material: str, said: str) -> None:
+    with pytest.raises(CompileError) as told:
+        files_of("bevy", EXAMPLES / f"{name}.burnish", material)
+    assert str(told.value) == f"Bevy cannot draw {said}"
