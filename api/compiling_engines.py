@@ -13,7 +13,6 @@ from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
-from ..compiler.reflection.roles import scene_names
 from ..engines.engine import Engine
 from ..engines.slot_table import INPUTS, offers
 from ..support.frozen import EMPTY, changed
@@ -40,7 +39,7 @@ def functions_for(
     """
     assert engine.dialect is not None
     _check_words(named)
-    offered = offers(scene_names()["slots"], named, only, engine.taken)
+    offered = offers(named, only, engine.taken)
     asked = AskedFunctions(
         targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
         together=False, prefix=prefix, values=values,
