@@ -14,7 +14,6 @@ from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
 from ..compiler.passes.pipeline import Options
-from ..compiler.reflection.roles import scene_names
 from ..engines.engine import Engine
 from ..engines.slot_table import INPUTS, offers
 from ..support.frozen import EMPTY, changed
@@ -44,7 +43,7 @@ def functions_for(
     material without anything that an engine could light is left out.
     """
     _check_words(named)
-    offered = offers(scene_names()["slots"], named, only, engine.taken)
+    offered = offers(named, only, engine.taken)
     slots: tuple[str, ...] = ()
     if only and engine.dialect is None:  # Its materials have any slots, for users' own nodes.
         offered, slots = (), (*only, *named.values())

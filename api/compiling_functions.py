@@ -75,7 +75,7 @@ def _wanted(asked: AskedFunctions) -> FunctionsAsked:
     names = scene_names()
     return FunctionsAsked(
         asked.slots, asked.offers, asked.together, asked.rig is not None,
-        frozenset(names["at_vertices"]), names["slots"], names["surface"],
+        frozenset(names["at_vertices"]), names["slots"], names["surface"], names["moving"],
     )  # fmt: skip
 
 

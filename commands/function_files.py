@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ..api import entry_points as api
-from ..api.compiled_functions import CompiledFunctions, FunctionsResult
+from ..api.compiled_functions import FunctionsResult
 from ..compiler.diagnostics import rules
-from ..compiler.diagnostics.diagnostic import CompileError, Report
+from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from ..compiler.diagnostics.nearest import suggestion
+from ..compiler.documents.functions import Functions
 from ..compiler.documents.writing import to_text
 from ..engines.engine import Engine
 from ..targets import registry
@@ -26,20 +27,25 @@ def compiled_functions(request: CompileRequest) -> Compiled:
         if engine is not None and engine.write_shaders is not None:
             return _of_shaders(request, file, engine)
         result = _result(request, file, engine)
-        texts = {each.name: each.text for material in result for each in material.files}
-        if engine is not None:
-            texts = _files_of(engine, result)
+        if engine is None:
+            texts = {each.name: each.text for material in result for each in material.files}
+            told = result.diagnostics
+        else:
+            texts, told = _files_of(engine, result)
     except CompileError as error:
         return Compiled({}, {}, {}, {}, (), (), error.diagnostics, None)
     documents, lines = {}, []
     for material in () if request.prints else result:
         name = f"{material.name}.functions.json"
-        documents[name] = to_text(material.document)
-        lines.append(_line(material, name, request, engine))
+        document = material.document
+        if engine is not None:
+            from ..engines.fitting import taken
+
+            document = taken(engine, document)
+        documents[name] = to_text(document)
+        lines.append(_line(document, len(material.files), name, request, engine))
     remarks = () if request.prints else tuple(_remarks(result, engine))
-    return Compiled(
-        texts, documents, {}, {}, tuple(lines), remarks, result.diagnostics, result.inputs
-    )
+    return Compiled(texts, documents, {}, {}, tuple(lines), remarks, told, result.inputs)
 
 
 def _engine(name: str) -> Engine:
@@ -119,15 +125,19 @@ def _of_shaders(request: CompileRequest, file: Path, engine: Engine) -> Compiled
     return Compiled(texts, {}, {}, {}, told, (), result.diagnostics, result.inputs)
 
 
-def _files_of(engine: Engine, result: FunctionsResult) -> dict[str, str]:
-    """What an engine takes of all materials. Raises ``CompileError``."""
+def _files_of(
+    engine: Engine, result: FunctionsResult
+) -> tuple[dict[str, str], tuple[Diagnostic, ...]]:
+    """What an engine takes of all materials, with what is told. Raises ``CompileError``."""
+    from ..engines.fitting import files
+
     report, found = Report(), dict[str, str]()
     for material in result:
         emissions = {f"{each.target}:{each.profile}": each.emission for each in material.files}
-        found |= engine.write(material.document, emissions, report)
+        found |= files(engine, material.document, emissions, report)
     if report.failed:
         raise CompileError(report.diagnostics)
-    return found
+    return found, (*result.diagnostics, *report.diagnostics)
 
 
 def _apart(given: Sequence[str]) -> list[str]:
@@ -136,14 +146,14 @@ def _apart(given: Sequence[str]) -> list[str]:
 
 
 def _line(
-    material: CompiledFunctions, document: str, request: CompileRequest, engine: Engine | None
+    made: Functions, files: int, document: str, request: CompileRequest, engine: Engine | None
 ) -> str:
-    names = [row.name for row in material.document.functions]
+    names = [row.name for row in made.functions]
     counted = "1 function" if len(names) == 1 else f"{len(names)} functions"
-    texts = "1 text" if len(material.files) == 1 else f"{len(material.files)} texts"
+    texts = "1 text" if files == 1 else f"{files} texts"
     where = texts if engine is None else f"files for {engine.title}"
     listed = ", ".join(names)
-    return f"{material.name}: {counted} ({listed}) in {where} and {document} in {request.output}\n"
+    return f"{made.material}: {counted} ({listed}) in {where} and {document} in {request.output}\n"
 
 
 def _remarks(result: FunctionsResult, engine: Engine | None) -> Iterator[str]:

@@ -7,10 +7,11 @@ What a value is called in an engine, and which values it has not got, says its o
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..compiler.documents.functions import FunctionRow, SlotRow
 from ..compiler.ir.functions import Offer
+from ..compiler.reflection.roles import scene_names
 from ..support.frozen import frozen
 
 
@@ -30,20 +31,32 @@ class Input:
     An engine has the mesh's place and normal itself.
     """
 
-    made_of: tuple[str, ...] = ()
-    """Slots of which the library makes it, so that a change of these counts as well."""
+    moves: bool = False
+    """True if a change of what the library makes it of counts as well.
+
+    ``scene.toml`` lists these slots, which move the points of a mesh.
+    """
+
+    @property
+    def is_needed(self) -> bool:
+        """True if a surface looks wrong all over where an engine does not take it."""
+        return self.at_vertices or self.name in NEEDED
 
     @property
     def stage(self) -> str:
         """The stage for which it is computed."""
         return "vertex" if self.at_vertices else "fragment"
 
-    def offers(self, words: Mapping[str, str]) -> Iterator[Offer]:
-        """What the core is asked for; ``words`` are the roles of slots of the library."""
+    def offers(self, words: Mapping[str, str], moving: Sequence[str]) -> Iterator[Offer]:
+        """What the core is asked for; ``words`` are the roles of slots of the library.
+
+        ``moving`` are the slots that move meshes and that the engine is not given themselves.
+        """
+        made_of = tuple(moving) if self.moves else ()
         for full, word in words.items():
             if word == self.name:
                 owner, _, name = full.rpartition(".")
-                yield Offer(name, self.at_vertices, owner, self.changed, self.made_of)
+                yield Offer(name, self.at_vertices, owner, self.changed, made_of)
         for name in self.own:
             yield Offer(name, self.at_vertices)
 
@@ -57,8 +70,8 @@ class Input:
 COLOR = "color"
 """The light that a surface sends out: of a surface that no lights are needed for."""
 
-MOVED = ("object_drawn", "object_place", "object_pose", "object_shape")
-"""The slots of the library in which a material moves the points of a mesh."""
+NEEDED = ("alpha", "is_hidden", "normal", COLOR)
+"""Values of pixels without which a surface has another shape, or none of its looks."""
 
 BASE_COLOR = ("base_color", "albedo", "tint", "diffuse", "diffuse_color", "kd", "base")
 
@@ -88,11 +101,11 @@ INPUTS: tuple[Input, ...] = (
     Input("emissive", ("emissive", "emission", "glow"), changed=True),
     Input("emissive_strength", changed=True),
     Input("occlusion", ("occlusion", "ambient_occlusion")),
-    Input("normal", changed=True, made_of=MOVED),
+    Input("normal", changed=True, moves=True),
     Input("alpha", changed=True),
     Input("is_hidden", changed=True),
     Input(COLOR, changed=True),
-    Input("position", at_vertices=True, changed=True, made_of=MOVED),
+    Input("position", at_vertices=True, changed=True, moves=True),
     Input("clip_position", at_vertices=True, changed=True),
     Input("object_position", at_vertices=True, changed=True),
     Input("object_normal", at_vertices=True, changed=True),
@@ -130,22 +143,26 @@ def found(functions: Iterable[FunctionRow]) -> Mapping[str, FunctionRow]:
 
 
 def offers(
-    words: Mapping[str, str],
-    named: Mapping[str, str],
-    only: Collection[str],
-    taken: Collection[str],
+    named: Mapping[str, str], only: Collection[str], taken: Collection[str]
 ) -> tuple[Offer, ...]:
     """All slots that engines can use, or ``only`` some of them, if it has any.
 
-    ``words`` are the roles of slots of the library, ``named`` slots that a user has named for
-    a value, such as ``stain`` for ``base_color``, and ``taken`` the values that the engine takes:
-    of a user's own names, there are none for others.
+    ``named`` are slots that a user has named for a value, such as ``stain`` for ``base_color``, and
+    ``taken`` the values that the engine takes: of a user's own names, there are none for others.
     """
+    scene = scene_names()
     offered = [
         offer
         for row in INPUTS
-        for offer in row.offers(words)
+        for offer in row.offers(scene["slots"], _moving(row.name, taken))
         if (offer.owner or row.name in taken) and (not only or offer.name in only)
     ]
     places = {row.name: row.at_vertices for row in INPUTS}
     return (*offered, *(Offer(slot, places[word]) for word, slot in named.items()))
+
+
+def _moving(value: str, taken: Collection[str]) -> list[str]:
+    """The slots that move a value of the mesh, without those that the engine takes themselves."""
+    rows = scene_names()["moving"].items()
+    names = [full.rpartition(".")[2] for full, moved in rows if value in moved.split()]
+    return [name for name in names if name not in taken]

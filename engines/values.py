@@ -9,6 +9,9 @@ from ..support.frozen import EMPTY, frozen
 Place = tuple[str, str]
 """The source of an argument, and what that calls it: ``("surface", "uv")``."""
 
+MOVED = "moved_"
+"""What the names of variables begin with that have where a vertex is moved to."""
+
 
 @frozen
 class Between:
@@ -75,3 +78,9 @@ class Tables:
         """The rows of the table of all engines that the engine takes."""
         rows = (*self.lit, *self.unlit, *self.moved)
         return frozenset({each.input for each in rows} | {each.factor for each in rows} - {""})
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """Names of values between vertices and pixels, and of those that move a vertex."""
+        handed = [row.name for row in self.at_pixels.values() if isinstance(row, Between)]
+        return (*handed, *(f"{MOVED}{row.input}" for row in self.moved))

@@ -11,7 +11,7 @@ from ..compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ..compiler.reflection.roles import scene_names
 from ..targets.emit.functions import EmittedPart
 from .surface import Given, Surface, UnfitError
-from .values import Between, Output, Tables
+from .values import MOVED, Between, Output, Tables
 
 LANES = {"float": ".x", "vec2": ".xy", "vec3": ".xyz", "vec4": ""}
 
@@ -46,11 +46,19 @@ class Writer:
         return dict(self._own)
 
     def _of_vertices(self) -> list[str]:
-        moved = list(self._statements(self._tables.moved))
+        moved = list(self._moving())
         rows = list(self.between.values())
         before = [self._handed(row) for row in rows if not row.is_moved]
         after = [self._handed(row) for row in rows if row.is_moved]
         return [*before, *moved, *after]
+
+    def _moving(self) -> Iterator[str]:
+        """The statements that move a vertex: all is computed before any of it is changed."""
+        found = [(row, self._result(row)) for row in self._tables.moved if self._has(row)]
+        for row, value in found if len(found) > 1 else ():
+            yield f"{row.type} {MOVED}{row.input} = {value};"
+        for row, value in found:
+            yield row.statement.format(value=f"{MOVED}{row.input}" if len(found) > 1 else value)
 
     def _handed(self, row: Between) -> str:
         form = self._tables.hand_over
@@ -59,13 +67,19 @@ class Writer:
         )
 
     def _statements(self, rows: Iterable[Output]) -> Iterator[str]:
+        for row in filter(self._has, rows):
+            yield row.statement.format(value=self._result(row))
+
+    def _has(self, row: Output) -> bool:
+        return row.input in self._surface.inputs
+
+    def _result(self, row: Output) -> str:
+        """What the material gives for a value that the engine takes."""
         inputs = self._surface.inputs
-        for row in rows:
-            if row.input in inputs:
-                value = self._converted(inputs[row.input], row.type)
-                if row.factor in inputs:
-                    value += f" * {self._call(inputs[row.factor])}"
-                yield row.statement.format(value=value)
+        value = self._converted(inputs[row.input], row.type)
+        if row.factor in inputs:
+            value += f" * {self._call(inputs[row.factor])}"
+        return value
 
     def _converted(self, given: Given, wanted: str) -> str:
         """A call whose value has the type that the engine takes."""

@@ -54,6 +54,8 @@ class FunctionsAsked:
     """The engines' words for slots, by the library's names; they are made without being named."""
     of_surface: Mapping[str, str] = EMPTY
     """The engines' words for slots whose interpolated values they have, by the library's names."""
+    moving: Mapping[str, str] = EMPTY
+    """The words of these that a material moves where it says something else of a slot."""
 
 
 @frozen

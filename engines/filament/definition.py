@@ -41,8 +41,6 @@ precision mediump int;
 def definition(surface: Surface) -> str:
     """The text of a definition. Raises ``UnfitError``."""
     writer = Writer(surface, TABLES)
-    if "clip_position" in surface.inputs:
-        raise UnfitError("clip_position", "Filament places the vertices of what it draws itself")
     if len(writer.between) > VARIABLES:
         names = ", ".join(writer.between)
         raise UnfitError(

@@ -10,6 +10,7 @@ from ...targets import registry
 from ...targets.description.profile import Profile
 from ...targets.description.reserved import Reserved
 from ...targets.description.shading_language import Language
+from .values import TABLES
 
 MACROS = frozenset(
     f"{kind}{lanes}" for kind in ("bool", "int", "uint", "float") for lanes in (2, 3, 4)
@@ -30,7 +31,10 @@ def language() -> tuple[Language, Profile]:
         ),
         checkers=(),
     )
-    return changed(glsl, name="filament", reserved=_reserved, profiles=(profile,)), profile
+    own = changed(
+        glsl, name="filament", reserved=_reserved, profiles=(profile,), fixed_names=TABLES.variables
+    )
+    return own, profile
 
 
 def _reserved() -> Reserved:

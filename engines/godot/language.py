@@ -15,15 +15,10 @@ from ...targets.description.profile import Profile
 from ...targets.description.reserved import Reserved, read_reserved
 from ...targets.description.shading_language import Language
 from ...targets.description.spellings import Read, Spellings
-from ..values import Between
 from .values import TABLES
 
 CONSTANTS = "[A-Z][A-Z0-9_]*$"
 """A pattern of the names of Godot's own values: ``ALBEDO``, ``UV2``, ``PI``. None can be hidden."""
-
-
-VARYINGS = tuple(row.name for row in TABLES.at_pixels.values() if isinstance(row, Between))
-"""Names that shaders have besides those of the material."""
 
 NATIVES: Spellings = {
     # Both operands of an operator have one type.
@@ -57,7 +52,9 @@ def language() -> tuple[Language, Profile]:
         natives={**es.natives, **NATIVES},
         checkers=(),
     )
-    own = changed(glsl, name="godot", reserved=_reserved, profiles=(profile,), fixed_names=VARYINGS)
+    own = changed(
+        glsl, name="godot", reserved=_reserved, profiles=(profile,), fixed_names=TABLES.variables
+    )
     return own, profile
 
 

@@ -10,6 +10,7 @@ import burnish
 from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.engines import known
+from burnish.engines.fitting import files as files_for
 from burnish.support.frozen import EMPTY
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -36,7 +37,7 @@ def files_of(
     files, report = dict[str, str](), Report()
     for each in found:
         emissions = {f"{file.target}:{file.profile}": file.emission for file in each.files}
-        files |= row.write(each.document, emissions, report)
+        files |= files_for(row, each.document, emissions, report)
     if report.failed:
         raise CompileError(report.diagnostics)
     return files

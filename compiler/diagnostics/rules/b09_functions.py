@@ -66,3 +66,9 @@ NO_SUCH_VALUE = error(
     "`--slots base_color=stain` says which slot is a value that an engine takes; the page about "
     "engines lists these values.",
 )
+LEFT_TO_ENGINE = warning(
+    "B0912",
+    "{engine} takes no `{value}`: the slot `{slot}` of `{name}` is left out",
+    "The engine lights the surface without it, so it looks different from the whole shader. A slot "
+    "that is the library's own, as `clearcoat = 0`, is not told.",
+)

@@ -305,7 +305,11 @@ def _is_never(condition: Node) -> bool:
     return written.op == "constant" and not written.data
 
 
-def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
+def hiding(ctx: Context, drawn: Record, passing: Instance) -> Node | None:
+    """The condition under which a pass draws nothing at a pixel; ``None`` if it always draws.
+
+    ``functions.py`` takes it for functions, which have no pass.
+    """
     combined: Node | None = None
     for discard, owner, level in drawn.every(ast.Discard):
         scope = pass_scope(owner, passing, level)
@@ -315,8 +319,13 @@ def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]
         combined = condition if combined is None else ctx.tree.node(
             "call", BOOL, (combined, condition), "or"
         )  # fmt: skip
-    if combined is not None:
-        yield Result(DISCARD, FRAGMENT, combined)
+    return combined
+
+
+def _discard(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:
+    condition = hiding(ctx, drawn, passing)
+    if condition is not None:
+        yield Result(DISCARD, FRAGMENT, condition)
 
 
 def _own_depth(ctx: Context, drawn: Record, passing: Instance) -> Iterator[Result]:

@@ -6,7 +6,7 @@ right. The values of slots become the results of a shader of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
@@ -34,12 +34,15 @@ from ..checking.slots import slot
 from ..declarations.parameters import library_name, of_kind
 from ..inheritance.records import Definition, Record
 from ..lowering.outlining import lowered
-from ..state.scope import Failure
+from ..state.scope import OUTERMOST, Failure
 from .assembly import Setting
+from .elaborate import hiding
 from .intents import with_intents
 
 TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
 """What the function is called that returns all slots of a stage."""
+HIDDEN = "is_hidden"
+"""The engines' word for the slot that says where nothing is drawn."""
 OF_RIG = "rig"
 """The group of parameters and textures that belong to lights."""
 
@@ -73,11 +76,11 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
     if setting.surface.steps:
         ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
         return None
-    values = list(_values(setting, _wanted(setting, asked)))
+    values = list(_values(setting, _wanted(setting, asked), asked))
     ctx.deferred.report()
     if ctx.report.failed:
         return None
-    surface = list(_surface_values(setting, asked.of_surface))
+    surface = list(_surface_values(setting, asked))
     roots = [*(value.tree for value in values), *(tree for _, tree in surface)]
     found, graph, notes = lowered(ctx, roots)
     made = zip(values, found[: len(values)], strict=True)
@@ -86,7 +89,7 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
         return None
     results = [_result(value, node, asked) for value, node in kept]
     delivered = zip((info for info, _ in surface), found[len(values) :], strict=True)
-    known = {node: info for info, node in reversed(list(_crossings(delivered)))}
+    known = {node: info for info, node in reversed(list(_crossings(delivered, record, asked)))}
     results += [Result(SURFACE, FRAGMENT, node, info.name) for node, info in known.items()]
     textures = of_kind(TextureInfo, setting.all_leaves)
     made_of = changed(
@@ -105,17 +108,14 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
 
 
 def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
-    """The slots that are asked for; else those of the user's own records, and those of a model."""
+    """The slots that are asked for; else those that an engine takes, or the usual ones."""
     record, report = setting.surface.record, setting.ctx.report
     span = record.symbol.declaration.name.span
     if asked.offers:
-        yield from _offered(record, asked)
+        yield from _offered(setting, asked)
     elif not asked.slots:
-        for name in _slots_of(record):
-            owner = record.definitions[name][0].owner
-            is_model = bool(_word(record, name, asked)) and owner is not record.root
-            if is_model or not owner.module.is_standard:
-                yield _Slot(name, _usual_stage(record, name, asked), is_named=False)
+        for name in dict.fromkeys(_usual(setting, asked)):
+            yield _Slot(name, _usual_stage(record, name, asked), is_named=False)
     for text in dict.fromkeys(asked.slots):
         name, _, place = (part.strip() for part in text.partition("@"))
         if place and STAGES.get(place) not in RASTERISED:
@@ -128,20 +128,35 @@ def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
             yield _Slot(name, stage, is_named=True)
 
 
-def _offered(record: Record, asked: FunctionsAsked) -> Iterator[_Slot]:
+def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
+    """The slots of the user's own records, those of a model, and what follows from these."""
+    record = setting.surface.record
+    moved = _moved(record, asked, only_parts=True)
+    for name in _slots_of(record):
+        owner, word = record.definitions[name][0].owner, _word(record, name, asked)
+        is_model = bool(word) and owner is not record.root
+        is_moved = bool(word) and asked.of_surface.get(_library_slot(record, name)) in moved
+        is_hidden = word == HIDDEN and _hides(setting)
+        if is_model or is_moved or is_hidden or not owner.module.is_standard:
+            yield name
+
+
+def _offered(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The offered slots that the material has."""
+    record = setting.surface.record
     for offer in asked.offers:
         found = record.definitions.get(offer.name)
-        if found is not None and _is_taken(record, offer, found[0]):
+        if found is not None and _is_taken(setting, asked, offer, found[0]):
             stage = VERTEX if offer.at_vertices else FRAGMENT
             yield _Slot(offer.name, stage, is_named=False)
 
 
-def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
+def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition) -> bool:
     """True if a slot is an offered one, or a parameter that stands in the place of one.
 
     A parameter of the library is no slot: the library's slots say what it is for.
     """
+    record = setting.surface.record
     declared = record.declaration(offer.name)
     if isinstance(nearest.member, ast.Param):
         is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
@@ -149,13 +164,38 @@ def _is_taken(record: Record, offer: Offer, nearest: Definition) -> bool:
         is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
     is_meant = offer.owner == library_name(declared.owner)
     names = (offer.name, *offer.made_of)
-    return is_slot and is_meant and (not offer.changed or any(_changes(record, n) for n in names))
+    is_changed = any(_changes(record, name) for name in names)
+    hides = _word(record, offer.name, asked) == HIDDEN and _hides(setting)
+    return is_slot and is_meant and (is_changed or hides or not offer.changed)
 
 
 def _changes(record: Record, name: str) -> bool:
     """True if a slot is something else than where it is declared."""
     found = record.definitions.get(name)
     return found is not None and found[0] is not record.declaration(name)
+
+
+def _moved(record: Record, asked: FunctionsAsked, *, only_parts: bool = False) -> Set[str]:
+    """The engines' words for values that the material moves, so that the mesh has others.
+
+    ``only_parts`` leaves out the slots that are asked for themselves.
+    """
+    found = set[str]()
+    for full, words in asked.moving.items():
+        name = full.rpartition(".")[2]
+        nearest = record.definitions.get(name, (None,))[0]
+        is_as_given = nearest is None or f"{library_name(nearest.owner)}.{name}" == full
+        is_mesh = nearest is not None and nearest is record.declaration(name)
+        is_asked = only_parts and _library_slot(record, name) in asked.at_vertices
+        if not (is_as_given or is_mesh or is_asked):
+            found.update(words.split())
+    return found
+
+
+def _hides(setting: Setting) -> bool:
+    """True if the pass that the material is tied to draws nothing at some pixels."""
+    drawn = setting.passing.record.every(ast.Discard)
+    return any(not owner.module.is_standard for _, owner, _ in drawn)
 
 
 def _slots_of(record: Record) -> Sequence[str]:
@@ -176,12 +216,15 @@ def _library_slot(record: Record, name: str) -> str:
     return f"{library_name(record.declaration(name).owner)}.{name}"
 
 
-def _values(setting: Setting, slots: Iterable[_Slot]) -> Iterator[_Value]:
+def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> Iterator[_Value]:
     """The values of slots, without those that no function returns."""
     ctx, surface = setting.ctx, setting.surface
     for each in slots:
         span = surface.record.definitions[each.name][0].member.name.span
         tree = slot(ctx, surface, each.name, span)
+        if _word(surface.record, each.name, asked) == HIDDEN:
+            condition = hiding(ctx, setting.passing.record, setting.passing)
+            tree = tree if condition is None else condition
         if isinstance(tree, Failure):
             continue
         if not _is_returned(tree.type):
@@ -257,28 +300,37 @@ def _slot_info(setting: Setting, value: _Value, asked: FunctionsAsked) -> SlotIn
     return SlotInfo(name, _function_of(value, asked), shown, doc, word)
 
 
-def _surface_values(
-    setting: Setting, words: Mapping[str, str]
-) -> Iterator[tuple[SurfaceInfo, Node]]:
-    """The values of slots that engines know, as the library declares them."""
+def _surface_values(setting: Setting, asked: FunctionsAsked) -> Iterator[tuple[SurfaceInfo, Node]]:
+    """The values of slots that engines know.
+
+    A slot that engines ask for at each vertex they have as the material makes it, as they draw it
+    there. Others they have as the library declares them, unless the material moves these.
+    """
     ctx, surface = setting.ctx, setting.surface
+    moved = _moved(surface.record, asked)
     for name in _slots_of(surface.record):
-        first = surface.record.declaration(name)
-        word, member = words.get(_library_slot(surface.record, name)), first.member
-        if word is not None:
-            tree = slot(ctx, surface, name, member.name.span, first.level)
+        full, first = _library_slot(surface.record, name), surface.record.declaration(name)
+        word, is_asked = asked.of_surface.get(full), full in asked.at_vertices
+        if word is not None and (is_asked or word not in moved):
+            member = first.member
+            level = OUTERMOST if is_asked else first.level
+            tree = slot(ctx, surface, name, member.name.span, level)
             if isinstance(tree, Node):
                 type_ = "" if member.type is None else member.type.span.text
                 yield SurfaceInfo(name, word, type_, member.doc), tree
 
 
 def _crossings(
-    surface: Iterable[tuple[SurfaceInfo, Node]],
+    surface: Iterable[tuple[SurfaceInfo, Node]], record: Record, asked: FunctionsAsked
 ) -> Iterator[tuple[SurfaceInfo, Node]]:
-    """The varying in each of these values, if it is of the same type and the only one."""
+    """The varying in each of these values, if it is of the same type and the only one.
+
+    Where engines draw a vertex, nothing is made of the varying at the pixels.
+    """
     for info, value in surface:
         crossing = [node for node in reachable((value,)) if _enters_fragments(node)]
-        if len(crossing) == 1 and crossing[0].type == value.type:
+        is_whole = value in crossing or _library_slot(record, info.name) not in asked.at_vertices
+        if len(crossing) == 1 and crossing[0].type == value.type and is_whole:
             yield info, crossing[0]
 
 

@@ -39,11 +39,11 @@ float3 water_normal(float3 normal_2) {
     return normal_2 * rsqrt(max(dot(normal_2, normal_2), 1.1754944e-38));
 }
 
-float2 water_rest(float3 position) {
-    return position.xz;
+float2 water_rest(float3 inherited_position) {
+    return inherited_position.xz;
 }
 
-float3 water_shift(float3 position, float time) {
+float3 water_shift(float3 inherited_position, float time) {
     static const float2 waves_heading[3] = {float2(1.0, 0.0), float2(0.6, 0.8), float2(-0.8, 0.6)};
     static const float waves_length[3] = {1.6, 0.9, 0.5};
     static const float waves_height[3] = {0.06, 0.03, 0.015};
@@ -51,13 +51,14 @@ float3 water_shift(float3 position, float time) {
     float3 shift = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < 3; i++) {
         shift += water_moved(
-            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], position.xz, time
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], inherited_position.xz,
+            time
         );
     }
     return shift;
 }
 
-float3 water_tilt(float3 position, float time) {
+float3 water_tilt(float3 inherited_position, float time) {
     static const float2 waves_heading[3] = {float2(1.0, 0.0), float2(0.6, 0.8), float2(-0.8, 0.6)};
     static const float waves_length[3] = {1.6, 0.9, 0.5};
     static const float waves_height[3] = {0.06, 0.03, 0.015};
@@ -65,34 +66,23 @@ float3 water_tilt(float3 position, float time) {
     float3 tilt = float3(0.0, 0.0, 0.0);
     for (int i = 0; i < 3; i++) {
         tilt += water_tilted(
-            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], position.xz, time
+            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], inherited_position.xz,
+            time
         );
     }
     return tilt;
 }
 
 /// eye: Where the viewer stands
-float water_glancing(float3 position_2, float3 normal_2, float3 eye) {
+float water_glancing(float3 position, float3 normal_2, float3 eye) {
     // Zero stays zero.
     float3 normal = normal_2 * rsqrt(max(dot(normal_2, normal_2), 1.1754944e-38));
-    float3 to_eye = normalize(eye - position_2);
+    float3 to_eye = normalize(eye - position);
     return 1.0 - saturate(dot(normal, to_eye));
 }
 
-float3 water_position_2(float3 vertex_position, float4x4 object_to_world, float time) {
-    float4 rest_product = mul(object_to_world, float4(vertex_position, 1.0));
-    static const float2 waves_heading[3] = {float2(1.0, 0.0), float2(0.6, 0.8), float2(-0.8, 0.6)};
-    static const float waves_length[3] = {1.6, 0.9, 0.5};
-    static const float waves_height[3] = {0.06, 0.03, 0.015};
-    static const float waves_sharpness[3] = {0.7, 0.6, 0.5};
-    float2 rest = rest_product.xz;
-    float3 shift = float3(0.0, 0.0, 0.0);
-    for (int i = 0; i < 3; i++) {
-        shift += water_moved(
-            waves_heading[i], waves_length[i], waves_height[i], waves_sharpness[i], rest, time
-        );
-    }
-    return rest_product.xyz + shift;
+float3 water_inherited_position(float3 vertex_position, float4x4 object_to_world) {
+    return mul(object_to_world, float4(vertex_position, 1.0)).xyz;
 }
 
 float3 water_normal_2(float3 vertex_position, float4x4 object_to_world, float time) {

@@ -1,0 +1,62 @@
+"""What an engine is given of a material: what it cannot take is told, and never lost in silence.
+
+``function_files.py`` calls ``files`` for each material of ``--engine``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from ..compiler.diagnostics import rules
+from ..compiler.diagnostics.diagnostic import Report
+from ..compiler.documents.functions import Functions
+from ..compiler.reflection.roles import scene_names
+from ..support.frozen import changed
+from .engine import Emissions, Engine
+from .slot_table import INPUTS, Input, found
+
+
+def files(
+    engine: Engine, document: Functions, emissions: Emissions, report: Report
+) -> Mapping[str, str]:
+    """The engine's files of one material, by their names; none if something is wrong."""
+    before = report.count
+    for row in _lacking(engine, document):
+        slot = found(document.functions)[row.name].slots[0].name
+        if row.is_needed:
+            report.add(
+                rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot,
+                reason="its materials have nothing of that kind",
+            )  # fmt: skip
+        else:
+            report.add(
+                rules.LEFT_TO_ENGINE, None, engine=engine.title, value=row.name, slot=slot,
+                name=document.material,
+            )  # fmt: skip
+    if any(each.severity == "error" for each in report.since(before)):
+        return {}
+    return engine.write(document, emissions, report)
+
+
+def taken(engine: Engine, document: Functions) -> Functions:
+    """The document without the functions that the engine's files do not have."""
+    given = found(document.functions)
+    others = {given[row.name].name for row in INPUTS if row.name in given} - {
+        given[name].name for name in engine.taken if name in given
+    }
+    kept = tuple(row for row in document.functions if row.name not in others)
+    return changed(document, functions=kept)
+
+
+def _lacking(engine: Engine, document: Functions) -> Iterator[Input]:
+    """The values that the material gives and the engine does not take.
+
+    A slot that moves the mesh is no such value where others follow from it that the engine takes.
+    """
+    given = found(document.functions)
+    moving = {full.rpartition(".")[2]: words for full, words in scene_names()["moving"].items()}
+    for row in INPUTS:
+        followed = moving.get(row.name, "").split()
+        is_served = any(word in given and word in engine.taken for word in followed)
+        if row.name in given and row.name not in engine.taken and not is_served:
+            yield row

@@ -1,0 +1,99 @@
+"""What an engine cannot take is told with the slot; what moves a mesh reaches every engine."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from burnish.engines import known
+from burnish.engines.slot_table import INPUTS
+
+from ..cli.kit import invoke
+
+GLASS = """\
+import std.models.{GltfSurface}
+material Glass : GltfSurface { transmission = 0.9   ior = 1.3   clearcoat = 0.2 }
+"""
+PUSHED = """\
+material Pushed {
+    object_position = vertex_position + 0.1 * vertex_normal
+    object_normal = vertex_normal + vertex_position.yzx
+    tint = abs(normal)
+}
+"""
+BENT = """\
+import std.motion.{MeshPoint}
+material Bent {
+    rest = inherited.object_shape
+    object_shape = MeshPoint(-rest.position, -rest.normal, rest.tangent, rest.handedness, mat4(1))
+    rough = 0.3
+}
+"""
+
+
+@pytest.fixture
+def compiled(tmp_path: Path, request: pytest.FixtureRequest) -> str:
+    """The texts that an engine gets, with what is told."""
+    source, engine = request.param
+    file = tmp_path / "m.burnish"
+    file.write_text(source, encoding="utf-8")
+    result = invoke("compile", str(file), "--engine", engine, "-o", "-")
+    assert result.exit_code == 0, result.stderr
+    return f"{result.stdout}\n{result.stderr}"
+
+
+@pytest.mark.parametrize("compiled", [(GLASS, "godot")], indirect=True)
+def test_what_an_engine_lacks_is_told(compiled: str) -> None:
+    expected = "Godot 4 takes no `transmission`: the slot `transmission` of `Glass` is left out"
+    assert f"warning[B0912]: {expected}" in compiled
+    assert "takes no `ior`" in compiled and "takes no `dispersion`" not in compiled
+    assert "CLEARCOAT = " in compiled and "CLEARCOAT_ROUGHNESS" not in compiled
+
+
+def test_the_document_has_what_the_files_have(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text(GLASS, encoding="utf-8")
+    result = invoke("compile", str(file), "--engine", "godot", "-o", str(tmp_path / "out"))
+    document = json.loads((tmp_path / "out" / "Glass.functions.json").read_text("utf-8"))
+    names = [row["name"] for row in document["functions"]]
+    assert f"Glass: {len(names)} functions ({', '.join(names)}) in files" in result.stdout
+    assert "clearcoat" in names and "transmission" not in names
+
+
+def test_what_places_vertices_is_never_left_out(tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material M { clip_position = vec4(vertex_uv, 0, 1)   color = rgb(uv, 0) }\n")
+    result = invoke("compile", str(file), "--engine", "filament", "-o", str(tmp_path / "out"))
+    assert result.exit_code == 1 and not (tmp_path / "out").exists()
+    assert "error[B0909]: Filament cannot draw `clip_position`: its materials have" in result.stderr
+
+
+@pytest.mark.parametrize("compiled", [(BENT, name) for name in known.names()], indirect=True)
+def test_every_engine_is_given_a_bent_mesh(compiled: str) -> None:
+    assert "bent_position(" in compiled and "bent_normal(" in compiled
+
+
+@pytest.mark.parametrize("compiled", [(PUSHED, "filament")], indirect=True)
+def test_normals_of_vertices_reach_an_engine_that_takes_those_of_pixels(compiled: str) -> None:
+    assert "material.normal = normalize(pushed_normal(" in compiled
+    assert "B0912" not in compiled
+
+
+@pytest.mark.parametrize("compiled", [(PUSHED, "godot")], indirect=True)
+def test_all_is_computed_before_a_vertex_is_moved(compiled: str) -> None:
+    expected = """
+        vec3 moved_object_position = pushed_object_position(VERTEX, NORMAL);
+        vec3 moved_object_normal = pushed_object_normal(VERTEX, NORMAL);
+        VERTEX = moved_object_position;
+        NORMAL = moved_object_normal;
+    """
+    lines = [line.strip() for line in compiled.splitlines()]
+    assert "\n".join(map(str.strip, expected.strip().splitlines())) in "\n".join(lines)
+
+
+def test_engines_take_values_of_the_table() -> None:
+    names = {row.name for row in INPUTS}
+    for name in known.names():
+        assert known.load(name).taken <= names
