@@ -156,9 +156,7 @@ def test_several_languages_and_folders(folder: Path) -> None:
     names = [each.name for each in _module((folder / "out/materials.py").read_text()).MATERIALS]
     assert names == ["M", "N"]
     rule = (folder / "out.d").read_text("utf-8")
-    assert rule.startswith(
-        "out/materials.hpp \\\n  out/materials.py: \\\n  materials/m.burnish"
-    )
+    assert rule.startswith("out/materials.hpp \\\n  out/materials.py: \\\n  materials/m.burnish")
     assert "only.burnish" not in rule
     told = _run("materials", "--lang", "cpp", "--lang", "python")
     assert "several languages are several files: -o names the folder for them" in told.output
@@ -189,3 +187,9 @@ def test_a_file_that_is_no_rule_is_not_overwritten(folder: Path) -> None:
         assert (found.exit_code, told in found.output) == (1, True), found.output
         assert (folder / "mine.c").read_text("utf-8") == "int main() {}\n"
         assert not (folder / "m.hpp").exists() and not (folder / "out").exists()
+
+
+def test_a_missing_language_is_told_with_those_that_there_are() -> None:
+    found = _run(str(PLASTIC))
+    assert found.exit_code == 2
+    assert "Missing option '--lang'. Choose from:\n\tcpp,\n\tpython,\n" in found.output
