@@ -33,6 +33,7 @@ if TYPE_CHECKING:
         same,
         to_json,
     )
+    from .api.modules import modules
     from .compiler.diagnostics.diagnostic import CompileError, Diagnostic
 
 __version__ = "0.1.0"
@@ -55,6 +56,7 @@ __all__ = [
     "check",
     "compile",
     "functions",
+    "modules",
     "same",
     "to_json",
 ]
@@ -75,6 +77,10 @@ def __getattr__(name: str) -> Any:
         from .api import binding
 
         found = binding.bind
+    elif name == "modules":
+        from .api import modules
+
+        found = modules.modules
     else:
         from .api import entry_points as api
 

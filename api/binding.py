@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from ..bindings import registry
 from ..bindings.gathering import Compiled, CompiledPlan, gathered
@@ -17,7 +19,7 @@ from ..support.arguments import expect
 from ..support.frozen import EMPTY
 from ..targets.selection import DEFAULT
 from .compiled import CompiledMaterial, CompileResult
-from .entry_points import GivenValue, compile
+from .entry_points import GivenValue, compile, declared
 
 _NAMESPACE = re.compile(r"[^\W\d]\w*(::[^\W\d]\w*)*")
 
@@ -33,15 +35,21 @@ def bind(
     search_path: Sequence[str | Path] = (),
     values: Mapping[str, GivenValue] = EMPTY,
     hoist: bool = True,
+    flip_y: bool = False,
+    single_file: bool = False,
+    native_stages: bool = False,
+    bindings: str | PathLike[str] | Mapping[str, Any] | None = None,
     namespace: str = "",
     embed: bool = False,
 ) -> str:
     """The binding of files, or of a text, in the language of a host: ``"cpp"``, ``"python"`` …
 
-    All materials of the files are bound together, and share the blocks that are alike. ``targets``,
-    ``material``, ``rig``, ``pass_``, ``search_path``, ``values`` and ``hoist`` are those of
-    ``compile``: give both the same. ``namespace`` is where a language has such, by default the name
-    of the first file. With ``embed``, the texts of the shaders are in the binding.
+    All materials of the files are bound together, and share the blocks that are alike. Without
+    ``rig``, a file that declares several is bound with each. ``targets``, ``material``, ``pass_``,
+    ``search_path``, ``values``, ``hoist``, ``flip_y``, ``single_file``, ``native_stages`` and
+    ``bindings`` are those of ``compile``: give both the same. ``namespace`` is where a language has
+    such, by default the name of the first file. With ``embed``, the texts of the shaders are in the
+    binding.
 
     Raises ``CompileError`` as ``compile`` does, ``ValueError`` for a language or a namespace that
     there is not, and ``TypeError`` for arguments of other types.
@@ -52,10 +60,12 @@ def bind(
     names = [sources] if isinstance(sources, str | Path) else list(sources)
     results = [
         compile(
-            each, targets, material=material, rig=rig, pass_=pass_, search_path=search_path,
-            values=values, hoist=hoist,
+            each, targets, material=material, rig=one, pass_=pass_, search_path=search_path,
+            values=values, hoist=hoist, flip_y=flip_y, single_file=single_file,
+            native_stages=native_stages, bindings=bindings,
         )
         for each in names
+        for one in _rigs(each, rig, search_path)
     ]  # fmt: skip
     files = tuple(_name(each) for each in names)
     binding = gathered(
@@ -64,6 +74,14 @@ def bind(
         files, namespace_of(namespace, found, files),
     )  # fmt: skip
     return written(binding, found)
+
+
+def _rigs(
+    source: str | Path, rig: str | None, search_path: Sequence[str | Path]
+) -> Iterator[str | None]:
+    """The rigs with which a source is compiled: all that it declares, unless one is named."""
+    rigs = () if rig is not None else declared(source, search_path=search_path).rigs
+    yield from rigs if len(rigs) > 1 else (rig,)
 
 
 def host_language(name: str) -> HostLanguage:
@@ -95,6 +113,19 @@ def _name(source: str | Path) -> str:
     """The name of a file; ``text`` for a text."""
     is_text = isinstance(source, str) and ("\n" in source or "{" in source)
     return "text" if is_text else Path(source).name
+
+
+def namespaces_of(asked: str, languages: Sequence[str], files: Sequence[str]) -> Mapping[str, str]:
+    """The namespace of a binding in each language; of several, some may have none.
+
+    Raises ``ValueError`` if none can have the one asked for.
+    """
+    found = [host_language(name) for name in languages]
+    some = any(each.has_namespace for each in found)
+    return {
+        each.name: namespace_of(asked if each.has_namespace or not some else "", each, files)
+        for each in found
+    }
 
 
 def namespace_of(asked: str, language: HostLanguage, files: Sequence[str]) -> str:

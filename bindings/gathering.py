@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection
@@ -68,18 +68,22 @@ def gathered(
     )  # fmt: skip
 
 
-def _names(compiled: Iterable[Compiled]) -> list[str]:
-    """A name for each material; those that have one name are told apart by pass and rig."""
-    found: dict[str, None] = {}
+def _names(compiled: Sequence[Compiled]) -> list[str]:
+    """A name for each material; those that have one name are told apart by what differs."""
+    passes: dict[str, set[object]] = {}
+    rigs: dict[str, set[object]] = {}
     for each in compiled:
-        row = each.reflection
-        wishes = [
-            row.material,
-            f"{row.material}.{row.pass_}",
-            f"{row.material}.{row.pass_}.{row.rig}",
-        ]
-        wishes += [f"{wishes[-1]}.{number}" for number in range(2, len(found) + 3)]
-        found[next(wish for wish in wishes if wish not in found)] = None
+        passes.setdefault(each.reflection.material, set()).add(each.reflection.pass_)
+        rigs.setdefault(each.reflection.material, set()).add(each.reflection.rig)
+    found: dict[str, None] = {}
+    for row in (each.reflection for each in compiled):
+        parts = (
+            row.pass_ if len(passes[row.material]) > 1 else None,
+            row.rig if len(rigs[row.material]) > 1 else None,
+        )
+        wish = ".".join((row.material, *filter(None, parts)))
+        wishes = (wish, *(f"{wish}.{number}" for number in range(2, len(found) + 3)))
+        found[next(each for each in wishes if each not in found)] = None
     return list(found)
 
 

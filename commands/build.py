@@ -207,21 +207,40 @@ def _again(request: BuildRequest, path: str) -> list[str]:
 def _run(request: BuildRequest, actions: Sequence[Action]) -> None:
     from .building.running import run, run_part
 
-    def told(action: Action, count: int) -> None:
-        say(f"{action.name}: {_counted(count, 'file')} in {action.request.output}")
+    def told(action: Action, outputs: Sequence[str]) -> None:
+        say(f"{action.name}: {_counted(len(outputs), 'file')} in {action.request.output}")
+        if (collected := collector()) is not None:
+            collected.write(outputs)
 
     if request.part:
         found = run_part(actions, told)
     else:
         found = run(request.output, actions, _jobs(request), told)
     show(found.diagnostics)
+    if found.removed:
+        say(f"{_counted(len(found.removed), 'former output')} removed, as nothing makes them now")
+    _find(found)
     if not request.part or found.failed:
         _count(found)
 
 
+def _find(found: Built) -> None:
+    """Give the answer for programs its record, if it is asked for."""
+    if (collected := collector()) is None:
+        return
+    from ..compiler.documents.answer import BuildAnswer, BuiltRow
+
+    collected.find(
+        BuildAnswer(
+            run=tuple(BuiltRow(name=name, outputs=paths) for name, paths in found.run.items()),
+            up_to_date=found.current, failed=found.failed, removed=found.removed,
+        )
+    )  # fmt: skip
+
+
 def _count(found: Built) -> None:
     """Print how many actions were run; end the command if any of them has failed."""
-    counts = f"{_counted(found.run, 'action')} run, {found.current} up to date"
+    counts = f"{_counted(len(found.run), 'action')} run, {len(found.current)} up to date"
     say(f"{counts}, {len(found.failed)} failed" if found.failed else counts)
     if found.failed:
         names = ", ".join(f"`{name}`" for name in found.failed)

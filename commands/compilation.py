@@ -72,10 +72,11 @@ def _told(request: CompileRequest, question: Question | None) -> Iterable[Compil
         return [compiled(request)]
     from .many_files import compiled_files
 
-    return _with_progress(compiled_files(request, question), len(request.files))
+    return with_progress(compiled_files(request, question), len(request.files))
 
 
-def _with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:
+def with_progress(found: Iterable[Compiled], count: int) -> Iterator[Compiled]:
+    """What ``count`` files become; a terminal shows how far it is."""
     from .progress import Progress
 
     with Progress("compiling") as progress:
@@ -148,23 +149,12 @@ def _depfile(request: CompileRequest, paths: Sequence[str], inputs: Inputs) -> t
     """
     if request.depfile is None:
         return ()
-    from .depfiles import NoNameError, depfile
-    from .output import obstacle, unwritable
+    from .depfiles import depfile_of
 
-    path, target = Path(request.depfile), request.depfile_target
-    try:
-        text = depfile(paths if target is None else [target], request.files, inputs)
-    except NoNameError as error:
-        raise unwritable(path, str(error)) from error
-    place = os.path.realpath(path)
-    if place in inputs.contents:
-        raise unwritable(path, "it is one of the files that were read")
-    if place in map(os.path.realpath, paths):
-        raise unwritable(path, "it is one of the outputs")
-    reason = obstacle(path.parent, path.name)
-    if reason is not None:
-        raise unwritable(path, reason)
-    return request.depfile, text
+    targets = paths if request.depfile_target is None else [request.depfile_target]
+    return request.depfile, depfile_of(
+        request.depfile, targets, paths, request.files, inputs, force=request.force
+    )
 
 
 def _deliver(output: Output) -> None:

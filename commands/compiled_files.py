@@ -14,9 +14,9 @@ from .compiled_record import Compiled
 
 if TYPE_CHECKING:
     from ..api.compiled import CompiledMaterial, CompileResult
+    from ..api.modules import Module
     from ..compiler.diagnostics.diagnostic import Diagnostic
     from ..compiler.documents.reflection import Reflection
-    from .modules import Module
 
 
 _UNSIGNED = (
@@ -70,8 +70,8 @@ def _result(request: CompileRequest, file: Path) -> CompileResult:
 
 def _complaints(result: CompileResult) -> tuple[Diagnostic, ...]:
     """The warnings of the downstream compilers; raises ``CompileError`` if one refuses a text."""
+    from ..api.validating import validate
     from ..compiler.diagnostics.diagnostic import CompileError
-    from .validate import validate
 
     found = validate(file for material in result.materials for file in material.files)
     if any(diagnostic.severity == "error" for diagnostic in found):
@@ -85,7 +85,7 @@ def _modules(
     """The modules of each material, by its stem; and warnings. Raises ``CompileError``."""
     if not request.modules:
         return {}, ()
-    from .modules import modules_of
+    from ..api.modules import modules_of
 
     return modules_of(result.materials, request.modules, optimised=request.optimize)
 
@@ -97,6 +97,7 @@ def _written(
     warnings: tuple[Diagnostic, ...],
 ) -> Compiled:
     from ..compiler.documents.writing import to_text
+    from ..compiler.syntax.quoting import counted
 
     texts = {file.name: file.text for material in result.materials for file in material.files}
     reflections: dict[str, str] = {}
@@ -110,8 +111,8 @@ def _written(
         own = modules.get(material.stem, ())
         reflections[reflection] = to_text(_reflection(material, own))
         binaries |= {module.row.file: module.content for module in own}
-        made = f", {len(own)} modules" if own else ""
-        shaders = f"{len(material.files)} shaders{made} and {reflection}"
+        made = f", {counted(len(own), 'module')}" if own else ""
+        shaders = f"{counted(len(material.files), 'shader')}{made} and {reflection}"
         lines.append(f"{material.name}: {shaders} in {request.output}\n")
         lines += _reasons(material) if request.why else ()
     for frame in result.frames:
@@ -131,7 +132,7 @@ def _written(
 def _reflection(material: CompiledMaterial, modules: Sequence[Module]) -> Reflection:
     if not modules:
         return material.reflection
-    from .modules import with_modules
+    from ..api.modules import with_modules
 
     return with_modules(material.reflection, modules)
 

@@ -114,8 +114,10 @@ def show_misuse(error: ClickException) -> None:
     error.show(said)
     shown, message = said.getvalue(), error.format_message()
     context = error.ctx if isinstance(error, click.UsageError) else None
-    # If a command line has no words at all, the message is the help, which quotes nothing.
-    if context is None or message != context.get_help():
+    # If a command line has no words at all, the message is the help, which quotes nothing. Neither
+    # does one about an option that is missing, and it has a line for each value.
+    is_own = isinstance(error, click.MissingParameter)
+    if not is_own and (context is None or message != context.get_help()):
         shown = shown.replace(message, harmless_message(message))
     click.echo(harmless_lines(shown), err=True, nl=False)
 

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..compiler.inputs import Inputs
+from .ownership import is_depfile
 
 _BLANK = re.compile(r"(\\*)([ \t])")
 _MARK = re.compile("[#:]")
@@ -26,6 +27,39 @@ def depfile(targets: Sequence[str], sources: Sequence[Path], inputs: Inputs) -> 
     """The rule for some targets. Raises ``NoNameError``."""
     right = "".join(f" \\\n  {escaped(path)}" for path in files_read(inputs, sources))
     return " \\\n  ".join(map(escaped, targets)) + f":{right}\n"
+
+
+def depfile_of(
+    name: str,
+    targets: Sequence[str],
+    outputs: Sequence[str],
+    sources: Sequence[Path],
+    inputs: Inputs,
+    *,
+    force: bool = False,
+) -> str:
+    """The text of the file ``name``: a rule for targets, where outputs are written besides.
+
+    Raises ``CompileError`` if a name cannot be written in it, or if something else is in the way.
+    """
+    from .output import foreign, obstacle, unwritable
+
+    path = Path(name)
+    try:
+        text = depfile(targets, sources, inputs)
+    except NoNameError as error:
+        raise unwritable(path, str(error)) from error
+    place = os.path.realpath(path)
+    if place in inputs.contents:
+        raise unwritable(path, "it is one of the files that were read")
+    if place in map(os.path.realpath, outputs):
+        raise unwritable(path, "it is one of the outputs")
+    reason = obstacle(path.parent, path.name)
+    if reason is not None:
+        raise unwritable(path, reason)
+    if not force and path.is_file() and not is_depfile(path.read_bytes()):
+        raise foreign(path, "it is no file that `--depfile` has written")
+    return text
 
 
 def files_read(inputs: Inputs, sources: Sequence[Path]) -> list[str]:

@@ -33,7 +33,13 @@ def compiled_files(request: CompileRequest, question: Question | None) -> Iterat
 
     ``question`` is the command line if what they become may be kept, and taken from earlier ones.
     """
-    requests = [request.of_one(file) for file in request.files]
+    return compiled_each([request.of_one(file) for file in request.files], question)
+
+
+def compiled_each(
+    requests: Sequence[CompileRequest], question: Question | None
+) -> Iterator[Compiled]:
+    """What the only file of each request becomes, as above."""
     kept = None if question is None else KeptFiles(question)
     known = {} if kept is None else {each: kept.find(each) for each in requests}
     wanted = [each for each in requests if known.get(each) is None]

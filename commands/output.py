@@ -50,9 +50,7 @@ def write_all(
     try:
         replace_all(str(folder), encoded(texts), guard)
     except ForeignFileError as error:
-        report = Report()
-        report.add(rules.FOREIGN_OUTPUT, None, path=error.filename, reason=error.strerror)
-        raise CompileError(report.diagnostics) from error
+        raise foreign(Path(error.filename), str(error.strerror)) from error
     except OSError as error:
         raise unwritable(Path(error.filename), error.strerror or str(error)) from error
     _note(folder / name for name in texts)
@@ -121,6 +119,13 @@ def _is_device(path: Path) -> bool:
         folder = os.path.realpath(path.parent)
         return folder in ("/dev", "/dev/fd") or folder.startswith("/proc/")
     return stat.S_ISCHR(mode) or stat.S_ISFIFO(mode)
+
+
+def foreign(path: Path, reason: str) -> CompileError:
+    """The error to raise if a file of somebody else would be overwritten."""
+    report = Report()
+    report.add(rules.FOREIGN_OUTPUT, None, path=path, reason=reason)
+    return CompileError(report.diagnostics)
 
 
 def unwritable(path: Path, reason: str) -> CompileError:

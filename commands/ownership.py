@@ -73,6 +73,12 @@ class Ownership:
         return found
 
 
+def is_depfile(content: bytes) -> bool:
+    """True for what ``--depfile`` writes, or nothing: one rule, which names files of Burnish."""
+    lines = content.replace(b"\\\n", b"").splitlines()
+    return not content or (len(lines) == 1 and b":" in lines[0] and b".burnish" in lines[0])
+
+
 def _shown(path: str) -> str:
     """A path as a user would write it: relative, if it is below the current folder."""
     here = os.path.join(os.getcwd(), "")  # noqa: PTH109, PTH118

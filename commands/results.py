@@ -18,7 +18,7 @@ from stat import S_ISREG
 
 from ..compiler.cache import digest, load, store
 from ..compiler.inputs import unchanged
-from .ownership import Ownership
+from .ownership import Ownership, is_depfile
 from .replacing import replace_all
 from .terminal import print_output, show_everything, wants_color
 
@@ -101,7 +101,12 @@ def ask(arguments: Sequence[str]) -> Question | None:
     """The question of a command line; ``None`` if no answer to it is ever kept."""
     options = (word.partition("=")[0] for word in arguments)
     wanted = arguments[:1] == ["compile"] and _NEVER.isdisjoint(options)
-    if not wanted or os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
+    return asked(arguments) if wanted else None
+
+
+def asked(arguments: Sequence[str]) -> Question | None:
+    """The question of a command line whose files may be kept, and taken from earlier ones."""
+    if os.environ.get("BURNISH_VERIFY") or os.environ.get("BURNISH_SHOW"):
         return None
     try:
         return Question(arguments)
@@ -190,13 +195,16 @@ def _is_asked_for(output: Output, question: Question) -> bool:
     """
     places = [place for place in (output.folder, *output.depfile[:1]) if place != STDOUT]
     named = all(any(word.endswith(place) for word in question.arguments) for place in places)
-    return named and all(map(_is_file, output.depfile[:1]))
+    return named and all(map(_may_have_rule, output.depfile[:1]))
 
 
-def _is_file(path: str) -> bool:
-    """True if a path is that of a file, or nothing is there: a device is not to be replaced."""
+def _may_have_rule(path: str) -> bool:
+    """True if a path is that of an earlier rule, or nothing is there: a device is not replaced."""
     try:
-        return S_ISREG(os.lstat(path).st_mode)
+        if not S_ISREG(os.lstat(path).st_mode):
+            return False
+        with open(path, "rb") as file:  # noqa: PTH123
+            return is_depfile(file.read())
     except FileNotFoundError:
         return True
 

@@ -17,11 +17,8 @@ from ...compiler.frontend import Frontend, current_library
 from ...compiler.inputs import Inputs
 from ...support.frozen import changed, frozen
 from ..results import LIBRARY
+from ..source_folders import KINDS, SUFFIX, files_in
 from .actions import Action, BuildError, Variant, digest_of
-
-SUFFIX = ".burnish"
-_KINDS = ("frame", "material", "kernel")
-"""The kinds of declarations that are compiled; a file without any is only for importing."""
 
 
 @frozen
@@ -83,23 +80,11 @@ def _files(given: Iterable[Path], outputs: Iterable[str]) -> Iterator[tuple[str,
     known: set[str] = set()
     for path in given:
         is_folder = path.is_dir()
-        for file in _files_in(path, left_out) if is_folder else (str(path),):
+        for file in files_in(path, left_out) if is_folder else (str(path),):
             name = _from_here(file)
             if name not in known:
                 known.add(name)
                 yield name, not is_folder
-
-
-def _files_in(folder: Path, left_out: Iterable[str]) -> Iterator[str]:
-    """The files of Burnish in a folder and those below it, but for hidden ones and for outputs."""
-    for place, inner, names in os.walk(folder):
-        shown = (name for name in sorted(inner) if not name.startswith("."))
-        inner[:] = [each for each in shown if os.path.realpath(Path(place, each)) not in left_out]
-        yield from (str(Path(place, name)) for name in sorted(names) if _is_source(name))
-
-
-def _is_source(name: str) -> bool:
-    return name.endswith(SUFFIX) and not name.startswith(".")
 
 
 def _from_here(file: str) -> str:
@@ -126,7 +111,7 @@ def _open(
     report.extend(own.diagnostics)
     rigs: tuple[str, ...] = ()
     if module is not None and not own.failed:
-        if not is_asked_for and not any(frontend.declared(module, kind) for kind in _KINDS):
+        if not is_asked_for and not any(frontend.declared(module, kind) for kind in KINDS):
             return None
         rigs = frontend.declared(module, "rig")
     folders = tuple(each.replace(os.sep, "/") for each in inputs.folders)

@@ -6,11 +6,11 @@ error keeps none from being run, and its old outputs stay as they were.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ...compiler.diagnostics.diagnostic import CompileError, Diagnostic
-from ...support.frozen import frozen
+from ...support.frozen import changed, frozen
 from ..compiled_files import compiled
 from ..compiled_record import Compiled
 from ..many_files import made_in_processes
@@ -18,6 +18,7 @@ from ..output import write_all
 from ..ownership import Ownership
 from ..written_files import owners_of, written_of
 from .actions import Action
+from .clearing import cleared
 from .locking import held
 from .planning import digests_of
 from .records import Records
@@ -26,20 +27,22 @@ FEW = 8
 """The number of actions for which one more process pays: as long as it takes to start, so long
 takes it to compile about eight short files."""
 
-Told = Callable[[Action, int], None]
-"""Called with each action that has been run, and the number of its outputs."""
+Told = Callable[[Action, Sequence[str]], None]
+"""Called with each action that has been run, and the paths of its outputs."""
 
 
 @frozen
 class Built:
     """What has become of a build."""
 
-    run: int
-    """The number of actions that were run without an error."""
-    current: int
-    """The number of those that were up to date."""
+    run: Mapping[str, tuple[str, ...]]
+    """The paths of the outputs of each action that was run without an error, by its name."""
+    current: tuple[str, ...]
+    """The names of the actions that were up to date."""
     failed: tuple[str, ...]
     """The names of those with errors."""
+    removed: tuple[str, ...]
+    """The paths of former outputs that nothing makes any more, which were deleted."""
     diagnostics: tuple[Diagnostic, ...]
     """Errors and warnings, in the order of the actions."""
 
@@ -52,12 +55,17 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
     """
     records = Records(folder)
     stale = [each for each in actions if each.request.uses_tools or not records.are_current(each)]
-    if not stale:
+    current = tuple(each.name for each in actions if each not in stale)
+    abandoned = records.abandoned(actions)
+    if not stale and not abandoned:
         records.keep()
-        return Built(0, len(actions), (), ())
+        return Built({}, current, (), (), ())
     with held(Path(folder)):
         try:
-            return _run(stale, len(actions) - len(stale), jobs, told, records)
+            found = _run(stale, jobs, told, records)
+            removed = (*found.removed, *cleared(abandoned, folder))
+            records.forget(abandoned)
+            return changed(found, current=current, removed=removed)
         finally:
             records.keep()
 
@@ -67,23 +75,25 @@ def run_part(actions: Sequence[Action], told: Told) -> Built:
 
     Other programs have several of these at once: so no folder is held, and nothing is recorded.
     """
-    return _run(actions, 0, 1, told, None)
+    return _run(actions, 1, told, None)
 
 
-def _run(
-    actions: Sequence[Action], current: int, jobs: int, told: Told, records: Records | None
-) -> Built:
-    """Run some actions; ``current`` others are up to date."""
+def _run(actions: Sequence[Action], jobs: int, told: Told, records: Records | None) -> Built:
+    """Run some actions."""
     diagnostics: list[Diagnostic] = []
-    failed = []
+    failed, removed, run = list[str](), list[str](), dict[str, tuple[str, ...]]()
     for action, found in zip(actions, made(actions, jobs), strict=True):
         problem = _deliver(action, found, records)
         diagnostics += (*found.diagnostics, *problem)
         if found.inputs is None or problem:
             failed.append(action.name)
-        else:
-            told(action, sum(map(len, owners_of(action.request.files, [found]).values())))
-    return Built(len(actions) - len(failed), current, tuple(failed), tuple(diagnostics))
+            continue
+        names = written_of(action.request.files, [found])
+        run[action.name] = tuple(f"{action.request.output}/{name}" for name in names)
+        told(action, run[action.name])
+        if records is not None:
+            removed += cleared(records.replaced(action, names), action.variant.request.output)
+    return Built(run, (), tuple(failed), tuple(removed), tuple(diagnostics))
 
 
 def made(actions: Sequence[Action], jobs: int) -> Iterator[Compiled]:
@@ -110,8 +120,10 @@ def _deliver(action: Action, found: Compiled, records: Records | None) -> Sequen
         write_all(Path(request.output), contents, guard)
     except CompileError as error:
         return error.diagnostics
+    if records is None:
+        return ()
     # A file may have changed behind the plan; then the record would be one of other inputs.
-    is_planned = digests_of(found.inputs) == action.inputs
-    if records is not None and not found.diagnostics and is_planned:
+    if not found.diagnostics and digests_of(found.inputs) == action.inputs:
         records.note(action, contents)
+    records.wrote(action, contents)
     return ()

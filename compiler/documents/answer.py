@@ -129,6 +129,52 @@ class CompileAnswer:
 
 
 @frozen(kw_only=True)
+class BoundFileRow:
+    """A file that ``burnish bind`` writes."""
+
+    path: str
+    """The path."""
+    language: str
+    """The language of the host."""
+
+
+@frozen(kw_only=True)
+class BindAnswer:
+    """The result of ``burnish bind``."""
+
+    outputs: tuple[BoundFileRow, ...]
+    """The binding in each language."""
+    read: tuple[str, ...]
+    """The files that were read."""
+    missing: tuple[str, ...]
+    """Places where a file was looked for in vain: one there would change the result."""
+
+
+@frozen(kw_only=True)
+class BuiltRow:
+    """An action that ``burnish build`` has run."""
+
+    name: str
+    """The action: the folder of its outputs, below that of the build."""
+    outputs: tuple[str, ...]
+    """The paths of its outputs."""
+
+
+@frozen(kw_only=True)
+class BuildAnswer:
+    """The result of ``burnish build``, where it compiles."""
+
+    run: tuple[BuiltRow, ...]
+    """The actions that were run without an error."""
+    up_to_date: tuple[str, ...]
+    """The names of those that had nothing to do."""
+    failed: tuple[str, ...]
+    """The names of those with errors, whose outputs are as they were."""
+    removed: tuple[str, ...]
+    """Former outputs of the build that nothing makes any more, which were deleted."""
+
+
+@frozen(kw_only=True)
 class TargetsAnswer:
     """The result of ``burnish targets``."""
 
@@ -249,7 +295,7 @@ class Answer:
     text: tuple[str, ...]
     """Lines for people, as far as no other field has what they say."""
     result: (
-        CompileAnswer | TargetsAnswer | DoctorAnswer | JudgeAnswer | SameAnswer | ConformAnswer
-        | ExplainAnswer | ListAnswer | None
+        CompileAnswer | BindAnswer | BuildAnswer | TargetsAnswer | DoctorAnswer | JudgeAnswer
+        | SameAnswer | ConformAnswer | ExplainAnswer | ListAnswer | None
     )  # fmt: skip
     """What the command has found; null where all is said above."""

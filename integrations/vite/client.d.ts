@@ -1,4 +1,4 @@
-// Tells TypeScript what `import plastic from "./plastic.burnish"` is. To have it, name
+// Tells TypeScript what `import plastic from "./plastic.burnish"` is, and that there are bindings. To have it, name
 // "vite-plugin-burnish/client" among the `types` of tsconfig.json.
 
 declare module "*.burnish" {
@@ -8,3 +8,7 @@ declare module "*.burnish" {
   };
   export default content;
 }
+
+// The binding, whose exports differ from file to file: `burnish bind --lang typescript` writes a
+// file that has their types.
+declare module "*.burnish?binding";

@@ -1,7 +1,8 @@
-// Runs `burnish compile` for one file, and reads its answer.
+// Runs `burnish compile` or `burnish bind` for one file, and reads its answer.
 
 import { execFile } from "node:child_process";
 import { mkdir } from "node:fs/promises";
+import path from "node:path";
 
 /** More than all texts and diagnostics of a file take. */
 const LARGEST_ANSWER = 1 << 28;
@@ -12,7 +13,19 @@ const LARGEST_ANSWER = 1 << 28;
  */
 export async function compiled(command, file, folder, words) {
   await mkdir(folder, { recursive: true });
-  const asked = ["compile", ...words, "--format", "json", "--output", folder, "--", file];
+  return answered(command, file, ["compile", ...words, "--output", folder]);
+}
+
+/** The same for the binding of a file in TypeScript, which has the texts in it. */
+export async function bound(command, file, folder, words) {
+  await mkdir(folder, { recursive: true });
+  const output = path.join(folder, "binding.ts");
+  const asked = ["bind", ...words, "--lang", "typescript", "--embed", "--output", output];
+  return answered(command, file, asked);
+}
+
+async function answered(command, file, words) {
+  const asked = [...words, "--format", "json", "--", file];
   const { error, stdout, stderr } = await ended(command, asked);
   if (error?.code === "ENOENT" || error?.code === "EACCES") {
     return {

@@ -1,17 +1,23 @@
-// A plugin for Vite: `import plastic from './plastic.burnish'` gives the texts of shaders.
+// A plugin for Vite: `import plastic from './plastic.burnish'` gives the texts of shaders, and
+// `import { plastic } from './plastic.burnish?binding'` their binding in TypeScript.
 //
 // Vite calls the hooks below. Each imported file is compiled by the program `burnish` into a folder
 // of Vite's cache, from which the module is made. All files that were read are watched, and mistakes
 // are shown in the page, with their place.
 
 import { createHash } from "node:crypto";
+import { readFile } from "node:fs/promises";
 import path from "node:path";
 
-import { compiled } from "./compiled.js";
+import { bound, compiled } from "./compiled.js";
 import { moduleOf } from "./module.js";
 import { asError, asWarning } from "./told.js";
 
 const TARGETS = ["wgsl", "glsl:es300"];
+const ENDING = ".burnish";
+const BINDING = "?binding";
+/** The end of the names of bindings within Vite, by which it takes them for TypeScript. */
+const OF_BINDING = `${BINDING}&lang.ts`;
 
 /** @type {import("./index.js").default} */
 export default function burnish({ targets = TARGETS, options = [], program } = {}) {
@@ -44,16 +50,27 @@ export default function burnish({ targets = TARGETS, options = [], program } = {
       cache = path.join(config.cacheDir, "burnish");
     },
 
-    async load(id) {
-      if (id.startsWith("\0") || !id.endsWith(".burnish")) {
+    async resolveId(source, importer, options) {
+      if (!source.endsWith(`${ENDING}${BINDING}`)) {
         return null;
       }
-      const answer = await compiled(command, id, folderOf(id), words);
+      const plain = source.slice(0, -BINDING.length);
+      const found = await this.resolve(plain, importer, { ...options, skipSelf: true });
+      return found && { ...found, id: `${found.id}${OF_BINDING}` };
+    },
+
+    async load(id) {
+      const isBinding = id.endsWith(`${ENDING}${OF_BINDING}`);
+      const file = isBinding ? id.slice(0, -OF_BINDING.length) : id;
+      if (id.startsWith("\0") || !file.endsWith(ENDING)) {
+        return null;
+      }
+      const answer = await (isBinding ? bound : compiled)(command, file, folderOf(file), words);
       if (answer.failure !== undefined) {
         this.error({ message: answer.failure, id });
       }
       const told = answer.diagnostics;
-      watch(this, id, [...answer.read, ...told.flatMap((each) => each.span?.file ?? [])]);
+      watch(this, file, [...answer.read, ...told.flatMap((each) => each.span?.file ?? [])]);
       const errors = told.filter((each) => each.severity === "error");
       if (!answer.succeeded) {
         this.error(await asError(errors, answer.remarks, id));
@@ -61,7 +78,10 @@ export default function burnish({ targets = TARGETS, options = [], program } = {
       for (const each of told) {
         this.warn(await asWarning(each));
       }
-      return { code: await moduleOf(answer.outputs), map: null };
+      const code = isBinding
+        ? await readFile(answer.outputs[0].path, "utf8")
+        : await moduleOf(answer.outputs);
+      return { code, map: null };
     },
 
     // What could not be compiled has told Vite of no file that it read, so Vite is told here.

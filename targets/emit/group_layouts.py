@@ -1,18 +1,26 @@
 """The layouts of bind groups for the reflection: what hosts make pipeline layouts of.
 
 ``reflection.py`` asks. A layout lists what is declared, so all materials of a rig have the same
-ones in the sets that they share.
+ones in the sets that they share. Blocks and groups have digests of their own; ``binding_id`` is one
+of all else that names, numbers and states say in a binding, which sees by it that it is stale.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from ...compiler.documents.backends import EntryRow, GroupLayoutRow, PushConstantsRow
+from ...compiler.documents.backends import (
+    BackendRow,
+    EntryRow,
+    GroupLayoutRow,
+    PushConstantsRow,
+)
 from ...compiler.documents.digests import layout_digest
 from ...compiler.ir.leaves import Texture
 from ...compiler.ir.program import Program
+from ...compiler.ir.stages import IMAGE, TARGET
 from ...compiler.ir.texture_bindings import sample_type, sampler_type
+from ...compiler.ir.types import Struct
 from ..description.profile import Profile
 from ..legalise.bindings import Bindings, BindingSlot, Bound
 
@@ -133,3 +141,39 @@ def _word(bound: Bound, program: Program, textures: Mapping[str, Texture]) -> st
 def _may_filter(texture: Texture, program: Program) -> bool:
     """True unless the stages only load texels; those of the rig's lights are alike for all."""
     return texture not in program.textures or texture in program.sampled
+
+
+def binding_id(row: BackendRow, program: Program) -> str:
+    """The digest of a row that has none yet."""
+    files = [(file.stage, file.file, file.entry_point) for file in row.files]
+    places = [
+        (kind, name, place.identifier, place.group, place.binding)
+        for kind, places in (
+            ("block", row.blocks), ("buffer", row.buffers), ("image", row.images),
+            ("texture", row.textures), ("sampler", row.samplers),
+        )
+        for name, place in places.items()
+    ]  # fmt: skip
+    layouts = [layout.layout_id for layout in row.layouts]
+    pushed = row.push_constants and row.push_constants.block
+    return layout_digest(files, places, layouts, pushed, row.front_face, *_of_material(program))
+
+
+def _of_material(program: Program) -> Iterator[object]:
+    """What all profiles have in common: textures, buffers, vertex inputs and targets."""
+    shader = program.shader
+    for info in shader.textures:
+        leaf = info.leaf
+        yield leaf.name, str(leaf.type), leaf.state, leaf.default, info.intent
+    for each in (*shader.buffers, *shader.written):
+        element = each.leaf.type.element
+        yield each.leaf.name, str(element), _struct_members(element)
+    for field in program.vertex_inputs:
+        yield field.name, str(field.type), field.location
+    for result in (*shader.results_of(IMAGE), *shader.results_of(TARGET)):
+        yield result.name, result.state and result.state.format
+
+
+def _struct_members(element: object) -> list[tuple[str, str]]:
+    rows: Iterable[tuple[str, object]] = element.members if isinstance(element, Struct) else ()
+    return [(name, str(type_)) for name, type_ in rows]

@@ -26,9 +26,8 @@ from ..description.profile import Profile
 from ..description.shading_language import Language
 from ..legalise.bindings import BindingSlot
 from ..legalise.limits import demands
-from .binding_ids import binding_id
 from .emitter import Emission
-from .group_layouts import layout_rows, push_constants_row
+from .group_layouts import binding_id, layout_rows, push_constants_row
 from .names import Names
 
 

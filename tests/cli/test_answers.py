@@ -17,13 +17,13 @@ from burnish.commands.group import COMMANDS, burnish
 from .kit import PLAIN, invoke
 
 WITHOUT = {
-    "bind": "what it prints is a binding, and `compile` answers for the same files",
     "export": "its --format chooses the document that it writes, and the JSON has a version",
     "graph": "its --format chooses the picture; `export` has the graph as JSON with a version",
     "view": "it serves pages until it is ended",
 }
 """The commands without an answer, each with the reason."""
 LINES: dict[str, Sequence[str]] = {
+    "bind": ("m.burnish", "-t", "wgsl", "--lang", "cpp", "-o", "m.hpp"),
     "build": ("m.burnish", "-t", "wgsl", "-o", "built"),
     "check": ("m.burnish",),
     "compile": ("m.burnish", "-t", "wgsl", "-o", "out"),

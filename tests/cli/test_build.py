@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import json
 import os
 from pathlib import Path
 
@@ -239,3 +240,42 @@ def test_files_of_others_are_left() -> None:
     assert done.exit_code == 1
     assert "it is no file that Burnish has written" in done.stderr
     assert tree(Path("build")) == {"materials", "materials/c", "materials/c/C.json"}
+
+
+def test_former_outputs_that_nothing_makes_any_more_are_removed() -> None:
+    """All others are left: files of other builds, and those that somebody has changed."""
+    line = ("build", ".", "-I", ".")
+    both = invoke(*line, "-t", "wgsl,hlsl")
+    assert (both.exit_code, both.stderr) == (0, "")
+    changed, gone = Path("build/materials/a/A.frag.hlsl"), Path("build/materials/b/B.frag.hlsl")
+    changed.write_text("// Mine.\n")
+    Path("build/materials/b/notes.txt").write_text("Mine.\n")
+    assert invoke("build", "materials/a.burnish", "-I", ".", "-t", "wgsl").exit_code == 0
+    assert gone.is_file(), "it was not asked about"
+    Path("materials/c.burnish").unlink()
+    Path("materials/metal/r.burnish").write_text("material R { color = vec3(0.1) }\n")
+    done = invoke(*line, "-t", "wgsl", "--format", "json")
+    answer = json.loads(done.stdout)
+    assert set(answer["result"]["removed"]) == {
+        "build/materials/b/B.frag.hlsl", "build/materials/b/B.vert.hlsl",
+        *(f"build/materials/c/C.{end}" for end in _ENDS),
+        *(f"build/materials/metal/r/Day/R.Day.{end}" for end in _ENDS),
+        *(f"build/materials/metal/r/Night/R.Night.{end}" for end in _ENDS),
+    }  # fmt: skip
+    assert [row["name"] for row in answer["result"]["run"]] == ["materials/b", "materials/metal/r"]
+    assert answer["result"]["up_to_date"] == ["materials/a"]
+    assert "build/materials/b/B.frag.wgsl" in answer["written"]
+    paths = [Path("build", each) for each in tree(Path("build"))]
+    assert not Path("build/materials/c").exists()
+    assert sorted(str(path.relative_to("build")) for path in paths if path.is_file()) == [
+        "materials/a/A.frag.hlsl",
+        *(f"materials/a/A.{end}" for end in _KEPT),
+        *(f"materials/b/B.{end}" for end in _KEPT),
+        "materials/b/notes.txt",
+        *(f"materials/metal/r/R.{end}" for end in _KEPT),
+    ]
+    assert built(".") == ["0 actions run, 3 up to date"]
+
+
+_KEPT = ("frag.wgsl", "json", "vert.wgsl")
+_ENDS = ("frag.hlsl", "vert.hlsl", *_KEPT)

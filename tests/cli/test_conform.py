@@ -321,8 +321,8 @@ BAD = {
     "m.burnish --report m.burnish": (
         1,
         "error[B0009]: cannot write to `m.burnish`: `m.burnish` is a file, not a folder\n"
-        "  = help: Output folders are made where needed; check that the place may be written to."
-        "\n\n1 error\n",
+        "  = help: The message says what is in the way. Missing folders are made where they are "
+        "needed.\n\n1 error\n",
     ),
 }  # fmt: skip
 

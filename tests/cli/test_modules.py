@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import burnish
 from burnish.targets.toolchain import count_instructions
 from burnish.targets.toolchain.spirv import SpirvError, entry_points, insist_on_valid
 
@@ -102,7 +103,7 @@ def test_without_the_texts_there_are_no_modules() -> None:
 def test_a_missing_tool_leaves_nothing(form: str, tool: str) -> None:
     done = invoke("compile", "m.burnish", "--emit", form, "-o", "out")
     assert (done.exit_code, done.stdout) == (1, "")
-    assert f"cannot check anything: {tool} is missing; to install it: " in done.stderr
+    assert f"cannot be run: {tool} is missing; to install it: " in done.stderr
     assert "out" not in tree(Path.cwd())
 
 
@@ -119,3 +120,27 @@ def test_options_that_do_not_go_together(words: str, told: str) -> None:
     done = invoke("compile", "m.burnish", "-o", "out", *words.split())
     assert (done.exit_code, done.stdout) == (2, "")
     assert told in done.stderr
+
+
+def test_modules_in_python_are_those_of_the_command() -> None:
+    (material,) = burnish.compile("m.burnish", ("glsl", "hlsl"))
+    found = burnish.modules(material, ("spirv", "dxil"))
+    line = ("compile", "m.burnish", "-t", "glsl,hlsl", "--emit", "spirv,dxil", "-o", "out")
+    assert invoke(*line).exit_code == 0
+    for module in found:
+        assert Path("out", module.row.file).read_bytes() == module.content
+    assert {(each.row.stage, each.format.name) for each in found} == {
+        (stage, form) for stage in ("vertex", "fragment") for form in ("spirv", "dxil")
+    }
+    (shorter, _) = burnish.modules(material, "spirv", optimize=True)
+    assert len(shorter.content) < len(found[0].content)
+
+
+def test_what_is_no_module_is_told_in_python() -> None:
+    (material,) = burnish.compile("m.burnish", "wgsl")
+    with pytest.raises(burnish.CompileError, match="compiles texts of glsl:vulkan"):
+        burnish.modules(material)
+    with pytest.raises(ValueError, match="no format of modules is called `metallib`"):
+        burnish.modules(material, "metallib")
+    with pytest.raises(TypeError, match="`material` is a compiled material, not str"):
+        burnish.modules("m.burnish")  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import burnish
-from burnish.commands.validate import validate
+from burnish.api.validating import validate
 from burnish.compiler.diagnostics.render import render_all
 from burnish.support.frozen import changed
 
@@ -87,6 +87,6 @@ def test_a_missing_tool_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     file.write_text(PLAIN)
     result = invoke("compile", file, "-t", "wgsl", "--validate", "-o", tmp_path / "out")
     assert result.exit_code == 1
-    assert "error[B0706]: naga cannot check anything: naga is missing" in result.stderr
+    assert "error[B0706]: naga cannot be run: naga is missing" in result.stderr
     assert "python -m burnish.targets.toolchain.install naga" in result.stderr
     assert tree(tmp_path) == {"m.burnish"}

@@ -71,6 +71,33 @@ def test_a_frame_has_its_plan_and_its_shaders(folder: Path) -> None:
     ]
 
 
+BINDING = """
+import { PlasticMaterial, plastic } from "./materials/plastic.burnish?binding";
+import texts from "./materials/plastic.burnish";
+
+export const bytes = [...new PlasticMaterial({ base: [0.25, 0.5, 1] }).bytes];
+export const embedded = plastic.profiles["wgsl:webgpu"].texts.map((each) => each.text);
+export const fragment = texts.Plastic.texts.wgsl.fragment;
+"""
+
+
+def test_a_binding_has_blocks_and_the_texts(folder: Path) -> None:
+    (folder / "main.js").write_text(BINDING)
+    found = built(folder)["exports"]
+    assert found["embedded"][1] == found["fragment"] == texts(folder)[0]
+    (material,) = burnish.compile(folder / SOURCE, "wgsl")
+    instance = burnish.Instance(material.reflection)
+    instance.set("base", (0.25, 0.5, 1.0))
+    assert bytes(found["bytes"]) == instance.blocks()["Material"]
+
+
+def test_a_mistake_ends_the_build_of_a_binding(folder: Path) -> None:
+    (folder / "main.js").write_text(BINDING)
+    (folder / SOURCE).write_text(BROKEN)
+    error = built(folder)["error"]
+    assert error["loc"] == {"file": str(folder / SOURCE), "line": 1, "column": 28}
+
+
 def test_a_mistake_ends_a_build(folder: Path) -> None:
     (folder / SOURCE).write_text(f"{BROKEN}material Other {{ color = lost }}\n")
     error = built(folder)["error"]

@@ -167,6 +167,8 @@ FLOORS: dict[str, str] = {
         "frozen diagnostics documents reflection engine slot_table compiled_functions "
         "compiling_functions"
     ),
+    "api.validating": "diagnostics ir emit toolchain compiled",
+    "api.modules": "frozen arguments diagnostics documents ir toolchain compiled validating",
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
         "frozen arguments garbage diagnostics documents passes names equations frontend emit "
@@ -189,8 +191,8 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-        "entry_points binding frame_sameness materialx bindings compiled_functions "
-        "compiling_engines engine known"
+        "entry_points binding modules validating frame_sameness materialx bindings "
+        "compiled_functions compiling_engines engine known"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
@@ -267,6 +269,7 @@ def test_the_package_itself_is_only_a_door_to_the_library() -> None:
     assert modules()[PACKAGE] == {
         "burnish.api.binding",
         "burnish.api.entry_points",
+        "burnish.api.modules",
         "burnish.compiler.diagnostics.diagnostic",
     }
 

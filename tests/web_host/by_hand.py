@@ -256,7 +256,8 @@ _REFLECTION: Document = {
 _BACKEND: Document = {
     "language": "wgsl", "source_maps": {}, "clip_depth": "0..1", "clip_control": [],
     "flip_y": False, "front_face": "ccw", "first_row": "top", "files": [], "blocks": {},
-    "buffers": {}, "images": {}, "textures": {}, "samplers": {}, "layouts": [], "vertex_inputs": {},
+    "buffers": {}, "images": {}, "textures": {}, "samplers": {}, "layouts": [],
+    "binding_id": "0", "vertex_inputs": {},
     "stream_output": None, "captures": {}, "host_uniforms": [], "required_limits": {},
 }  # fmt: skip
 

@@ -51,7 +51,7 @@ IMPORT_CYCLE = error(
 UNWRITABLE_OUTPUT = error(
     "B0009",
     "cannot write to `{path}`: {reason}",
-    "Output folders are made where needed; check that the place may be written to.",
+    "The message says what is in the way. Missing folders are made where they are needed.",
 )
 UNKNOWN_TARGET = error(
     "B0010",

@@ -33,7 +33,7 @@ TOOL_BROKE = error(
 )
 TOOL_MISSING = error(
     "B0706",
-    "{checker} cannot check anything: {problem}",
+    "{checker} cannot be run: {problem}",
     "`burnish doctor` lists the tools, with a command that installs each missing one.",
 )
 ASKED_OF_DEVICES = warning(

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ..api.entry_points import OutputFile
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import Diagnostic, Label, Report
 from ..compiler.diagnostics.source import Source, Span
 from ..compiler.ir.stages import STAGES
 from ..targets.emit.directives import plain
 from ..targets.toolchain import Job, Message, Toolchain, Verdict
+from .compiled import OutputFile
 
 
 def validate(files: Iterable[OutputFile]) -> tuple[Diagnostic, ...]:

@@ -1,7 +1,8 @@
-"""``burnish compile --emit spirv,dxil``: compiles texts for drivers that take no texts.
+"""The entry point ``burnish.modules``: compiles texts for drivers that take no texts.
 
-The compilers are those that ``--validate`` checks texts with. What they make is validated, and with
-``--optimize`` made shorter by spirv-opt and validated again.
+``burnish compile --emit spirv,dxil`` calls ``modules_of``. The compilers are those that
+``--validate`` checks texts with. What they make is validated, and with ``--optimize`` made shorter
+by spirv-opt and validated again.
 """
 
 from __future__ import annotations
@@ -9,18 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from ..api.entry_points import OutputFile
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Diagnostic, Report
 from ..compiler.documents.backends import ModuleRow
 from ..compiler.ir.stages import STAGES
+from ..support.arguments import expect_all
 from ..support.frozen import changed, frozen
 from ..targets.toolchain import Job, Toolchain, Verdict
 from ..targets.toolchain.spirv import SpirvError, insist_on_valid, optimise
-from .validate import tell
+from .compiled import CompiledMaterial, OutputFile
+from .validating import tell
 
 if TYPE_CHECKING:
-    from ..api.compiled import CompiledMaterial
     from ..compiler.documents.reflection import Reflection
 
 
@@ -53,7 +54,36 @@ class Module:
 
     format: ModuleFormat
     row: ModuleRow
+    """What reflections say of it: its stage, its entry point, and the name of the file for it."""
     content: bytes
+    """The bytes that a driver takes."""
+
+
+def modules(
+    material: CompiledMaterial,
+    formats: str | Iterable[str] = ("spirv",),
+    *,
+    optimize: bool = False,
+) -> tuple[Module, ...]:
+    """A compiled material for drivers that take no texts: a module for each stage and format.
+
+    ``"spirv"`` is made of the GLSL for Vulkan and ``"dxil"`` of the HLSL, so the material has to be
+    compiled for these. With ``optimize``, spirv-opt makes SPIR-V shorter. All bindings are those of
+    the text that a module is made of: ``material.reflection.backends["glsl:vulkan"]``.
+
+    Raises ``CompileError`` if a text is refused or not there, or if a tool is missing;
+    ``ValueError`` for a format that there is not, and ``TypeError`` for arguments of other types.
+    """
+    if not isinstance(material, CompiledMaterial):
+        raise TypeError(f"`material` is a compiled material, not {type(material).__name__}")
+    names = (formats,) if isinstance(formats, str) else tuple(formats)
+    expect_all("formats", names, str, "names of formats")
+    for name in names:
+        if name not in FORMATS:
+            known = " and ".join(f"`{each}`" for each in FORMATS)
+            raise ValueError(f"no format of modules is called `{name}`: there are {known}")
+    found, _ = modules_of([material], dict.fromkeys(names), optimised=optimize)
+    return tuple(found.get(material.stem, ()))
 
 
 def modules_of(
