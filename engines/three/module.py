@@ -25,6 +25,7 @@ from ...support.frozen import frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
 from . import inputs
+from .sampling import NAMES, listed, sampling
 from .slots import VERTICES, rows_for
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
@@ -42,6 +43,7 @@ CLASSES = (
     "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
     "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
     "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
+    *sorted(NAMES - {"LinearFilter"}),
 )  # fmt: skip
 """The names that modules may import from `three/webgpu`."""
 WORDS = (
@@ -106,6 +108,7 @@ class Module:
     functions: tuple[Part, ...]
     uniforms: tuple[Entry, ...]
     textures: tuple[Entry, ...]
+    sampling: tuple[Entry, ...]
     settable: tuple[Entry, ...]
     calls: tuple[Entry, ...]
     slots: tuple[Entry, ...]
@@ -205,6 +208,7 @@ class _Writer:
         """The whole module."""
         document = self._document
         uniforms, textures = tuple(self._uniforms()), tuple(self._textures())
+        sampled = tuple(self._sampling())
         helpers, functions = tuple(self._helpers()), tuple(map(self._function, document.functions))
         nodes = tuple(self._nodes())
         calls = tuple(self._calls())
@@ -217,6 +221,7 @@ class _Writer:
         own |= {"DataUtils", "HalfFloatType", "LinearFilter"} if textures else set()
         switches = "switched" in words
         words |= {"uniform", "uint"} if switches else set()
+        own |= {word for each in sampled for word in re.findall(r"\b[A-Z]\w+", each.code)}
         types = {each.type for each in (*uniforms, *textures)} | {base, "Node"}
         return Module(
             name=document.material,
@@ -232,6 +237,7 @@ class _Writer:
             functions=functions,
             uniforms=uniforms,
             textures=textures,
+            sampling=sampled,
             settable=(*uniforms, *textures),
             calls=calls,
             slots=tuple(self._slots()),
@@ -277,6 +283,15 @@ class _Writer:
                 type_ = _uniform_type(row)
                 code = inputs.VALUES[type_].format(", ".join(_numbers(row, type_)))
                 yield Entry(row.name, code, inputs.TYPES[type_], _comment(row.doc, row.range))
+
+    def _sampling(self) -> Iterator[Entry]:
+        """How each texture is read. One without any linear filter and levels has no sampler."""
+        for row in self._document.textures:
+            if row.state is not None:
+                found = dict(sampling(row.state))
+                if {found["magFilter"], found["minFilter"]} == {"NearestFilter"}:
+                    found["minFilter"] = "NearestMipmapNearestFilter"
+                yield Entry(row.name, listed(found))
 
     def _textures(self) -> Iterator[Entry]:
         for row in self._document.textures:

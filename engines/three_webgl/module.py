@@ -18,11 +18,12 @@ from ...bindings.typescript.functions import FUNCTIONS
 from ...bindings.writing import deriving, spelling_of
 from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import Report
-from ...compiler.documents.backends import BackendRow
 from ...compiler.documents.drawing import TextureRow
 from ...compiler.documents.reflection import Reflection
 from ...support.frozen import frozen
 from ..three.module import TEXTURE_HELPERS
+from ..three.sampling import NAMES as SAMPLING
+from ..three.sampling import listed, sampling
 from . import state
 from .derivations import UniformPrinter
 from .uniforms import Uniform, number, uniforms_of
@@ -56,7 +57,8 @@ class Texture:
     begins: str
     type: str
     comment: str
-    sampling: tuple[tuple[str, str], ...]
+    sampled: str
+    """How it is read, as an object of JavaScript; empty if no sampler reads it."""
 
 
 @frozen
@@ -126,7 +128,7 @@ class _Writer:
         used = [
             "Matrix4" if any("setBones" in line for line in each_draw) else "",
             *(each.begins for each in (*self._uniforms, *textures)), *properties.values(),
-            *(value for each in textures for _name, value in each.sampling),
+            *(each.sampled for each in textures),
         ]  # fmt: skip
         settable = [each for each in self._uniforms if self._is_settable(each)]
         makers = _makers(textures)
@@ -181,12 +183,12 @@ class _Writer:
         for row in self._reflection.textures:
             if row.name in self._backend.textures:
                 sampler = samplers.get(row.name)
-                properties = {} if sampler is None else state.sampling(sampler)
+                properties = {} if sampler is None else sampling(sampler)
                 name = self._backend.textures[row.name].identifier
                 yield Texture(
                     name, _texel(row, name) if properties else _texel(row),
                     "DepthTexture" if row.sample == "depth" else TEXTURE_TYPES[row.dimension],
-                    _about(row), tuple(properties.items()),
+                    _about(row), listed(properties) if properties else "",
                 )  # fmt: skip
 
     # --- what is set before a draw ---------------------------------------------------------------
@@ -236,8 +238,7 @@ def _classes(
 
 CLASSES = frozenset((
     *state.SIDES.values(), *state.DEPTHS.values(), *state.FACTORS.values(),
-    *state.OPERATIONS.values(), *state.WRAPS.values(), *state.FILTERS.values(),
-    *state.COMPARISONS.values(), *TEXTURE_TYPES.values(), *TEXTURES.values(), "DepthTexture",
+    *state.OPERATIONS.values(), *SAMPLING, *TEXTURE_TYPES.values(), *TEXTURES.values(), "DepthTexture",
     "CustomBlending", "NoBlending", "Color", "Vector2", "Vector3", "Vector4", "Matrix2", "Matrix3",
     "Matrix4",
 ))  # fmt: skip

@@ -1,13 +1,10 @@
-"""The state of a pass as properties of three.js's materials, and of samplers as those of textures.
-
-What three.js cannot do is a sentence instead.
-"""
+"""The state of a pass as properties of three.js's materials, and what three.js cannot do."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from ...compiler.documents.drawing import SamplerState, TargetRow
+from ...compiler.documents.drawing import TargetRow
 from ...compiler.documents.reflection import Reflection
 from ...compiler.ir.blending import Blend
 
@@ -30,20 +27,6 @@ OPERATIONS = {
     "add": "AddEquation", "subtract": "SubtractEquation",
     "reverse_subtract": "ReverseSubtractEquation", "min": "MinEquation", "max": "MaxEquation",
 }  # fmt: skip
-WRAPS = {
-    "repeat": "RepeatWrapping", "clamp": "ClampToEdgeWrapping", "mirror": "MirroredRepeatWrapping",
-}  # fmt: skip
-FILTERS = {
-    ("linear", "linear"): "LinearMipmapLinearFilter",
-    ("linear", "nearest"): "LinearMipmapNearestFilter",
-    ("linear", "none"): "LinearFilter",
-    ("nearest", "linear"): "NearestMipmapLinearFilter",
-    ("nearest", "nearest"): "NearestMipmapNearestFilter",
-    ("nearest", "none"): "NearestFilter",
-}
-"""The filter where a texture is shrunk, by the filter in a level and that between levels."""
-MAGNIFIED = {"linear": "LinearFilter", "nearest": "NearestFilter"}
-COMPARISONS = {name: word.replace("Depth", "Compare") for name, word in DEPTHS.items()}
 
 
 def lacking(reflection: Reflection) -> Iterator[str]:
@@ -101,17 +84,3 @@ def _blending(blend: Blend) -> Mapping[str, str]:
         "blendDst": FACTORS[color.destination], "blendEquationAlpha": OPERATIONS[alpha.operation],
         "blendSrcAlpha": FACTORS[alpha.source], "blendDstAlpha": FACTORS[alpha.destination],
     }  # fmt: skip
-
-
-def sampling(state: SamplerState) -> Mapping[str, str]:
-    """The properties of a texture that say how it is read."""
-    across, down = (getattr(state, f"wrap_{axis}") or state.wrap for axis in "uv")
-    found = {
-        "wrapS": WRAPS[across], "wrapT": WRAPS[down], "magFilter": MAGNIFIED[state.filter],
-        "minFilter": FILTERS[state.filter, state.mip],
-    }  # fmt: skip
-    if state.anisotropy is not None:
-        found["anisotropy"] = str(state.anisotropy)
-    if state.compare is not None:
-        found["compareFunction"] = COMPARISONS[state.compare]
-    return found

@@ -30,7 +30,7 @@ def files_of(
 ) -> Mapping[str, str]:
     """The files of an engine for one material. Raises ``CompileError``."""
     row = known.load(engine)
-    if row.dialect is None:
+    if not row.is_offered:
         found = burnish.functions(source, list(row.targets), material=material)
     else:
         found = functions_for(row, source, material=material, named=named)

@@ -19,6 +19,7 @@ from playwright.sync_api import Page
 
 import burnish
 from burnish.api.compiled_functions import CompiledFunctions
+from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.documents.functions import ArgumentRow, Functions
 from burnish.engines import known
@@ -181,5 +182,7 @@ def _values(
 
 
 def functions(source: Path, **options: Any) -> Sequence[CompiledFunctions]:
-    """The functions of a file in the languages that three.js takes."""
+    """The functions of a file for three.js: as the command line has them, or some slots of it."""
+    if not options:
+        return functions_for(ENGINE, source).materials
     return burnish.functions(source, ENGINE.targets, **options).materials

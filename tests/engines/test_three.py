@@ -170,7 +170,7 @@ def test_the_files_are_as_they_were(tmp_path: Path) -> None:
     source = EXAMPLES / "plastic.burnish"
     result = invoke("compile", source, "--engine", "three", "-o", tmp_path)
     assert result.exit_code == 0 and result.stdout == (
-        "Plastic: 1 function (tint) in files for three.js and Plastic.functions.json in "
+        "Plastic: 2 functions (tint, base) in files for three.js and Plastic.functions.json in "
         f"{tmp_path}\n"
     )
     for name in ("Plastic.three.js", "Plastic.three.d.ts"):
@@ -196,6 +196,63 @@ def test_what_is_wrong_is_told_and_nothing_is_written(
     code, expected = WRONG[given]
     assert (result.exit_code, expected in result.stderr) == (code, True), result.stderr
     assert not out.exists()
+
+
+def test_a_slot_is_named_for_a_value(tmp_path: Path) -> None:
+    source = tmp_path / "stained.burnish"
+    source.write_text(STAINED, encoding="utf-8")
+    result = invoke(
+        "compile", source, "--engine", "three", "--slots", "base_color=stain", "-o", tmp_path
+    )
+    assert result.exit_code == 0, result.stderr
+    text = (tmp_path / "Stained.three.js").read_text(encoding="utf-8")
+    assert "this.colorNode = slots.stain;" in text
+
+
+STAINED = """\
+import std.terms.{lambert}
+
+material Stained {
+    stain = vec3(uv, 0.5)
+    color = lambert(stain)
+}
+"""
+
+
+def test_a_material_that_gives_no_node_is_told(tmp_path: Path) -> None:
+    source = tmp_path / "stained.burnish"
+    source.write_text(STAINED, encoding="utf-8")
+    result = invoke(
+        "compile", source, "--engine", "three", "--slots", "stain", "-o", tmp_path / "out"
+    )
+    assert result.exit_code == 1
+    assert (
+        "error[B0909]: three.js cannot draw `Stained`: it says itself how it is lit, and none of "
+        "its slots becomes a node" in result.stderr
+    )
+    assert not (tmp_path / "out").exists()
+
+
+MOVED = """\
+import std.terms.{lambert}
+
+material Waving {
+    param high : float = 0.1
+    tint = vec3(0.5)
+    object_position = vertex_position + vec3(0, high * sin(vertex_position.x), 0)
+    object_normal = normalize(vec3(-high * cos(vertex_position.x), 1, 0))
+    color = lambert(tint)
+}
+"""
+
+
+def test_vertices_bring_their_normals(tmp_path: Path) -> None:
+    source = tmp_path / "waving.burnish"
+    source.write_text(MOVED, encoding="utf-8")
+    result = invoke("compile", source, "--engine", "three", "-o", tmp_path)
+    assert result.exit_code == 0, result.stderr
+    text = (tmp_path / "Waving.three.js").read_text(encoding="utf-8")
+    assert "normalLocal.assign(slots.object_normal); return slots.object_position;" in text
 
 
 def test_each_row_of_the_table_is_a_property_of_three(site: Path) -> None:

@@ -24,6 +24,8 @@ export interface PlasticTextures {
 
 export interface PlasticSlots {
   readonly tint: Node<"vec3">;
+  /** Base colour */
+  readonly base: Node<"vec3">;
 }
 
 export type PlasticValues = {

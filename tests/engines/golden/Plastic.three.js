@@ -11,6 +11,8 @@ import {
   HalfFloatType,
   DataTexture,
   LinearFilter,
+  LinearMipmapLinearFilter,
+  RepeatWrapping,
 } from "three/webgpu";
 import {
   sampler,
@@ -69,6 +71,12 @@ const filters = { magFilter: LinearFilter, minFilter: LinearFilter };
 const ready = (made) => Object.assign(made, { type: HalfFloatType, needsUpdate: true, ...filters });
 const texel = (...numbers) => ready(new DataTexture(halves(numbers), 1, 1));
 
+
+/** How textures are read. */
+const sampling = {
+  albedo: { wrapS: RepeatWrapping, wrapT: RepeatWrapping, magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter },
+};
+
 // ---- Functions
 
 const call_tint = new Call({
@@ -82,6 +90,24 @@ fn plastic_tint(uv: vec2f, base: vec3f, albedo: texture_2d<f32>, albedo_sampler:
 /// albedo: Multiplies the base colour
 vec3 plastic_tint(vec2 uv, vec3 base, sampler2D albedo) {
     return base * texture(albedo, uv).xyz;
+}
+`,
+}, {
+  wgsl: [],
+  glsl: [],
+});
+
+const call_base = new Call({
+  wgsl: `/// Base colour
+/// base: Base colour
+fn plastic_base(base: vec3f) -> vec3f {
+    return base;
+}
+`,
+  glsl: `/// Base colour
+/// base: Base colour
+vec3 plastic_base(vec3 base) {
+    return base;
 }
 `,
 }, {
@@ -104,12 +130,15 @@ export function makePlastic(values = {}) {
     if (!(name in settable)) {
       throw new Error(`Plastic has no parameter or texture ${name}`);
     }
+    if (name in sampling) Object.assign(value, sampling[name]);
     settable[name].value = value;
   }
   const given_uv = uv();
   const slot_tint = call_tint.call({ uv: given_uv, base: parameters.base, albedo: new Argument(textures.albedo), albedo_sampler: sampler(textures.albedo) });
+  const slot_base = call_base.call({ base: parameters.base });
   const slots = {
     tint: slot_tint,
+    base: slot_base,
   };
   return { parameters, textures, slots };
 }
