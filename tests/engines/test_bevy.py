@@ -13,7 +13,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..golden import assert_golden
-from .bevy import composed
+from .bevy import OWN, composed
 from .files import EXAMPLES, files_of
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -26,25 +26,6 @@ COMPOSED = {
     "gltf_layers": "Glass", "foliage": "Leaf", "morphing": "Soap",
 }  # fmt: skip
 """Examples with textures of all kinds, with layers of a surface, with values of vertices."""
-
-OWN = """burnish 1
-
-enum Mode { plain, striped }
-
-/// All kinds of parameters.
-material Own {
-    param base    : rgb = #ffffff
-    param match   : float in 0..1 = 0.5     /// How well it fits
-    param mode    : Mode = Mode.striped
-    param weights : float[3] = [1, 2, 3]
-    param is_wet  : bool = true
-    param turn    : mat2 = mat2(vec2(0, 1), vec2(1, 0))
-    map   grain   : utexture2d
-
-    roughness = match * weights[1] * float(grain.load(ivec2(0, 0), 0).x) + (turn * uv).x
-    metallic  = choose(mode, plain = 0.0, striped = uv.x) + (if is_wet then 0.1 else 0.2)
-}
-"""
 
 
 @pytest.mark.parametrize("name", list(WRITTEN))

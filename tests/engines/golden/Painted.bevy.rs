@@ -14,7 +14,7 @@ use bevy::pbr::{
 };
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::shader::ShaderRef;
+use bevy::shader::{ShaderDefVal, ShaderRef};
 
 /// The shader, which is in a file beside this one.
 const SHADER: Handle<Shader> = uuid_handle!("6b08d3bd-6720-5356-a276-3ccbf3e554fd");
