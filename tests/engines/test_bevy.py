@@ -76,3 +76,11 @@ def test_what_bevy_cannot_have_is_told(name: str, material: str, said: str) -> N
     with pytest.raises(CompileError) as told:
         files_of("bevy", EXAMPLES / f"{name}.burnish", material)
     assert str(told.value) == f"Bevy cannot draw {said}"
+
+
+def test_a_material_that_is_called_like_something_of_bevy_is_told() -> None:
+    with pytest.raises(CompileError) as told:
+        files_of("bevy", OWN.replace("material Own", "material Mesh"), "Mesh")
+    assert str(told.value) == (
+        "Bevy cannot draw `Mesh`: modules use something of Bevy or Rust that is called so"
+    )
