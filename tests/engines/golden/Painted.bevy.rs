@@ -4,6 +4,8 @@
 //! Add `PaintedPlugin` behind `DefaultPlugins`, and give meshes a
 //! `MeshMaterial3d(materials.add(Painted::default().material()))`.
 
+#![allow(dead_code)] // A program need not use all of it.
+
 use bevy::asset::{RenderAssetUsages, load_internal_asset, uuid_handle};
 use bevy::image::{
     ImageAddressMode, ImageFilterMode, ImageLoaderSettings, ImageSampler, ImageSamplerDescriptor,
