@@ -23,7 +23,7 @@ TOOLS = ("generate", "setup")
 """Modules of the root that only a checkout needs."""
 DATA = (
     "h", "hpp", "rs", "ts", "j2", "txt", "json", "lark", "mjs", "css", "js", "html", "svg",
-    "burnish",
+    "burnish", "toml",
 )  # fmt: skip
 """The endings of files that belong to the package besides its code."""
 

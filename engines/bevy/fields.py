@@ -20,6 +20,8 @@ TYPES = {
 """Bevy's types, by those of the machine."""
 COLORS = ("rgb", "rgba")
 """The written types whose values are colours, in linear light."""
+OWN_TYPES = ("Material", "Parameters", "Plugin")
+"""What the names of a module's own types end with."""
 NEVER_RAW = ("self", "super", "crate", "Self")
 _WIDTH = 92
 
@@ -90,7 +92,8 @@ def choice(material: str, row: ArgumentRow) -> Choice | None:
 
 def choice_name(material: str, name: str) -> str:
     """The name of the enumeration of a parameter."""
-    return f"{material}{_pascal(name)}"
+    word = _pascal(name)
+    return f"{material}{word}Choice" if word in OWN_TYPES else f"{material}{word}"
 
 
 def member_name(row: ChoiceRow) -> str:

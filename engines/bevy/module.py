@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...support.frozen import frozen
-from ..surface import Surface
-from .fields import Choice, Field, choice, identifier, parameter
+from ..surface import Surface, UnfitError
+from .fields import TYPES, Choice, Field, choice, identifier, parameter
 from .images import Loading, Texel, field, loading, texel
 from .shader import bindings, structure
 from .statements import Statements
@@ -17,6 +17,18 @@ PREPASS_LOCATIONS = {"normal": 3, "tangent": 4}
 """The locations of vertex inputs, where pixels are drawn before they are lit."""
 MARKS = {"clearcoat": "clearcoat: 1.0", "transmission": "specular_transmission: 1.0"}
 """Settings without which Bevy leaves the code of a slot out, by the slots."""
+TAKEN = frozenset({
+    "App", "AsBindGroup", "AsBindGroupError", "Asset", "Assets", "Clone", "Debug", "Default",
+    "ExtendedMaterial", "Extent3d", "From", "Handle", "Image", "ImageAddressMode",
+    "ImageFilterMode", "ImageLoaderSettings", "ImageSampler", "ImageSamplerBorderColor",
+    "ImageSamplerDescriptor", "LinearRgba", "MaterialExtension", "MaterialExtensionKey",
+    "MaterialExtensionPipeline", "MaterialPlugin", "Mesh", "MeshVertexBufferLayoutRef", "Ok",
+    "Plugin", "Reflect", "RenderAssetUsages", "RenderPipelineDescriptor", "Result", "Self",
+    "Shader", "ShaderDefVal", "ShaderRef", "ShaderType", "Some", "SpecializedMeshPipelineError",
+    "StandardMaterial", "TextureDimension", "TextureFormat", "TextureViewDescriptor",
+    "TextureViewDimension", "AlphaMode", "Vec",
+})  # fmt: skip
+"""Names of Rust and of Bevy that modules use, so that no material can have them there."""
 IDENTITY = "https://burnish.invalid/bevy/"
 """The beginning of what the identities of assets are made of."""
 
@@ -60,7 +72,9 @@ class Module:
 
 
 def module_text(surface: Surface, statements: Statements, shader: str, file: str) -> str:
-    """The text of the module."""
+    """The text of the module. Raises ``UnfitError``."""
+    if surface.name in TAKEN or surface.name in TYPES.values():
+        raise UnfitError(surface.name, "modules use something of Bevy or Rust that is called so")
     return filled("material.rs.j2", material=_module(surface, statements, shader, file))
 
 

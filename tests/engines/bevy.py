@@ -51,6 +51,26 @@ BEFORE: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 """Passes before the others, in which only some materials have shaders of their own."""
 
+OWN = """burnish 1
+
+enum Mode { plain, striped }
+
+/// All kinds of parameters.
+material Own {
+    param base    : rgb = #ffffff
+    param match   : float in 0..1 = 0.5     /// How well it fits
+    param mode    : Mode = Mode.striped
+    param weights : float[3] = [1, 2, 3]
+    param is_wet  : bool = true
+    param turn    : mat2 = mat2(vec2(0, 1), vec2(1, 0))
+    map   grain   : utexture2d
+
+    roughness = match * weights[1] * float(grain.load(ivec2(0, 0), 0).x) + (turn * uv).x
+    metallic  = choose(mode, plain = 0.0, striped = uv.x) + (if is_wet then 0.1 else 0.2)
+}
+"""
+"""A material with parameters of all kinds."""
+
 
 def passes_of(files: Mapping[str, str]) -> dict[str, tuple[str, ...]]:
     """What is defined in each pass in which a material has a shader."""

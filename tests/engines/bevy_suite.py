@@ -14,7 +14,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.targets.toolchain.installer_commands import InstallError, run_command
 from burnish.targets.toolchain.tools import cache_folder, tool_named
 
-from .bevy import composed
+from .bevy import OWN, composed
 from .files import files_of, materials
 
 MANIFEST = """\
@@ -42,7 +42,7 @@ def main(names: Sequence[str]) -> int:
             found[label] = files_of("bevy", file, name)
         except CompileError as error:
             print(f"{label}: not written: {error}".splitlines()[0])
-    found = {label: files for label, files in found.items() if files}
+    found["own"] = files_of("bevy", OWN, "Own")
     folder = cache_folder() / "bevy-suite"
     folder.mkdir(exist_ok=True)
     said = composed(found, folder)

@@ -13,7 +13,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..golden import assert_golden
-from .bevy import composed
+from .bevy import OWN, composed
 from .files import EXAMPLES, files_of
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -26,25 +26,6 @@ COMPOSED = {
     "gltf_layers": "Glass", "foliage": "Leaf", "morphing": "Soap",
 }  # fmt: skip
 """Examples with textures of all kinds, with layers of a surface, with values of vertices."""
-
-OWN = """burnish 1
-
-enum Mode { plain, striped }
-
-/// All kinds of parameters.
-material Own {
-    param base    : rgb = #ffffff
-    param match   : float in 0..1 = 0.5     /// How well it fits
-    param mode    : Mode = Mode.striped
-    param weights : float[3] = [1, 2, 3]
-    param is_wet  : bool = true
-    param turn    : mat2 = mat2(vec2(0, 1), vec2(1, 0))
-    map   grain   : utexture2d
-
-    roughness = match * weights[1] * float(grain.load(ivec2(0, 0), 0).x) + (turn * uv).x
-    metallic  = choose(mode, plain = 0.0, striped = uv.x) + (if is_wet then 0.1 else 0.2)
-}
-"""
 
 
 @pytest.mark.parametrize("name", list(WRITTEN))
@@ -95,3 +76,11 @@ def test_what_bevy_cannot_have_is_told(name: str, material: str, said: str) -> N
     with pytest.raises(CompileError) as told:
         files_of("bevy", EXAMPLES / f"{name}.burnish", material)
     assert str(told.value) == f"Bevy cannot draw {said}"
+
+
+def test_a_material_that_is_called_like_something_of_bevy_is_told() -> None:
+    with pytest.raises(CompileError) as told:
+        files_of("bevy", OWN.replace("material Own", "material Mesh"), "Mesh")
+    assert str(told.value) == (
+        "Bevy cannot draw `Mesh`: modules use something of Bevy or Rust that is called so"
+    )

@@ -4,6 +4,8 @@
 //! Add `PaintedPlugin` behind `DefaultPlugins`, and give meshes a
 //! `MeshMaterial3d(materials.add(Painted::default().material()))`.
 
+#![allow(dead_code)] // A program need not use all of it.
+
 use bevy::asset::{RenderAssetUsages, load_internal_asset, uuid_handle};
 use bevy::image::{
     ImageAddressMode, ImageFilterMode, ImageLoaderSettings, ImageSampler, ImageSamplerDescriptor,
@@ -14,7 +16,7 @@ use bevy::pbr::{
 };
 use bevy::prelude::*;
 use bevy::render::render_resource::*;
-use bevy::shader::ShaderRef;
+use bevy::shader::{ShaderDefVal, ShaderRef};
 
 /// The shader, which is in a file beside this one.
 const SHADER: Handle<Shader> = uuid_handle!("6b08d3bd-6720-5356-a276-3ccbf3e554fd");

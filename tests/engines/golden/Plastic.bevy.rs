@@ -4,6 +4,8 @@
 //! Add `PlasticPlugin` behind `DefaultPlugins`, and give meshes a
 //! `MeshMaterial3d(materials.add(Plastic::default().material()))`.
 
+#![allow(dead_code)] // A program need not use all of it.
+
 use bevy::asset::{RenderAssetUsages, load_internal_asset, uuid_handle};
 use bevy::image::{
     ImageAddressMode, ImageFilterMode, ImageLoaderSettings, ImageSampler, ImageSamplerDescriptor,

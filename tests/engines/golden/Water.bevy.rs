@@ -4,6 +4,8 @@
 //! Add `WaterPlugin` behind `DefaultPlugins`, and give meshes a
 //! `MeshMaterial3d(materials.add(Water::default().material()))`.
 
+#![allow(dead_code)] // A program need not use all of it.
+
 use bevy::asset::{load_internal_asset, uuid_handle};
 use bevy::pbr::{ExtendedMaterial, MaterialExtension};
 use bevy::prelude::*;
