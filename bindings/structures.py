@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import TypeVar
 
-from ..compiler.documents.representations import kind_of
 from ..compiler.documents.reflection import Reflection
+from ..compiler.documents.representations import kind_of
 from ..compiler.documents.values import (
     BufferRow,
     DerivedRow,

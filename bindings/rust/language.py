@@ -19,7 +19,7 @@ _KEYWORDS = """
     while yield _
 """
 _OF_SKELETON = """
-    Binding Buffer Bytes Default Err Kind MATERIALS Material NAMES NamedBinding None Ok
+    Binding Block Buffer Bytes Default Err Kind MATERIALS Material NAMES NamedBinding None Ok
     Option Profile PulledInput Result Sampler Some Target Text Texture Vec VertexInput columns
     has_length_one
 """

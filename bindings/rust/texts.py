@@ -257,12 +257,11 @@ def _element_doc(buffer: Buffer) -> str:
 
 
 def _unread(type_: Numbers | Structure) -> str:
+    """How lanes that are not read get there, where there are any."""
     if isinstance(type_, Structure) or type_.stored_lanes == type_.lanes:
         return ""
-    return f"{type_.lanes} lanes, and behind them {_ZEROS[type_.stored_lanes - type_.lanes]} read"
-
-
-_ZEROS = {1: "one that is not", 2: "two that are not"}
+    what = "columns" if type_.columns else "vectors"
+    return f"{what} of {type_.lanes} lanes, which `columns` fills up"
 
 
 def _plain_doc(text: str) -> str:
