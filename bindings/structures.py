@@ -17,7 +17,7 @@ from ..compiler.documents.values import (
 )
 from ..support.frozen import changed
 from .fields import Choice, Enumeration, Field, Numbers, Structure
-from .model import Buffer
+from .materials import Buffer
 
 _ROW = 16
 """Bytes in which a column and an element of three lanes have one that is not read."""
