@@ -10,17 +10,7 @@ from __future__ import annotations
 from ..support.frozen import frozen
 from .fields import Enumeration, Structure
 from .frames.model import Frame
-from .materials import (
-    Block,
-    Bound,
-    Buffer,
-    Derivation,
-    Helper,
-    Material,
-    Profile,
-    Source,
-    Text,
-)
+from .materials import Block, Bound, Buffer, Derivation, Helper, Material, Profile, Source, Text
 
 
 @frozen(kw_only=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import TypeVar
 
-from ..compiler.documents.representations import kind_of
 from ..compiler.documents.reflection import Reflection
+from ..compiler.documents.representations import kind_of
 from ..compiler.documents.values import (
     BufferRow,
     DerivedRow,
@@ -17,7 +17,7 @@ from ..compiler.documents.values import (
 )
 from ..support.frozen import changed
 from .fields import Choice, Enumeration, Field, Numbers, Structure
-from .model import Buffer
+from .materials import Buffer
 
 _ROW = 16
 """Bytes in which a column and an element of three lanes have one that is not read."""

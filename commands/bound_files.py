@@ -128,10 +128,15 @@ def binding_of(made: Bound, namespace: str, *, embed: bool) -> Binding:
     compiled, plans = [], []
     for each in made.found:
         texts = each.texts if embed else {}
-        for text in each.reflections.values():
+        numbers = {}
+        for name, text in each.reflections.items():
+            numbers[name] = len(compiled)
             reflection = read(Reflection, json.loads(text))
             compiled.append(gathering.Compiled(reflection=reflection, texts=texts))
-        plans += [read(FramePlan, json.loads(text)) for text in each.plans.values()]
+        for text in each.plans.values():
+            plan = read(FramePlan, json.loads(text))
+            shaders = tuple(numbers[row.reflection] for row in plan.shaders)
+            plans.append(gathering.CompiledPlan(plan=plan, shaders=shaders))
     sources = tuple(file.name for file in made.files)
     return gathering.gathered(compiled, plans, sources, namespace)
 

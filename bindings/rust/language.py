@@ -19,9 +19,10 @@ _KEYWORDS = """
     while yield _
 """
 _OF_SKELETON = """
-    Binding Buffer Bytes Default Err Kind MATERIALS Material NAMES NamedBinding None Ok
-    Option Profile PulledInput Result Sampler Some Target Text Texture Vec VertexInput columns
-    has_length_one
+    Attachment Binding Block Blocks Box Buffer Bytes Default Err Frame FrameBuffer FrameHost
+    FrameTexture Kept Kind Lanes MATERIALS Material NAMES NamedBinding None Ok Option Pass Place
+    Profile PulledInput Resource Result Sampler Some Source StencilLoad Target Text Texture Use Vec
+    VertexInput Written columns has_length_one of_shader
 """
 """Words of the skeleton and of the prelude; types, variables and modules are apart in Rust."""
 

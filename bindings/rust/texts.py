@@ -11,10 +11,12 @@ from ...compiler.documents.writing import to_json
 from ...support.frozen import changed
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Numbers, Pad, Structure
-from ..model import Binding, Bound, Buffer, Material
+from ..model import Binding, Block, Bound, Buffer, Material
 from ..printer import single
 from ..spelling import Spelling
+from ..writing import blocks_of, drawing, table_of
 from . import webgpu
+from .frames import Drawing
 from .functions import FUNCTIONS
 
 _STORED = {"float": "f32", "int": "i32", "uint": "u32"}
@@ -52,6 +54,12 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "texture_row": _texture_row,
         "target_row": _target_row,
         "state_row": _state_row,
+        "blocks_of": blocks_of,
+        "table_of": table_of,
+        "drawing": drawing,
+        "Drawing": Drawing,
+        "given_blocks": _given_blocks,
+        "roles": parts.roles,
         "has_webgpu": any(each.name == webgpu.PROFILE for each in profiles),
         "webgpu_profile": webgpu.profile_of,
         "webgpu_groups": partial(webgpu.groups, spelling),
@@ -194,6 +202,16 @@ class _Parts:
             condition = f"!has_length_one(&{place}[..{field.type.lanes}])"
             yield from _refusal(condition, f"`{name}` has to be of length 1")
 
+    def roles(self, material: Material) -> list[tuple[str, list[str]]]:
+        """The roles of a material's fields, each with the places of its fields."""
+        found: dict[str, list[str]] = {}
+        for block in _given_blocks(material):
+            for field in block.structure.fields:
+                if field.role is not None and isinstance(field.type, Numbers):
+                    names = (self._spelling.member(each) for each in (block.plain_name, field.word))
+                    found.setdefault(field.role, []).append(".".join(names))
+        return list(found.items())
+
     def bound_row(self, row: Bound) -> str:
         """A row of the table of bindings that have numbers."""
         return (
@@ -216,6 +234,11 @@ class _Parts:
         has_type = row.kind == "uniform" and row.is_read
         size = f"size_of::<{self._spelling.type(row.name)}>()" if has_type else "0"
         return f"size: {size}"
+
+
+def _given_blocks(material: Material) -> list[Block]:
+    """The blocks that a host sets."""
+    return [block for block in material.blocks if block.derivation is None]
 
 
 def _refusal(condition: str, message: str) -> Iterator[str]:
@@ -258,12 +281,11 @@ def _element_doc(buffer: Buffer) -> str:
 
 
 def _unread(type_: Numbers | Structure) -> str:
+    """How lanes that are not read get there, where there are any."""
     if isinstance(type_, Structure) or type_.stored_lanes == type_.lanes:
         return ""
-    return f"{type_.lanes} lanes, and behind them {_ZEROS[type_.stored_lanes - type_.lanes]} read"
-
-
-_ZEROS = {1: "one that is not", 2: "two that are not"}
+    what = "columns" if type_.columns else "vectors"
+    return f"{what} of {type_.lanes} lanes, which `columns` fills up"
 
 
 def _plain_doc(text: str) -> str:

@@ -126,10 +126,10 @@ fn small() {
     };
     assert_eq!(coated.turn[1], [4.0, 5.0, 6.0, 0.0]);
     assert_eq!((coated.mode, coated.bytes()[0], Mode::NAMES), (Mode::MIX, 1, ["add", "mix"]));
-    let derived = |coated| small::derive_coated_material(coated).bytes()[..12].to_vec();
-    assert_eq!(derived(&coated), Bytes::bytes(&[1.0_f32, 2.0, 3.0]));
+    let derived = |coated| small::derive_coated_material(&coated).bytes()[..12].to_vec();
+    assert_eq!(derived(coated), Bytes::bytes(&[1.0_f32, 2.0, 3.0]));
     coated.mode = Mode::ADD;
-    assert_eq!(derived(&coated), Bytes::bytes(&[30.0_f32, 36.0, 42.0]));
+    assert_eq!(derived(coated), Bytes::bytes(&[30.0_f32, 36.0, 42.0]));
     coated.mode = Mode(2);
     assert_eq!(coated.check(), Err("`mode` is declared in 0 to 1"));
 

@@ -5,6 +5,7 @@
 //! fn main() {
 //!     burnish_build::Materials::new(["materials/plastic.burnish"])
 //!         .targets(["wgsl"])
+//!         .bindings("materials.rs")
 //!         .compile();
 //! }
 //! ```
@@ -14,6 +15,10 @@
 //!
 //! ```ignore
 //! const FRAGMENT: &str = include_str!(concat!(env!("OUT_DIR"), "/Plastic.frag.wgsl"));
+//!
+//! mod materials {
+//!     include!(concat!(env!("OUT_DIR"), "/materials.rs"));
+//! }
 //! ```
 //!
 //! The crate runs the program `burnish` of the `PATH`; the variable `BURNISH` names another one.
@@ -24,7 +29,7 @@ use std::fmt;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{self, Command, Output};
+use std::process::{self, Command};
 
 mod depfile;
 mod findings;
@@ -38,6 +43,7 @@ pub struct Materials {
     files: Vec<PathBuf>,
     options: Vec<OsString>,
     folder: Option<PathBuf>,
+    bindings: Option<PathBuf>,
 }
 
 impl Materials {
@@ -47,6 +53,7 @@ impl Materials {
             files: files.into_iter().map(Into::into).collect(),
             options: Vec::new(),
             folder: None,
+            bindings: None,
         }
     }
 
@@ -66,6 +73,7 @@ impl Materials {
     }
 
     /// One more word of the command line of `burnish compile`, such as `--rig` and then `Night`.
+    /// With `bindings`, it has to be one that `burnish bind` takes as well.
     pub fn option(mut self, word: impl Into<OsString>) -> Self {
         self.options.push(word.into());
         self
@@ -74,6 +82,14 @@ impl Materials {
     /// The folder to write to; by default Cargo's `OUT_DIR`.
     pub fn output_folder(mut self, folder: impl Into<PathBuf>) -> Self {
         self.folder = Some(folder.into());
+        self
+    }
+
+    /// Also write a file with the binding of all materials, by `burnish bind`: their blocks as
+    /// structures, and tables that have the texts of the shaders. Its name is relative to the folder
+    /// to write to.
+    pub fn bindings(mut self, file: impl Into<PathBuf>) -> Self {
+        self.bindings = Some(file.into());
         self
     }
 
@@ -93,12 +109,11 @@ impl Materials {
             watch(file);
         }
         let scratch = out_dir()?.join("burnish.d");
-        let ended = self.run(&scratch)?;
-        let said = String::from_utf8_lossy(&ended.stderr);
-        if !ended.status.success() {
-            return Err(Error::Refused(said.trim_end().to_owned()));
-        }
-        for line in findings::lines(&said) {
+        let folder = match &self.folder {
+            Some(folder) => folder.clone(),
+            None => out_dir()?,
+        };
+        for line in findings::lines(&self.run_compile(&folder, &scratch)?) {
             println!("cargo:warning={line}");
         }
         let rule = fs::read_to_string(&scratch).map_err(|error| Error::file(&scratch, error))?;
@@ -106,26 +121,53 @@ impl Materials {
         for input in &inputs {
             watch(Path::new(input));
         }
-        Ok(outputs.into_iter().map(PathBuf::from).collect())
+        let mut outputs: Vec<_> = outputs.into_iter().map(PathBuf::from).collect();
+        if let Some(file) = &self.bindings {
+            // The features of the program that add to a binding; it may lack both.
+            println!("cargo:rustc-check-cfg=cfg(feature, values(\"bytemuck\", \"wgpu\"))");
+            let path = folder.join(file);
+            self.run_bind(&path)?;
+            outputs.push(path);
+        }
+        Ok(outputs)
     }
 
-    fn run(&self, scratch: &Path) -> Result<Output, Error> {
-        let folder = match &self.folder {
-            Some(folder) => folder.clone(),
-            None => out_dir()?,
-        };
+    fn run_compile(&self, folder: &Path, scratch: &Path) -> Result<String, Error> {
+        let options = [
+            "--format".as_ref(),
+            "line".as_ref(),
+            "--output".as_ref(),
+            folder.as_os_str(),
+        ];
+        let depfile = ["--depfile".as_ref(), scratch.as_os_str()];
+        self.run("compile", options.into_iter().chain(depfile))
+    }
+
+    fn run_bind(&self, file: &Path) -> Result<String, Error> {
+        let options = ["--lang", "rust", "--embed", "--output"].map(OsStr::new);
+        self.run("bind", options.into_iter().chain([file.as_os_str()]))
+    }
+
+    /// What a command says of the files, beside what it writes.
+    fn run<'a>(
+        &self,
+        command: &str,
+        options: impl Iterator<Item = &'a OsStr>,
+    ) -> Result<String, Error> {
         let program = env::var_os(PROGRAM).unwrap_or_else(|| "burnish".into());
-        Command::new(&program)
-            .arg("compile")
+        let ended = Command::new(&program)
+            .arg(command)
             .args(&self.options)
-            .args(["--format", "line", "--output"])
-            .arg(folder)
-            .arg("--depfile")
-            .arg(scratch)
+            .args(options)
             .arg("--")
             .args(&self.files)
             .output()
-            .map_err(|error| Error::NotRun(program.to_string_lossy().into_owned(), error))
+            .map_err(|error| Error::NotRun(program.to_string_lossy().into_owned(), error))?;
+        let said = String::from_utf8_lossy(&ended.stderr);
+        if !ended.status.success() {
+            return Err(Error::Refused(said.trim_end().to_owned()));
+        }
+        Ok(said.into_owned())
     }
 }
 

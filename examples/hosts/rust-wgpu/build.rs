@@ -1,0 +1,6 @@
+fn main() {
+    burnish_build::Materials::new(["materials/plastic.burnish", "materials/banner.burnish"])
+        .targets(["wgsl"])
+        .bindings("shaders.rs")
+        .compile();
+}
