@@ -65,4 +65,5 @@ def test_types_are_right(built: Path) -> None:
 @pytest.mark.parametrize("host", PYTHON)
 def test_little_stands_between_the_binding_and_the_api(host: str) -> None:
     lines = glue((HOSTS / host / "draw.py").read_text(encoding="utf-8"), ("#", '"""'))
-    assert 5 < len(lines) <= MOST_GLUE
+    assert lines
+    assert all(5 < count <= MOST_GLUE for count in lines)
