@@ -93,6 +93,14 @@ def draw_material(
     draw_mesh(device, drawing, material, mesh)
 
 
+def draw_mesh(device: Any, drawing: Any, material: shaders.Material, mesh: str) -> None:
+    """Set the buffers of a mesh, one for each vertex input, and draw it."""
+    for number, row in enumerate(material.vertex_inputs):
+        drawing.set_vertex_buffer(number, vertices(device, mesh, row))
+    drawing.set_index_buffer(indices(device, mesh), "uint32")
+    drawing.draw_indexed(len(SCENE["meshes"][mesh]["indices"]))
+
+
 # -- end of glue -----------------------------------------------------------------------------------
 # -- glue for frames -------------------------------------------------------------------------------
 
@@ -117,14 +125,6 @@ class Frames(shaders.WgpuFrameHost):
 
 
 # -- end of glue -----------------------------------------------------------------------------------
-
-
-def draw_mesh(device: Any, drawing: Any, material: shaders.Material, mesh: str) -> None:
-    """Set the buffers of a mesh, one for each vertex input, and draw it."""
-    for number, row in enumerate(material.vertex_inputs):
-        drawing.set_vertex_buffer(number, vertices(device, mesh, row))
-    drawing.set_index_buffer(indices(device, mesh), "uint32")
-    drawing.draw_indexed(len(SCENE["meshes"][mesh]["indices"]))
 
 
 def vertices(device: Any, mesh: str, row: shaders.VertexInput) -> Any:
