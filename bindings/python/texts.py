@@ -5,20 +5,19 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from ...compiler.documents.drawing import SamplerRow, TargetRow, TextureRow
 from ...compiler.documents.writing import to_json
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Numbers
-from ..model import Binding, Material
+from ..model import Binding, Block, Material
 from ..printer import single
 from ..spelling import Spelling
+from ..writing import blocks_of, drawing, table_of
+from .frames import Drawing, buffer_row, texture_row
 from .functions import FUNCTIONS
 
-_WGPU = Path(__file__).with_name("wgpu.py.j2")
-"""Functions for the package wgpu, which no template's words are in."""
 _KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
 _PREFIXES = {"float": "", "int": "i", "uint": "u"}
 
@@ -46,7 +45,15 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "topology": lambda material: _string(to_json(material.reflection.draw)["topology"]),
         "quoted": _quoted,
         "literal": _literal,
-        "WGPU": _WGPU.read_text("utf-8"),
+        "blocks_of": blocks_of,
+        "table_of": table_of,
+        "drawing": drawing,
+        "given_blocks": _given_blocks,
+        "roles": _roles,
+        "frame_doc": lambda frame: _doc(frame.plan.doc),
+        "texture_of_frame": texture_row,
+        "buffer_of_frame": buffer_row,
+        "Drawing": Drawing,
         "has_webgpu": any(each.name == "wgsl:webgpu" for each in profiles),
     }
 
@@ -84,8 +91,23 @@ def _numbers(kind: Numbers, value: Any) -> str:
 
 
 def _field_doc(field: Field) -> list[str]:
-    text = about_field(field).replace("\\", "\\\\").replace('"""', '\\"""')
+    return _doc(about_field(field))
+
+
+def _doc(words: str) -> list[str]:
+    """A documenting text, in one line; none for no words."""
+    text = " ".join(words.split()).replace("\\", "\\\\").replace('"""', '\\"""').rstrip(".")
     return [f'"""{text[:1].upper()}{text[1:]}."""'] if text else []
+
+
+def _given_blocks(material: Material) -> list[Block]:
+    """The blocks that a host sets."""
+    return [block for block in material.blocks if block.derivation is None]
+
+
+def _roles(block: Block) -> list[Field]:
+    """The fields that a program which shows scenes knows by their role."""
+    return [field for field in block.structure.fields if field.role and not field.computed]
 
 
 def _string(value: object) -> str:

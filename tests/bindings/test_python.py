@@ -16,8 +16,10 @@ from burnish.bindings.fields import Field, Structure
 from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
+from burnish.bindings.writing import drawing as drawing_of
 
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
+from .frame_calls import Drawing, drawings, wrong
 from .kit import defaults, difference, everything, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
@@ -117,3 +119,74 @@ def test_builtins_mean_what_they_do_in_the_reference() -> None:
                 given = [values[field.word] for field, _ in row.operands]
                 wrong.append(f"{row.function}({given}) is {pair[0]}, not {pair[1]}")
     assert not wrong, "\n".join(wrong[:20])
+
+
+class _Recorder:
+    """An engine that writes its calls down, in the form that ``frame_calls`` reads."""
+
+    def __init__(self, drawing: Drawing) -> None:
+        self._drawing = drawing
+        self.calls: list[list[Any]] = []
+
+    def begin(self, _frame: Any, sizes: Any, _counts: Any) -> bool:
+        self.calls.append(["begin", [list(each) for each in sizes]])
+        return not self._drawing.first
+
+    def begin_pass(self, pass_: Any) -> None:
+        attachments = [
+            [each.texture, each.layer, each.level, each.load, _clear(each), each.store]
+            for each in (*pass_.targets, *((pass_.depth,) if pass_.depth else ()))
+        ]
+        settings = (pass_.viewport, pass_.scissor, pass_.blend_constant)
+        listed = (None if each is None else list(each) for each in settings)
+        self.calls.append(["pass", pass_.name, attachments, *listed])
+
+    def draw_models(self, tag: str, uses: Any) -> None:
+        by_material = {use.material: use for use in uses}
+        for model in self._drawing.models:
+            if tag in model["tags"]:
+                self.calls.append(["draw", _used(by_material[model["material"]]), None])
+
+    def fill(self, use: Any, vertices: int) -> None:
+        self.calls.append(["draw", _used(use), vertices // 3])
+
+    def end_pass(self) -> None:
+        self.calls.append(["end pass"])
+
+    def dispatch(self, use: Any, groups: Any, images: Any, _buffers: Any) -> None:
+        self.calls.append(["dispatch", _used(use), list(groups), images])
+
+    def copy(self, source: int, target: int) -> None:
+        self.calls.append(["copy", source, target])
+
+    def end(self, _frame: Any) -> None:
+        self.calls.append(["end"])
+
+
+def _clear(attachment: Any) -> list[float]:
+    return [*attachment.clear, 0.0, 0.0, 0.0][:4]
+
+
+def _used(use: Any) -> list[Any]:
+    blocks = use.shader.blocks()
+    before = [bytes(each) for each in blocks.given()]
+    use.give(blocks)
+    reads = {name: {each.kind: each.number} for name, each in use.reads.items()}
+    return [use.shader.name, reads, before, [bytes(each) for each in blocks.given()]]
+
+
+def _drawn(drawing: Drawing) -> list[list[Any]]:
+    frame = drawing.frame
+    parameters = _block(frame.parameters)
+    fields = [each for each in frame.parameters.structure.fields if each.word in drawing.values]
+    # The number of an array's elements behind the array, which sets it.
+    for field in sorted(fields, key=lambda field: bool(field.counts)):
+        value = _host(field, drawing.values[field.word])
+        setattr(parameters, _spelling().member(field.word), value)
+    recorder = _Recorder(drawing)
+    getattr(_module(), _spelling().function(drawing_of(frame)))(recorder, parameters)
+    return recorder.calls
+
+
+def test_frames_are_drawn_as_burnish_draws_them() -> None:
+    assert not [text for each in drawings() if (text := wrong(each, _drawn(each)))]

@@ -28,8 +28,13 @@ def commands(folder: Path) -> list[str]:
     return [block.strip() for block in re.findall(r"```sh\n(.*?)```", page, re.DOTALL)]
 
 
-def glue(text: str, comments: Sequence[str]) -> list[str]:
-    """The lines between the marks of the glue, without comments and empty ones."""
-    (found,) = GLUE.findall(text)
-    lines = (line.strip() for line in found.splitlines())
-    return [line for line in lines if line and not line.startswith(tuple(comments))]
+def glue(text: str, comments: Sequence[str]) -> list[int]:
+    """The number of lines between each pair of marks of glue, without comments and empty ones.
+
+    A second pair is what frames need besides.
+    """
+    found = []
+    for part in GLUE.findall(text):
+        lines = (line.strip() for line in part.splitlines())
+        found.append(len([x for x in lines if x and not x.startswith(tuple(comments))]))
+    return found

@@ -10,9 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from .expecting import Picture, difference
-from .projects import HOSTS, MOST_GLUE, commands, glue, project
+from .expecting import SCENES, Picture, difference
+from .projects import GLUE, HOSTS, MOST_GLUE, commands, glue, project
 
+DOCS = HOSTS.parents[1] / "docs"
 PYTHON = ("wgpu-py", "moderngl")
 TIME_LIMIT = 120
 
@@ -38,7 +39,7 @@ def built(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     return folder
 
 
-@pytest.mark.parametrize("scene", ["plastic", "banner"])
+@pytest.mark.parametrize("scene", SCENES)
 def test_a_host_draws_what_burnish_draws(
     scene: str, built: Path, expected: Callable[[str], Picture]
 ) -> None:
@@ -65,4 +66,14 @@ def test_types_are_right(built: Path) -> None:
 @pytest.mark.parametrize("host", PYTHON)
 def test_little_stands_between_the_binding_and_the_api(host: str) -> None:
     lines = glue((HOSTS / host / "draw.py").read_text(encoding="utf-8"), ("#", '"""'))
-    assert 5 < len(lines) <= MOST_GLUE
+    assert lines
+    assert all(5 < count <= MOST_GLUE for count in lines)
+    page = (DOCS / "adopt.md").read_text(encoding="utf-8")
+    for what, count in zip(("materials", "frames of passes"), lines, strict=False):
+        assert f"| glue beside the binding, {what}: {host} | {count} lines |" in page
+
+
+def test_the_page_of_bindings_shows_what_is_drawn_here() -> None:
+    page = (DOCS / "bindings.md").read_text(encoding="utf-8")
+    for part in GLUE.findall((HOSTS / "wgpu-py" / "draw.py").read_text(encoding="utf-8")):
+        assert f"```py\n{part.strip()}\n```" in page

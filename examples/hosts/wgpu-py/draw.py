@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -47,14 +47,7 @@ def plastic(device: Any, drawing: Any) -> None:
         torch_axis=lights["torch"]["axis"],
     )
     draw = shaders.Draw(object_to_world=matrix(model["object_to_world"]))
-    blocks = (
-        view(),
-        rig,
-        shaders.derive_rig(rig),
-        shaders.PlasticMaterial(),
-        draw,
-        shaders.derive_draw(draw),
-    )
+    blocks = shaders.PlasticBlocks(view=view(), rig=rig, draw=draw)
     albedo = picture(device, SCENE["pictures"]["tiles"], "rgba8unorm-srgb")
     draw_material(device, drawing, shaders.PLASTIC, blocks, {"albedo": albedo}, model["mesh"])
 
@@ -67,27 +60,68 @@ def banner(device: Any, drawing: Any) -> None:
     draw = shaders.BannerDraw(
         object_to_world=matrix(model["object_to_world"]), bones=list(map(matrix, SCENE["bones"]))
     )
-    blocks = (view(), rig, shaders.BannerMaterial(), draw, shaders.derive_banner_draw(draw))
+    blocks = shaders.BannerBlocks(view=view(), rig=rig, draw=draw)
     threads = picture(device, SCENE["pictures"]["threads"], "rgba8unorm")
     draw_material(device, drawing, shaders.BANNER, blocks, {"normal_map": threads}, model["mesh"])
+
+
+def shadows(device: Any) -> Any:
+    """Two balls on a floor, and a lamp with a shadow map; returns the picture's texture."""
+    lamp = SCENE["scenes"]["shadows"]["lights"]["lamp"]
+    host = Frames(device)
+    shaders.draw_shadows(
+        host,
+        shaders.ShadowsParameters(
+            size=SIZE, lamp_place=lamp["place"], lamp_axis=lamp["axis"], spread=1.0
+        ),
+    )
+    return host.output("picture")
 
 
 # -- glue ------------------------------------------------------------------------------------------
 
 
 def draw_material(
-    device: Any, drawing: Any, material: shaders.Material, blocks: Sequence[shaders.Block],
+    device: Any, drawing: Any, material: shaders.Material, blocks: shaders.Blocks,
     textures: Mapping[str, Any], mesh: str,
 ) -> None:  # fmt: skip
     """Draw a mesh in a render pass: the binding makes the pipeline, and binds all by its tables."""
     drawing.set_pipeline(shaders.render_pipeline(device, material, depth_format=DEPTHS))
-    uniforms = shaders.uniform_buffers(device, *blocks)
+    uniforms = shaders.uniform_buffers(device, *blocks.all())
     for number, group in enumerate(shaders.bind_groups(device, material, uniforms, textures)):
         drawing.set_bind_group(number, group)
+    draw_mesh(device, drawing, material, mesh)
+
+
+def draw_mesh(device: Any, drawing: Any, material: shaders.Material, mesh: str) -> None:
+    """Set the buffers of a mesh, one for each vertex input, and draw it."""
     for number, row in enumerate(material.vertex_inputs):
         drawing.set_vertex_buffer(number, vertices(device, mesh, row))
     drawing.set_index_buffer(indices(device, mesh), "uint32")
     drawing.draw_indexed(len(SCENE["meshes"][mesh]["indices"]))
+
+
+# -- end of glue -----------------------------------------------------------------------------------
+# -- glue for frames -------------------------------------------------------------------------------
+
+
+class Frames(shaders.WgpuFrameHost):
+    """What the binding's host of frames does not know: models, their values and meshes."""
+
+    def models(self, tag: str) -> Sequence[Any]:
+        scene: dict[str, list[Any]] = {"scene": SCENE["scenes"]["shadows"]["models"]}
+        return scene[tag]
+
+    def material(self, model: Any) -> str:
+        return str(model["material"])
+
+    def set_blocks(self, blocks: shaders.Blocks, model: Any) -> None:
+        camera, place = SCENE["camera"], model["object_to_world"]
+        roles = {"world_to_clip": matrix(camera["view_projection"]), "eye": camera["eye"]}
+        blocks.set_roles({**roles, "object_to_world": matrix(place)})
+
+    def draw_mesh(self, drawing: Any, shader: shaders.Material, model: Any) -> None:
+        draw_mesh(self.device, drawing, shader, model["mesh"])
 
 
 # -- end of glue -----------------------------------------------------------------------------------
@@ -133,26 +167,36 @@ def attachments(device: Any, target: Any) -> dict[str, Any]:
     }
 
 
-DRAWN = {"plastic": plastic, "banner": banner}
+def draw_alone(device: Any, draw: Callable[[Any, Any], None]) -> Any:
+    """Draw a material in a pass of its own; returns the picture's texture."""
+    usage = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = device.create_texture(size=(*SIZE, 1), format="rgba8unorm-srgb", usage=usage)
+    encoder = device.create_command_encoder()
+    drawing = encoder.begin_render_pass(**attachments(device, target))
+    draw(device, drawing)
+    drawing.end()
+    device.queue.submit([encoder.finish()])
+    return target
+
+
+DRAWN: Mapping[str, Callable[[Any], Any]] = {
+    "plastic": lambda device: draw_alone(device, plastic),
+    "banner": lambda device: draw_alone(device, banner),
+    "shadows": shadows,
+}
 
 
 def main(arguments: Sequence[str]) -> None:
     """Draw what the first argument names to the file that the second one names."""
     if len(arguments) != 2:
-        sys.exit("usage: python draw.py plastic|banner OUTPUT.png")
+        sys.exit(f"usage: python draw.py {'|'.join(DRAWN)} OUTPUT.png")
     name, output = arguments
     if name not in DRAWN:
         sys.exit(f"there is no scene `{name}`: there are {', '.join(DRAWN)}")
     device = wgpu.gpu.request_adapter_sync().request_device_sync()
-    usage = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
-    target = device.create_texture(size=(*SIZE, 1), format="rgba8unorm-srgb", usage=usage)
-    encoder = device.create_command_encoder()
-    drawing = encoder.begin_render_pass(**attachments(device, target))
-    DRAWN[name](device, drawing)
-    drawing.end()
-    device.queue.submit([encoder.finish()])
+    picture_of = DRAWN[name](device)
     layout = {"bytes_per_row": 4 * SIZE[0], "rows_per_image": SIZE[1]}
-    data = device.queue.read_texture({"texture": target}, layout, (*SIZE, 1))
+    data = device.queue.read_texture({"texture": picture_of}, layout, (*SIZE, 1))
     pixels = np.frombuffer(data, np.uint8).reshape(SIZE[1], SIZE[0], 4)
     Image.fromarray(pixels[..., :3].copy()).save(output)
 
