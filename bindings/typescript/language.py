@@ -20,13 +20,15 @@ _KEYWORDS = """
     void while with yield
 """
 _OF_SKELETON = """
-    Array ArrayLike Attachment Block BlockClass Blocks Bound Float32Array Frame FrameBuffer
-    FrameHost FrameTexture Infinity Int32Array LAYOUT_ID Lanes Map Material Math NaN Number
-    Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Record SIZE Source
-    Target Text Texture Uint32Array Uint8Array Use VertexInput Written bytes checked constructor
-    counted elements exponentOf f32 finite hasOwnProperty i32 integer isPrototypeOf lanesOf
-    materials nearest propertyIsEnumerable prototype remainder reset stale store toLocaleString
-    toString u32 value valueOf values whole
+    Array ArrayLike Attachment Bindings Block BlockClass Blocks Bound Drawn Error Float32Array
+    Frame FrameBuffer FrameHost FrameTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map
+    Material Math Mesh Model NaN Number Numbers Object Omit Partial Pass PipelineState Profile
+    ROLES RangeError Record Resources SIZE Source Target Text Texture Uint32Array Uint8Array Use
+    VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common computePipeline
+    constructor counted drawMesh elements exponentOf f32 finite halved hasOwnProperty i32
+    integer isPrototypeOf isSame lanesOf layoutOf materials modules nearest propertyIsEnumerable
+    prototype remainder renderPipeline reset stage stale store toLocaleString toString u32
+    usageOf value valueOf values whole
 """
 """Words of the skeleton, and those that objects have themselves."""
 
