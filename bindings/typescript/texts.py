@@ -19,6 +19,7 @@ from ..writing import blocks_of, drawing, table_of
 from .fields import Fields, in_order, is_computed, is_optional, is_scalar, roles
 from .frames import Drawing, buffer_rows, kept_rows, texture_row
 from .functions import FUNCTIONS
+from .webgl import has_webgl, state
 from .webgpu import PROFILE, pipeline, sampler
 
 _WIDTH = 100
@@ -31,6 +32,9 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     return {
         "FUNCTIONS": FUNCTIONS,
         "has_webgpu": any(_has_webgpu(material) for material in binding.materials),
+        "has_webgl_any": any(map(has_webgl, binding.materials)),
+        "has_webgl": has_webgl,
+        "render_state": state,
         "is_scalar": is_scalar,
         "is_optional": is_optional,
         "is_computed": is_computed,
