@@ -26,10 +26,10 @@ _OF_SKELETON = """
     NaN NoBlocks Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError
     Record RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
     Uint8Array Use VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common
-    computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32 finite
-    glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf isSame
-    lanesOf layoutOf linked materials modules nearest programs propertyIsEnumerable prototype
-    remainder renderPipeline reset samplerOf setGlState showOnCanvas stage stale store
+    complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32
+    finite glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf
+    isSame known lanesOf layoutOf linked materials modules nearest programs propertyIsEnumerable
+    prototype remainder renderPipeline reset samplerOf setGlState showOnCanvas stage stale store
     toLocaleString toString turn u32 usageOf value valueOf values whole
 """
 """Words of the skeleton, and those that objects have themselves."""
