@@ -60,17 +60,27 @@ class Blocks:
 
     def _shared_block(self, block: Block) -> Block:
         """The block as it is called in the binding."""
+        if (known := self._known(block)) is not None:
+            self._names[block.plain_name] = known.name
+            return known
         own = f"{self._material}.{block.plain_name}"
         plain = block.plain_name
         others = [name for name, each in self._shared.items() if each.plain_name == plain]
         wishes = [plain, *others, own] if block.group in SHARED else [own]
         wishes += [f"{own}.{number}" for number in range(2, len(self._shared) + 3)]
-        for name in wishes:
-            called = changed(block, structure=changed(block.structure, name=name))
-            if self._shared.setdefault(name, called).is_like(called):
-                self._names[block.plain_name] = name
-                return self._shared[name]
-        raise AssertionError(own)
+        name = next(wish for wish in wishes if wish not in self._shared)
+        self._names[block.plain_name] = name
+        self._shared[name] = _called(block, name)
+        return self._shared[name]
+
+    def _known(self, block: Block) -> Block | None:
+        """The block of another material that is alike, if they are shared."""
+        if block.group not in SHARED:
+            return None
+        for name, known in self._shared.items():
+            if known.plain_name == block.plain_name and known.is_like(_called(block, name)):
+                return known
+        return None
 
     def _given(self, row: BlockRow) -> Block:
         """A block that a host fills."""
@@ -181,6 +191,10 @@ class Blocks:
             for each, steps in zip(structure.fields, inside, strict=True)
         ]
         return field, places
+
+
+def _called(block: Block, name: str) -> Block:
+    return changed(block, structure=changed(block.structure, name=name))
 
 
 def _hint(hints: dict[int, str], field: Field, lanes: Value) -> None:

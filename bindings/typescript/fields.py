@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from ..enumerations import Enumerations
 from ..fields import Field, Numbers, Structure
 from ..printer import single
 from ..spelling import Spelling
@@ -42,8 +43,8 @@ def roles(structure: Structure) -> Sequence[Field]:
 class Fields:
     """Lines and types of fields, which need the names of the binding."""
 
-    def __init__(self, spelling: Spelling) -> None:
-        self._spelling = spelling
+    def __init__(self, spelling: Spelling, enumerations: Enumerations) -> None:
+        self._spelling, self._enumerations = spelling, enumerations
 
     def values_type(self, structure: Structure) -> str:
         """The interface of the values of a structure."""
@@ -56,7 +57,7 @@ class Fields:
         elif _room(field.type) > 1:
             one = "Lanes"
         else:
-            one = _scalar_type(field.type)
+            one = self._scalar_type(field, field.type)
             if field.capacity:
                 return f"readonly ({one} | Lanes)[]"
         return f"readonly {one}[]" if field.capacity else one
@@ -65,10 +66,16 @@ class Fields:
         """The type of what a host reads: views of the bytes, except for single numbers."""
         if is_scalar(field):
             assert isinstance(field.type, Numbers)
-            return _scalar_type(field.type)
+            return self._scalar_type(field, field.type)
         is_part = isinstance(field.type, Structure)
         one = self._spelling.type(field.type.name) if is_part else _ARRAYS[field.type.kind]  # type: ignore[union-attr]
         return f"readonly {one}[]" if field.capacity else one
+
+    def _scalar_type(self, field: Field, type_: Numbers) -> str:
+        enumeration = self._enumerations.of(field)
+        if enumeration is not None:
+            return self._spelling.type(enumeration.name)
+        return "boolean" if type_.truth else "number"
 
     def view(self, field: Field) -> str:
         """The view of a field that is no single number, or those of its elements."""
@@ -93,7 +100,10 @@ class Fields:
         if not is_scalar(field):
             return f"this.#{self._spelling.member(field.word)}"
         assert isinstance(field.type, Numbers)
-        return f"{_place(field, field.type)}{' !== 0' if field.type.truth else '!'}"
+        kept = " !== 0" if field.type.truth else "!"
+        is_member = self._enumerations.of(field) is not None
+        kind = f" as {self.read_type(field)}" if is_member else ""
+        return f"{_place(field, field.type)}{kept}{kind}"
 
     def storing(self, field: Field) -> list[str]:
         """The statements that set a field to ``value``; none where only its elements are set."""
@@ -106,14 +116,21 @@ class Fields:
     def _storing_parts(self, field: Field, type_: Structure) -> Iterator[str]:
         own = f"this.#{self._spelling.member(field.word)}"
         name = self._spelling.type(type_.name)
+        called = f'"{self._spelling.member(field.word)}"'
+        needed = ", ".join(
+            f'"{self._spelling.member(each.word)}"'
+            for each in type_.fields
+            if not is_optional(each)
+        )
         if not field.capacity:
-            yield f"const part = value instanceof {name} ? value : new {name}(value);"
+            part = f"new {name}(complete({called}, value, [{needed}]))"
+            yield f"const part = value instanceof {name} ? value : {part};"
             yield f"{own}.bytes.set(part.bytes);"
             return
         yield self._counted(field)
         yield (
             f"const parts = Array.from(value, (each) => each instanceof {name} ? each : "
-            f"new {name}(each));"
+            f"new {name}(complete({called}, each, [{needed}])));"
         )
         yield "const found = parts.map((each) => each.bytes.slice());"
         yield f"found.forEach((bytes, number) => {own}[number]!.bytes.set(bytes));"
@@ -158,6 +175,8 @@ class Fields:
         name = f'"{self._spelling.member(field.word)}"'
         if type_.kind != "float":
             low, high = field.range or _BOUNDS[type_.kind]
+            if field.choices:
+                low, high = 0, len(field.choices) - 1
             return f"integer({name}, {value}, {int(low)}, {int(high)})"
         if field.range is None or type_.columns:
             return f"finite({name}, {value})"
@@ -204,10 +223,6 @@ class Fields:
 def _room(type_: Numbers) -> int:
     """The numbers of a view: columns have room for four."""
     return 4 * type_.columns if type_.columns else type_.lanes
-
-
-def _scalar_type(type_: Numbers) -> str:
-    return "boolean" if type_.truth else "number"
 
 
 def _place(field: Field, type_: Numbers) -> str:

@@ -20,13 +20,17 @@ _KEYWORDS = """
     void while with yield
 """
 _OF_SKELETON = """
-    Array ArrayLike Attachment Block BlockClass Blocks Bound Float32Array Frame FrameBuffer
-    FrameHost FrameTexture Infinity Int32Array LAYOUT_ID Lanes Map Material Math NaN Number
-    Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Record SIZE Source
-    Target Text Texture Uint32Array Uint8Array Use VertexInput Written bytes checked constructor
-    counted elements exponentOf f32 finite hasOwnProperty i32 integer isPrototypeOf lanesOf
-    materials nearest propertyIsEnumerable prototype remainder reset stale store toLocaleString
-    toString u32 value valueOf values whole
+    Area Array ArrayLike Attachment Bindings Blend Block BlockClass Blocks Bound COVER Drawn
+    Error Float32Array Frame FrameBuffer FrameHost FrameTexture Gl GlBindings GlMesh GlModel
+    GlResources GlTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map Material Math Mesh Model
+    NaN NoBlocks Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError
+    Record RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
+    Uint8Array Use VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common
+    complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32
+    finite glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf
+    isSame known lanesOf layoutOf linked materials modules nearest programs propertyIsEnumerable
+    prototype remainder renderPipeline reset samplerOf setGlState showOnCanvas stage stale store
+    toLocaleString toString turn u32 usageOf value valueOf values whole
 """
 """Words of the skeleton, and those that objects have themselves."""
 

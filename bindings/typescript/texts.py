@@ -12,13 +12,15 @@ from typing import Any
 from ...compiler.documents.drawing import TargetRow, TextureRow, VertexInputRow
 from ...compiler.documents.writing import to_json
 from ..describing import about_block, about_field, sources
-from ..fields import Field
+from ..enumerations import Enumerations
+from ..fields import Field, Structure
 from ..model import Binding, Block, Material
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
 from .fields import Fields, in_order, is_computed, is_optional, is_scalar, roles
 from .frames import Drawing, buffer_rows, kept_rows, texture_row
 from .functions import FUNCTIONS
+from .webgl import has_webgl, state
 from .webgpu import PROFILE, pipeline, sampler
 
 _WIDTH = 100
@@ -27,10 +29,16 @@ _KEY = re.compile(r"[A-Za-z_$][\w$]*")
 
 def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
-    fields = Fields(spelling)
+    enumerations = Enumerations(binding)
+    fields = Fields(spelling, enumerations)
     return {
         "FUNCTIONS": FUNCTIONS,
         "has_webgpu": any(_has_webgpu(material) for material in binding.materials),
+        "has_webgl_any": any(map(has_webgl, binding.materials)),
+        "has_webgl": has_webgl,
+        "render_state": state,
+        "enumerations": enumerations.all,
+        "needs_complete": _has_parts(binding),
         "is_scalar": is_scalar,
         "is_optional": is_optional,
         "is_computed": is_computed,
@@ -115,6 +123,16 @@ def _quoted(text: str) -> str:
     """A text between backquotes."""
     plain = text.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
     return f"`{plain}`"
+
+
+def _has_parts(binding: Binding) -> bool:
+    """True if a host sets structures, or arrays of them."""
+    every = [*binding.structures, *(block.structure for block in binding.blocks)]
+    return any(
+        isinstance(field.type, Structure) and not field.computed
+        for each in every
+        for field in each.fields
+    )
 
 
 def _given_blocks(material: Material) -> list[Block]:

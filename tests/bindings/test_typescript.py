@@ -26,6 +26,7 @@ from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
 from .frame_calls import Drawing, drawings, wrong
 from .kit import (
     ELSEWHERE,
+    EXAMPLES,
     PLASTIC,
     Sample,
     defaults,
@@ -56,6 +57,8 @@ import * as examples from "./examples.js";
 import * as builtins from "./builtins.js";
 import * as plastic from "./plastic.js";
 import * as web from "./web.js";
+import * as lamps from "./lamps.js";
+import { MixedMaterial, Mode } from "./modes.js";
 type Turn = { name: string; values?: object; sources?: number[] };
 type Refused = { block: string; name: string; value: unknown };
 type Model = { material: string; tags: string[] };
@@ -153,6 +156,7 @@ export function answer({ turns, refused, reflections, drawings }: Given): unknow
     return [];
   });
   const stale = reflections.map((each) => plastic.stale(plastic.plastic, each) ?? "");
+  stale.push(plastic.stale(plastic.plastic, {} as never) ?? "");
   const texts = plastic.plastic.profiles["wgsl:webgpu"].texts.map(({ text }) => text);
   return { bytes, told, stale, texts, drawn: drawings.map(drawn) };
 }
@@ -178,11 +182,38 @@ export async function host(device: GPUDevice, module: GPUShaderModule): Promise<
   });
 }
 
+/** A member of an enumeration is set by its name, and nothing else is taken. */
+export function mixed(): Mode {
+  const material = new MixedMaterial({ mode: Mode.mix });
+  // @ts-expect-error
+  material.mode = 7;
+  return material.mode;
+}
+
+/** What hosts of WebGPU and of WebGL write to draw a frame. */
+export function frames(device: GPUDevice, gl: WebGL2RenderingContext): void {
+  const parameters = new lamps.LightByLightParameters({ lamps: [{ place: [0, 2, 1] }] });
+  lamps.drawLightByLight(new lamps.WebGpuFrames(device, []), parameters);
+  lamps.drawLightByLight(new lamps.WebGlFrames(gl, []), parameters);
+}
+
 /** What a host of WebGL writes. */
 export function bound(gl: WebGL2RenderingContext, program: WebGLProgram): void {
   for (const { kind, identifier } of web.plastic.profiles["glsl:es300"].bound) {
     if (kind === "uniform") gl.getUniformBlockIndex(program, identifier);
   }
+}
+"""
+
+
+LAMPS = EXAMPLES / "frames" / "light_by_light.burnish"
+MODES = """
+enum Mode { add, mix }
+
+material Mixed {
+    param mode  : Mode = Mode.mix
+    param power : float = 1
+    color = if mode == Mode.add then #ff0000 * power else #00ff00
 }
 """
 
@@ -272,6 +303,8 @@ REFUSED: tuple[tuple[str, str, Any, str], ...] = (
     ("Rig", "torchAxis", [0, 2, 0], "`torchAxis` has to be of length 1, not 2"),
     ("Rig", "lampsCount", 1.5, "`lampsCount` takes whole numbers: 1.5 is not"),
     ("Rig", "lampsCount", 9, "`lampsCount` is declared in 0..8: 9 is not"),
+    ("Rig", "lamps", [{}], "`lamps` needs `place`, which is not given"),
+    ("Rig", "lamps", [{"place": [0, 0, 0], "plaice": 1}], "Point has no `plaice`"),
     ("Rig", "lamps", [{}] * 9, "`lamps` takes at most 8 elements, not 9"),
     ("Rig", "lamps", [{"place": [0, 0, 0]}, {"place": [1]}], "`place` takes 3 numbers, not 1"),
 )  # fmt: skip
@@ -287,6 +320,8 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
         # TypeScript does not follow a function of as many statements as all builtins take.
         "builtins": f"// @ts-nocheck\n{written(every_builtin()[0], language)}",
         "plastic": burnish.bind(PLASTIC, "typescript", "wgsl", embed=True),
+        "lamps": burnish.bind(LAMPS, "typescript", ("wgsl", "glsl:es300")),
+        "modes": burnish.bind(MODES, "typescript", "wgsl"),
         "web": burnish.bind(PLASTIC, "typescript", "glsl:es300"),
         "main": _HEAD,
     }
@@ -355,6 +390,7 @@ def test_a_stale_binding_is_told(told: Told) -> None:
         f"{stale}`Rig` has another layout; run `burnish bind` again",
         f"{stale}it lacks `Fog`; run `burnish bind` again",
         *[f"{stale}for `wgsl:webgpu`, {ELSEWHERE}"] * 2,
+        "that is no reflection: it has no `blocks`",
     ]
 
 
