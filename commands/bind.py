@@ -76,6 +76,7 @@ def bind(**chosen: Any) -> None:
     Example:
         burnish bind plastic.burnish --lang python -o plastic_binding.py
         burnish bind materials/*.burnish --lang cpp --namespace scene -o materials.hpp
+        burnish bind plastic.burnish --lang c --namespace scene -o plastic.h
         burnish bind plastic.burnish --lang python --target wgsl --embed -o plastic_binding.py
     """
     from ..compiler.diagnostics.diagnostic import CompileError

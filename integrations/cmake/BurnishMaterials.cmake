@@ -2,7 +2,8 @@
 #     [TARGETS NAME[:PROFILE]...]      the languages to write; by default, those of `burnish compile`
 #     [OUTPUT_DIRECTORY FOLDER]        by default `burnish/TARGET` in the current binary folder
 #     [INCLUDE_DIRECTORIES FOLDER...]  folders in which imported files are looked for
-#     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp
+#     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp,
+#                                      and c for TARGET.h, which needs the library `m`
 #     [OPTIONS WORD...])               more options of `burnish compile`, such as --rig Night
 #
 # Compiles materials whenever they, or the files that they import, have changed. TARGET is a library
@@ -16,6 +17,7 @@
 # that do not change keep their dates, so what is made of them is not made again.
 
 # The endings of bindings in languages that CMake builds.
+set(_BURNISH_ENDING_c h)
 set(_BURNISH_ENDING_cpp hpp)
 
 include("${CMAKE_CURRENT_LIST_DIR}/BurnishOutputs.cmake")
@@ -44,7 +46,7 @@ function(burnish_add_materials target)
 
     foreach(language IN LISTS arg_BINDINGS)
         if(NOT DEFINED _BURNISH_ENDING_${language})
-            _burnish_refuse("there are no BINDINGS in ${language} for CMake, but in cpp")
+            _burnish_refuse("there are no BINDINGS in ${language} for CMake, but in c and cpp")
         endif()
     endforeach()
 
