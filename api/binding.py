@@ -6,17 +6,17 @@ The command ``burnish bind`` calls it, too.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from ..bindings import registry
-from ..bindings.gathering import Compiled, gathered
+from ..bindings.gathering import Compiled, CompiledPlan, gathered
 from ..bindings.host_language import HostLanguage
 from ..bindings.writing import written
 from ..support.arguments import expect
 from ..support.frozen import EMPTY
 from ..targets.selection import DEFAULT
-from .compiled import CompiledMaterial
+from .compiled import CompiledMaterial, CompileResult
 from .entry_points import GivenValue, compile
 
 _NAMESPACE = re.compile(r"[^\W\d]\w*(::[^\W\d]\w*)*")
@@ -60,7 +60,7 @@ def bind(
     files = tuple(_name(each) for each in names)
     binding = gathered(
         [_compiled(each, embed) for result in results for each in result],
-        [frame.plan for result in results for frame in result.frames],
+        list(_plans(results)),
         files, namespace_of(namespace, found, files),
     )  # fmt: skip
     return written(binding, found)
@@ -78,6 +78,17 @@ def host_language(name: str) -> HostLanguage:
 def _compiled(material: CompiledMaterial, embed: bool) -> Compiled:
     texts = {file.name: file.text for file in material.files} if embed else EMPTY
     return Compiled(reflection=material.reflection, texts=texts)
+
+
+def _plans(results: Iterable[CompileResult]) -> Iterator[CompiledPlan]:
+    """The plans of all frames, whose shaders are among all materials of the results."""
+    first = 0
+    for result in results:
+        numbers = {each.name: first + number for number, each in enumerate(result)}
+        for frame in result.frames:
+            shaders = tuple(numbers[each.name] for each in frame.shaders)
+            yield CompiledPlan(plan=frame.plan, shaders=shaders)
+        first += len(result)
 
 
 def _name(source: str | Path) -> str:

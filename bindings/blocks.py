@@ -17,14 +17,14 @@ from ..support.frozen import changed
 from .derivation import Value, Values
 from .fields import Field, Structure
 from .helpers import Helpers
-from .model import Block, Derivation, Source
+from .loose import end, loose
+from .materials import Block, Derivation, Source
 from .scheduling import Names, Schedule, roots_of
 from .statements import Each, Place, Set, Statement
 from .structures import Structures, derived_field, table
 
 SHARED = ("frame", "view", "rig", "draw")
 """The groups that hosts update for several materials together."""
-_ROW = 16
 
 
 class Blocks:
@@ -115,14 +115,9 @@ class Blocks:
         name = _pascal(group)
         taken = {each.name for each in self._reflection.blocks}
         name = name if name not in taken else f"{name}Values"
-        words = {row.name: row.name.replace(".", "_") for row in rows}
-        fields, offset = [], 0
-        for row in rows:
-            field = self._field(row, words[row.name], offset, words)
-            self._fields[row.name] = name, field
-            fields.append(field)
-            offset += -(-field.size // _ROW) * _ROW
-        structure = Structure(name=name, size=offset, fields=tuple(fields))
+        fields = loose(self._structures, rows)
+        self._fields |= {field.name: (name, field) for field in fields}
+        structure = Structure(name=name, size=end(fields), fields=fields)
         return Block(structure=structure, plain_name=name, group=group, layout_id="")
 
     def _derived(self, row: BlockRow) -> Block:
@@ -151,7 +146,7 @@ class Blocks:
                 ]
                 tables.append((field, computed))
             fields.append(field)
-        statements = _statements(plain, tables, hints)
+        statements = computing(plain, tables, hints)
         sources = tuple(Source(plain_name=each, name=self._names[each]) for each in values.sources)
         structure = Structure(name=row.name, size=row.size, fields=tuple(fields))
         return Block(
@@ -191,11 +186,12 @@ def _hint(hints: dict[int, str], field: Field, lanes: Value) -> None:
         hints[id(lanes[0])] = field.word
 
 
-def _statements(
+def computing(
     plain: Sequence[tuple[Place, Field, Value]],
     tables: Sequence[tuple[Field, Sequence[tuple[Place, Field, Value]]]],
     hints: Mapping[int, str],
 ) -> tuple[Statement, ...]:
+    """The statements that compute a block's fields, and the members of its tables' elements."""
     names = Names(("i", "derived"))
     schedule = Schedule(names, hints, roots_of(lanes for _, _, lanes in plain))
     _set(schedule, plain, "")

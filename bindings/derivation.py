@@ -117,6 +117,10 @@ class Values:
         self.sources.setdefault(block)
         return Stored(block, (field.word,), (), field).read()
 
+    def texture_size(self, texture: str, level: Expression, lanes: int) -> Value:
+        """The size of a texture at a level: only what a frame computes may depend on it."""
+        raise NotImplementedError(texture)
+
     def applied(self, function: str, kind: LaneKind, operands: Sequence[Value]) -> Value:
         """The value of a builtin."""
         of_matrices = any(isinstance(lanes[0], tuple) for lanes in operands)
@@ -184,10 +188,7 @@ class _Body:
                 return row.texture
             case CallStep(op="call", function="texture_size"):
                 texture, (level,) = arguments
-                return tuple(
-                    made("texture_size", level, kind="int", value=(texture, axis))
-                    for axis in range(lanes_of(row.type))
-                )
+                return self._values.texture_size(texture, level, lanes_of(row.type))
             case CallStep():
                 kind = kind_of(self._steps[row.args[0]].type)
                 return self._values.applied(row.function, kind, arguments)

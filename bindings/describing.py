@@ -10,6 +10,8 @@ from .model import Binding, Block
 
 def about_block(binding: Binding, block: Block) -> str:
     """Where a block is bound, how often a host fills it, and from what it is computed."""
+    if block.about:
+        return block.about
     places = {
         f"group {bound.group}, binding {bound.binding}"
         for material in binding.materials

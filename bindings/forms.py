@@ -108,7 +108,7 @@ def operand_kinds(each: Expression) -> tuple[Kind, ...]:
             return kinds
         case "exponent" | "int64":
             return ("int",) if given == ("bool",) else ("float",)
-        case "load" | "texture_size":
+        case "load":
             return _same("int", count)
         case "float64":
             return given

@@ -11,9 +11,11 @@ from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection
 from ..support.frozen import frozen
 from .blocks import Blocks
+from .frames.gathering import frame_of
 from .helpers import Helpers
 from .model import Binding, Block, Material
 from .profiles import profiles_of
+from .scheduling import Names
 from .structures import Structures
 
 
@@ -26,9 +28,18 @@ class Compiled:
     """The texts to embed by their files' names; empty if a host reads the files."""
 
 
+@frozen(kw_only=True)
+class CompiledPlan:
+    """The plan of a compiled frame."""
+
+    plan: FramePlan
+    shaders: tuple[int, ...]
+    """Its shaders, by their numbers among all that was compiled."""
+
+
 def gathered(
     compiled: Sequence[Compiled],
-    frames: Sequence[FramePlan],
+    frames: Sequence[CompiledPlan],
     sources: tuple[str, ...],
     namespace: str,
 ) -> Binding:
@@ -42,10 +53,15 @@ def gathered(
         materials.append(
             Material(name=name, reflection=each.reflection, blocks=blocks, profiles=profiles)
         )
+    found = []
+    for frame, name in zip(frames, _told_apart(frames), strict=True):
+        shaders = [materials[number] for number in frame.shaders]
+        found.append(frame_of(name, frame.plan, shaders, structures, helpers))
+        shared |= {block.name: block for block in (found[-1].parameters, found[-1].numbers)}
     return Binding(
         sources=sources, namespace=namespace, structures=structures.found,
         blocks=tuple(shared.values()), helpers=helpers.found, materials=tuple(materials),
-        frames=tuple(frames),
+        frames=tuple(found),
     )  # fmt: skip
 
 
@@ -62,3 +78,9 @@ def _names(compiled: Iterable[Compiled]) -> list[str]:
         wishes += [f"{wishes[-1]}.{number}" for number in range(2, len(found) + 3)]
         found[next(wish for wish in wishes if wish not in found)] = None
     return list(found)
+
+
+def _told_apart(frames: Iterable[CompiledPlan]) -> list[str]:
+    """A name for each frame; those of several files that have one name get numbers."""
+    names = Names(())
+    return [names.new(each.plan.frame) for each in frames]

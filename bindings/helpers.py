@@ -13,7 +13,7 @@ from functools import cache
 from ..compiler.reference.functions import LaneKind, evaluate
 from ..compiler.tracing import Expression, Kind, Tracing, given, made, wrapped
 from .lazily import lazily
-from .model import Helper
+from .materials import Helper
 from .scheduling import Names, returned
 
 _MOST = 2

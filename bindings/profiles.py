@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..compiler.documents.backends import BackendRow, BindingRow, BlockBindingRow
 from ..compiler.documents.reflection import Reflection
-from .model import Block, Bound, Profile, Text
+from .materials import Block, Bound, Profile, Text
 
 COMPUTE = ("compute",)
 

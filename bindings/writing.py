@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache, partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..compiler.documents.writing import to_json
@@ -12,7 +13,7 @@ from .enumerations import Enumerations
 from .fields import Numbers, Pad, Structure
 from .folding import folded
 from .host_language import HostLanguage
-from .model import Binding, Block
+from .model import Binding, Block, Frame, Material
 from .printer import single
 from .spelling import Spelling
 
@@ -39,7 +40,7 @@ def written(binding: Binding, language: HostLanguage) -> str:
         for each in binding.helpers
     ]
     embedded: list[str] = []
-    template = _environment().from_string(language.skeleton.read_text("utf-8"))
+    template = _environment(language.skeleton.parent).get_template(language.skeleton.name)
     text = template.render(
         binding=binding, spelling=spelling, derivations=derivations, helpers=helpers,
         used=printer.used, printer=printer, kinds=_kinds(binding), uses=_Uses(binding),
@@ -67,6 +68,21 @@ def deriving(block: Block) -> str:
     return f"derive.{block.name.removesuffix('Derived').replace('DerivedFrom', '')}"
 
 
+def blocks_of(material: Material) -> str:
+    """The name of the type that has all blocks of a material: ``Plastic Blocks``."""
+    return f"{material.name}.Blocks"
+
+
+def table_of(frame: Frame) -> str:
+    """The name of the constant that says what a frame is made of: ``Shadows frame``."""
+    return f"{frame.name}.frame"
+
+
+def drawing(frame: Frame) -> str:
+    """The name of the function that draws a frame: ``draw Shadows``."""
+    return f"draw.{frame.name}"
+
+
 def _headline(binding: Binding) -> str:
     """A line that says what the text is about."""
     names = [each.name for each in binding.materials]
@@ -89,6 +105,10 @@ def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
         spelling.function(helper.name)
     for material in binding.materials:
         spelling.constant(material.name)
+        spelling.type(blocks_of(material))
+    for frame in binding.frames:
+        spelling.constant(table_of(frame))
+        spelling.function(drawing(frame))
     return spelling
 
 
@@ -131,10 +151,12 @@ class _Uses:
 
 
 @cache
-def _environment() -> Environment:
-    from jinja2 import Environment, StrictUndefined
+def _environment(folder: Path) -> Environment:
+    """The environment of the skeletons in a folder; one may include others."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     return Environment(
+        loader=FileSystemLoader(folder),
         autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
         keep_trailing_newline=True,
     )  # fmt: skip

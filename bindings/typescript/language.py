@@ -20,12 +20,13 @@ _KEYWORDS = """
     void while with yield
 """
 _OF_SKELETON = """
-    Array ArrayLike Block BlockClass Bound Float32Array Infinity Int32Array LAYOUT_ID Lanes Map
-    Material Math NaN Number Numbers Object Omit Partial PipelineState Profile RangeError Record
-    SIZE Target Text Texture Uint32Array Uint8Array VertexInput bytes checked constructor counted
-    elements exponentOf f32 finite hasOwnProperty i32 integer isPrototypeOf lanesOf materials
-    nearest propertyIsEnumerable prototype remainder reset stale store toLocaleString toString u32
-    value valueOf values whole
+    Array ArrayLike Attachment Block BlockClass Blocks Bound Float32Array Frame FrameBuffer
+    FrameHost FrameTexture Infinity Int32Array LAYOUT_ID Lanes Map Material Math NaN Number
+    Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Record SIZE Source
+    Target Text Texture Uint32Array Uint8Array Use VertexInput Written bytes checked constructor
+    counted elements exponentOf f32 finite hasOwnProperty i32 integer isPrototypeOf lanesOf
+    materials nearest propertyIsEnumerable prototype remainder reset stale store toLocaleString
+    toString u32 value valueOf values whole
 """
 """Words of the skeleton, and those that objects have themselves."""
 

@@ -13,9 +13,11 @@ from ...compiler.documents.drawing import TargetRow, TextureRow, VertexInputRow
 from ...compiler.documents.writing import to_json
 from ..describing import about_block, about_field, sources
 from ..fields import Field
-from ..model import Binding, Material
+from ..model import Binding, Block, Material
 from ..spelling import Spelling
-from .fields import Fields, in_order, is_computed, is_optional, is_scalar
+from ..writing import blocks_of, drawing, table_of
+from .fields import Fields, in_order, is_computed, is_optional, is_scalar, roles
+from .frames import Drawing, buffer_rows, kept_rows, texture_row
 from .functions import FUNCTIONS
 from .webgpu import PROFILE, pipeline, sampler
 
@@ -53,6 +55,15 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "vertex_input": _vertex_input,
         "texture": _texture,
         "target": _target,
+        "texture_row": texture_row,
+        "buffer_rows": buffer_rows,
+        "kept_rows": kept_rows,
+        "blocks_of": blocks_of,
+        "table_of": table_of,
+        "drawing": drawing,
+        "Drawing": Drawing,
+        "roles": roles,
+        "given_blocks": _given_blocks,
         "pipelines": lambda material: [pipeline(material)] if _has_webgpu(material) else [],
     }
 
@@ -104,6 +115,11 @@ def _quoted(text: str) -> str:
     """A text between backquotes."""
     plain = text.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
     return f"`{plain}`"
+
+
+def _given_blocks(material: Material) -> list[Block]:
+    """The blocks that a host sets."""
+    return [block for block in material.blocks if block.derivation is None]
 
 
 def _layout_ids(material: Material) -> Mapping[str, str]:

@@ -8,7 +8,7 @@ import struct
 from functools import cache
 from typing import Any, NamedTuple
 
-from burnish.bindings.blocks import _statements
+from burnish.bindings.blocks import computing
 from burnish.bindings.derivation import Values
 from burnish.bindings.fields import Field, Numbers, Structure
 from burnish.bindings.helpers import Helpers
@@ -56,7 +56,7 @@ def every_builtin() -> tuple[Binding, tuple[Called, ...]]:
     computed = Structure(name="Results", size=_end(results), fields=tuple(results))
     derivation = Derivation(
         sources=(Source(plain_name="Operands", name="Operands"),),
-        statements=_statements(plain, (), {}),
+        statements=computing(plain, (), {}),
     )
     blocks = (
         Block(structure=taken, plain_name="Operands", group="draw", layout_id="1"),

@@ -16,8 +16,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import burnish
-from burnish.bindings.gathering import Compiled, gathered
-from burnish.bindings.model import Binding, Block, Material
+from burnish.api.compiled import CompiledFrame, CompileResult
+from burnish.bindings.gathering import Compiled, CompiledPlan, gathered
+from burnish.bindings.model import Binding, Block, Frame, Material
 from burnish.targets.runner.instances.blocks import write
 from burnish.targets.runner.instances.shapes import Elements, Members, Numbers, Shape, shape_of
 from burnish.targets.runner.instances.values import filled
@@ -43,14 +44,31 @@ class Sample(NamedTuple):
 
 @cache
 def everything() -> Binding:
-    """The binding of all examples that have materials."""
-    found = []
-    for path in sorted((*EXAMPLES.glob("*.burnish"), *EXAMPLES.glob("frames/*.burnish"))):
-        if "rig Noon" in path.read_text("utf-8"):
-            continue  # It wants to be told a rig.
-        materials = burnish.compile(path, "wgsl", keep_graphs=False)
-        found += [Compiled(reflection=each.reflection, texts={}) for each in materials]
-    return gathered(found, (), ("examples",), "examples")
+    """The binding of all examples that have materials or frames."""
+    found: list[Compiled] = []
+    plans = []
+    for result in _compiled():
+        for frame in result.frames:
+            first = len(found)
+            numbers = {each.name: first + number for number, each in enumerate(result)}
+            shaders = tuple(numbers[each.name] for each in frame.shaders)
+            plans.append(CompiledPlan(plan=frame.plan, shaders=shaders))
+        found += [Compiled(reflection=each.reflection, texts={}) for each in result]
+    return gathered(found, plans, ("examples",), "examples")
+
+
+@cache
+def _compiled() -> tuple[CompileResult, ...]:
+    paths = sorted((*EXAMPLES.glob("*.burnish"), *EXAMPLES.glob("frames/*.burnish")))
+    # A file with several rigs wants to be told one.
+    one = [path for path in paths if "rig Noon" not in path.read_text("utf-8")]
+    return tuple(burnish.compile(path, "wgsl", keep_graphs=False) for path in one)
+
+
+def compiled_frames() -> tuple[tuple[Frame, CompiledFrame], ...]:
+    """The frames of all examples."""
+    compiled = [frame for result in _compiled() for frame in result.frames]
+    return tuple(zip(everything().frames, compiled, strict=True))
 
 
 @cache
@@ -126,7 +144,7 @@ def defaults() -> Iterator[tuple[Block, bytes]]:
     """Each block that a host sets, and the bytes of its defaults; zeros where there are none."""
     binding = everything()
     for block in binding.blocks:
-        if block.derivation is None:
+        if block.derivation is None and not block.about:
             (material,) = [m for m in binding.materials if m.name == _first_with(block.name)]
             rows = {row.name: row for row in material.reflection.parameters}
             instance = burnish.Instance(material.reflection)

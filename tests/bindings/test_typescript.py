@@ -18,10 +18,12 @@ from burnish.bindings.fields import Field, Structure
 from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
+from burnish.bindings.writing import drawing as drawing_of
 from burnish.targets.toolchain.tools import program
 
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, expected, is_close, operands, stored
+from .frame_calls import Drawing, drawings, wrong
 from .kit import PLASTIC, Sample, defaults, difference, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
@@ -47,10 +49,83 @@ import * as plastic from "./plastic.js";
 import * as web from "./web.js";
 type Turn = { name: string; values?: object; sources?: number[] };
 type Refused = { block: string; name: string; value: unknown };
-type Given = { turns: Turn[]; refused: Refused[]; reflections: never[] };
+type Model = { material: string; tags: string[] };
+type Drawing = { draw: string; type: string; values: object; models: Model[]; first: boolean };
+type Given = {
+  turns: Turn[]; refused: Refused[]; reflections: never[]; drawings: Drawing[];
+};
 type Anything = Record<string, any>;
 
-export function answer({ turns, refused, reflections }: Given): unknown {
+/** An engine that writes its calls down. */
+class Recorder implements examples.FrameHost {
+  readonly calls: unknown[] = [];
+  readonly #models: Model[];
+  readonly #isFirst: boolean;
+
+  constructor(models: Model[], isFirst: boolean) {
+    this.#models = models;
+    this.#isFirst = isFirst;
+  }
+
+  begin(_: examples.Frame, sizes: examples.Lanes[]): boolean {
+    this.calls.push(["begin", sizes.map((each) => Array.from(each))]);
+    return !this.#isFirst;
+  }
+
+  beginPass({ name, targets, depth, viewport, scissor, blendConstant }: examples.Pass): void {
+    const attachments = [...targets, ...(depth ? [depth] : [])].map((each) => {
+      const clear = [...Array.from(each.clear), 0, 0, 0].slice(0, 4);
+      return [each.texture, each.layer, each.level, each.load, clear, each.store];
+    });
+    const settings = [viewport, scissor, blendConstant];
+    this.calls.push(
+      ["pass", name, attachments, ...settings.map((each) => each ? Array.from(each) : null)]);
+  }
+
+  drawModels(tag: string, uses: examples.Use[]): void {
+    for (const { material } of this.#models.filter(({ tags }) => tags.includes(tag))) {
+      const use = uses.find((each) => each.material === material)!;
+      this.calls.push(["draw", used(use), null]);
+    }
+  }
+
+  fill(use: examples.Use, vertices: number): void {
+    this.calls.push(["draw", used(use), Math.floor(vertices / 3)]);
+  }
+
+  endPass(): void {
+    this.calls.push(["end pass"]);
+  }
+
+  dispatch(use: examples.Use, groups: examples.Lanes, images: examples.Written): void {
+    this.calls.push(["dispatch", used(use), Array.from(groups), images]);
+  }
+
+  copy(from: number, to: number): void {
+    this.calls.push(["copy", from, to]);
+  }
+
+  end(): void {
+    this.calls.push(["end"]);
+  }
+}
+
+function used(use: examples.Use): unknown {
+  const blocks = new use.shader.Blocks();
+  const bytes = () => blocks.given().map((each) => Array.from(each.bytes));
+  const before = bytes();
+  use.give(blocks);
+  return [use.shader.name, use.reads, before, bytes()];
+}
+
+function drawn({ draw, type, values, models, first }: Drawing): unknown[] {
+  const recorder = new Recorder(models, first);
+  const all: Anything = examples;
+  all[draw](recorder, new all[type](values));
+  return recorder.calls;
+}
+
+export function answer({ turns, refused, reflections, drawings }: Given): unknown {
   const made: examples.Block[] = [];
   const all: Anything = { ...examples, ...builtins };
   for (const { name, values, sources } of turns) {
@@ -70,7 +145,7 @@ export function answer({ turns, refused, reflections }: Given): unknown {
   });
   const stale = reflections.map((each) => plastic.stale(plastic.plastic, each) ?? "");
   const texts = plastic.plastic.profiles["wgsl:webgpu"].texts.map(({ text }) => text);
-  return { bytes, told, stale, texts };
+  return { bytes, told, stale, texts, drawn: drawings.map(drawn) };
 }
 
 /** What a host of WebGPU writes: the descriptors fit as they are. */
@@ -110,6 +185,8 @@ class Told(NamedTuple):
     told: list[list[Any]]
     stale: list[str]
     texts: list[str]
+    drawn: list[list[list[Any]]]
+    """The calls of each drawing."""
 
 
 @cache
@@ -163,6 +240,22 @@ def _given(block: Block, values: dict[str, Any], spelling: Spelling) -> dict[str
     return {"name": spelling.type(block.name), "values": given}
 
 
+def _drawing(drawing: Drawing) -> dict[str, Any]:
+    """A drawing as the program is told of it."""
+    frame, spelling = drawing.frame, _spelling()
+    fields = [each for each in frame.parameters.structure.fields if each.word in drawing.values]
+    # The number of an array's elements behind the array, which sets it.
+    fields.sort(key=lambda field: bool(field.counts))
+    values = [drawing.values[field.word] for field in fields]
+    return {
+        "draw": spelling.function(drawing_of(frame)),
+        "type": spelling.type(frame.parameters.name),
+        "values": _values(tuple(fields), values, spelling),
+        "models": drawing.models,
+        "first": drawing.first,
+    }
+
+
 REFUSED: tuple[tuple[str, str, Any, str], ...] = (
     ("PlasticMaterial", "power", 600, "`power` is declared in 1..512: 600 is not"),
     ("PlasticMaterial", "base", [1, 2], "`base` takes 3 numbers, not 2"),
@@ -202,6 +295,7 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
         "turns": list(_turns()),
         "refused": [dict(zip(("block", "name", "value"), row[:3], strict=True)) for row in REFUSED],
         "reflections": reflections(),
+        "drawings": [_drawing(each) for each in drawings()],
     }
     (folder / "given.json").write_text(json.dumps(given), "utf-8")
     script = (
@@ -257,3 +351,8 @@ def test_a_stale_binding_is_told(told: Told) -> None:
 def test_texts_are_embedded(told: Told) -> None:
     (material,) = burnish.compile(PLASTIC, "wgsl")
     assert told.texts == [file.text for file in material.files]
+
+
+def test_frames_are_drawn_as_burnish_draws_them(told: Told) -> None:
+    found = zip(drawings(), told.drawn, strict=True)
+    assert not [text for each in found if (text := wrong(*each))]

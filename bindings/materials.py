@@ -1,0 +1,133 @@
+"""The records of blocks and materials in a binding: what a host sets, computes and binds."""
+
+from __future__ import annotations
+
+from ..compiler.documents.backends import BackendRow
+from ..compiler.documents.reflection import Reflection
+from ..compiler.documents.steps import StepRow
+from ..support.frozen import frozen
+from .fields import Structure
+from .statements import Statement
+
+
+@frozen(kw_only=True)
+class Block:
+    """A uniform block, whose bytes a host fills."""
+
+    structure: Structure
+    plain_name: str
+    """Name in the reflection of its material: ``View``, ``DerivedFromRig``."""
+    group: str
+    layout_id: str
+    """The digest of its layout; empty where no text has it, and only derived values are of it."""
+    derivation: Derivation | None = None
+    """How its fields are computed; ``None`` where a host sets them."""
+    steps: tuple[tuple[StepRow, ...], ...] = ()
+    """The steps from which the derivation was made."""
+    about: str = ""
+    """A sentence about a block of a frame; empty for those of materials."""
+
+    @property
+    def name(self) -> str:
+        """Name in the binding."""
+        return self.structure.name
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        """The blocks from which it is computed; none where a host sets its fields."""
+        return () if self.derivation is None else self.derivation.sources
+
+    def is_like(self, other: Block) -> bool:
+        """True if hosts can use one for the other: the same bytes for the same values."""
+        mine, others = (
+            (each.structure, each.layout_id, each.steps, each.sources) for each in (self, other)
+        )
+        return mine == others
+
+
+@frozen(kw_only=True)
+class Source:
+    """A block that derived values read."""
+
+    plain_name: str
+    """Name in the reflection, by which the code calls it."""
+    name: str
+    """Name in the binding."""
+
+
+@frozen(kw_only=True)
+class Derivation:
+    """Straight-line code that computes the fields of a block from those of others."""
+
+    sources: tuple[Source, ...]
+    """The blocks that are read."""
+    statements: tuple[Statement, ...]
+
+
+@frozen(kw_only=True)
+class Helper:
+    """A function of Burnish that no language has, with what it computes."""
+
+    name: str
+    parameters: tuple[str, ...]
+    kinds: tuple[str, ...]
+    """The kinds of the parameters: ``float`` or ``int``."""
+    result: str
+    """The kind of the result."""
+    statements: tuple[Statement, ...]
+
+
+@frozen(kw_only=True)
+class Bound:
+    """Something that a host binds, and where, for one profile."""
+
+    name: str
+    """Name in the binding of a block, or the name of a texture or a buffer."""
+    kind: str
+    """``uniform``, ``storage``, ``texture``, ``sampler``, ``image`` or ``result``."""
+    group: int | None
+    binding: int | None
+    register: str | None
+    identifier: str
+    """Name in the text."""
+    stages: tuple[str, ...]
+    size: int = 0
+    """Bytes of a block."""
+
+
+@frozen(kw_only=True)
+class Text:
+    """One text of a profile."""
+
+    stage: str
+    file: str
+    entry_point: str
+    text: str | None
+    """The text itself, if it is embedded."""
+
+
+@frozen(kw_only=True)
+class Profile:
+    """What the texts of one profile ask of a host."""
+
+    name: str
+    """Such as ``wgsl:webgpu``."""
+    row: BackendRow
+    bound: tuple[Bound, ...]
+    texts: tuple[Text, ...]
+
+
+@frozen(kw_only=True)
+class Material:
+    """A material or a kernel."""
+
+    name: str
+    """Name in the binding, which no other material has."""
+    reflection: Reflection
+    blocks: tuple[Block, ...]
+    """Its blocks, and those of which only derived values are."""
+    profiles: tuple[Profile, ...]
+
+    def block(self, plain_name: str) -> Block:
+        """The block that has this name in the reflection."""
+        return next(each for each in self.blocks if each.plain_name == plain_name)
