@@ -6,29 +6,30 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..compiler.documents.backends import BackendRow, BindingRow, BlockBindingRow
 from ..compiler.documents.reflection import Reflection
+from ..compiler.ir.stages import STAGES
 from .materials import Block, Bound, Profile, Text
 
 COMPUTE = ("compute",)
 
 
 def profiles_of(
-    reflection: Reflection, blocks: Sequence[Block], texts: Mapping[str, str]
+    reflection: Reflection, blocks: Sequence[Block], texts: Mapping[str, str], stem: str
 ) -> tuple[Profile, ...]:
     """The profiles of a material, in the order of their names."""
     return tuple(
         Profile(
             name=name, row=row, bound=tuple(_bound(reflection, row, blocks)),
-            texts=tuple(_texts(row, texts)),
+            texts=tuple(_texts(row, texts, stem)),
         )
         for name, row in sorted(reflection.backends.items())
     )  # fmt: skip
 
 
-def _texts(row: BackendRow, texts: Mapping[str, str]) -> Iterator[Text]:
+def _texts(row: BackendRow, texts: Mapping[str, str], stem: str) -> Iterator[Text]:
     for file in row.files:
         yield Text(
             stage=file.stage, file=file.file, entry_point=file.entry_point,
-            text=texts.get(file.file),
+            text=texts.get(file.file), module=f"{stem}.{STAGES[file.stage].suffix}",
         )  # fmt: skip
 
 

@@ -57,7 +57,8 @@ class Tables:
         """A row of the table of texts."""
         text = self._literal(row.text)
         text = text if row.text is None else embedded(text)
-        return _row(string(row.stage), string(row.file), string(row.entry_point), text)
+        names = (row.stage, row.file, row.entry_point, row.module)
+        return _row(*map(string, names), text)
 
     def textures(self, material: Material) -> list[str]:
         """The rows of the table of textures."""

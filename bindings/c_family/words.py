@@ -146,6 +146,14 @@ WORDS = (
         constants={"faces": "FILL", "lines": "LINE"},
     ),
     Words(
+        name="TextureUse", vulkan="VkImageUsageFlagBits", prefix="VK_IMAGE_USAGE_",
+        constants={
+            "target": "COLOR_ATTACHMENT_BIT", "depth": "DEPTH_STENCIL_ATTACHMENT_BIT",
+            "image": "STORAGE_BIT", "sampled": "SAMPLED_BIT", "copied_from": "TRANSFER_SRC_BIT",
+            "copied_to": "TRANSFER_DST_BIT",
+        },
+    ),
+    Words(
         name="Winding", vulkan="VkFrontFace", prefix="VK_FRONT_FACE_",
         constants={"ccw": "COUNTER_CLOCKWISE", "cw": "CLOCKWISE"},
     ),

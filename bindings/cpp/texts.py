@@ -8,12 +8,14 @@ from typing import Any
 
 from ..c_family.lines import Lines, is_scalar, number, real
 from ..c_family.tables import Tables, chunks, enumerated, identifier, layouts, plain, rows
-from ..c_family.words import WORDS
+from ..c_family.words import WORDS, Words
 from ..describing import about_block, about_field, sources
 from ..enumerations import Enumeration, Enumerations
 from ..fields import Field, Numbers, Structure
-from ..model import Binding
+from ..model import Binding, Material
 from ..spelling import Spelling
+from ..writing import blocks_of, drawing, table_of
+from .frames import Drawing
 from .functions import FUNCTIONS
 
 _SCALARS = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t"}
@@ -38,6 +40,13 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "block_doc": partial(about_block, binding),
         "sources_text": sources,
         "tables": Tables(_enumerator, spelling.type, _raw, "{}"),
+        "Drawing": Drawing,
+        "blocks_of": blocks_of,
+        "drawing": drawing,
+        "table_of": table_of,
+        "roles": parts.roles,
+        "VULKAN": [each for each in WORDS if each.vulkan],
+        "constants": _constants,
         "partial": partial,
         "layouts": layouts,
         "rows": rows,
@@ -67,6 +76,20 @@ class _Parts(Lines):
 
     def _name(self, enumeration: str) -> str:
         return self._spelling.type(enumeration)
+
+    def roles(self, material: Material) -> list[tuple[str, str]]:
+        """The fields that have a role, each as its role and its place among the blocks.
+
+        Those of lights are not among them, as several lights have the same roles.
+        """
+        member = self._spelling.member
+        return [
+            (field.role, f"{member(block.plain_name)}.{member(field.word)}")
+            for block in material.blocks
+            if block.derivation is None and block.group != "rig"
+            for field in block.structure.fields
+            if field.role is not None
+        ]
 
     def choices(self, enumeration: Enumeration) -> list[str]:
         """The lines that declare an enumeration of the language."""
@@ -147,6 +170,12 @@ def _word(word: str) -> str:
 
 def _enumerator(enumeration: str, word: str) -> str:
     return f"{enumeration}::{_word(word)}"
+
+
+def _constants(words: Words) -> list[str]:
+    """The table of Vulkan's constants for the words of an enumeration, in their order."""
+    names = [words.constant(each) for each in words.constants]
+    return enumerated(f"static constexpr {words.vulkan} all[] =", names, "};")
 
 
 def _raw(text: str | None) -> str:

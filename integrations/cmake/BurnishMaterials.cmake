@@ -4,6 +4,7 @@
 #     [INCLUDE_DIRECTORIES FOLDER...]  folders in which imported files are looked for
 #     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp,
 #                                      and c for TARGET.h, which needs the library `m`
+#     [EMIT FORMAT...]                 modules for drivers as well: spirv, of `glsl`; dxil, of `hlsl`
 #     [OPTIONS WORD...])               more options of `burnish compile`, such as --rig Night
 #
 # Compiles materials whenever they, or the files that they import, have changed. TARGET is a library
@@ -29,7 +30,7 @@ define_property(TARGET PROPERTY BURNISH_DIRECTORY BRIEF_DOCS "The folder of thes
 
 function(burnish_add_materials target)
     cmake_parse_arguments(
-        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;BINDINGS;OPTIONS"
+        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;BINDINGS;EMIT;OPTIONS"
     )
     set(files ${arg_UNPARSED_ARGUMENTS})
     if(NOT files)
@@ -64,6 +65,13 @@ function(burnish_add_materials target)
         list(APPEND options --include "${folder}")
     endforeach()
 
+    # A binding takes all options but this one: it has the names of modules anyway.
+    set(shared ${options})
+    if(arg_EMIT)
+        list(JOIN arg_EMIT "," formats)
+        list(APPEND options --emit "${formats}")
+    endif()
+
     set(sources)
     foreach(file IN LISTS files)
         cmake_path(
@@ -87,7 +95,7 @@ function(burnish_add_materials target)
 
     foreach(language IN LISTS arg_BINDINGS)
         _burnish_bind(
-            ${language} ${target} "${sources}" "${arg_OUTPUT_DIRECTORY}" "${options}" "${stamps}"
+            ${language} ${target} "${sources}" "${arg_OUTPUT_DIRECTORY}" "${shared}" "${stamps}"
             stamp header
         )
         list(APPEND stamps "${stamp}")

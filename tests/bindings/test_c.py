@@ -98,8 +98,7 @@ def _told(name: str, value: str, kept: str = "told") -> str:
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
     spelling = _spelling()
-    given = [each for each in everything().blocks if each.derivation is None]
-    readers = [_reader(each, spelling) for each in given]
+    readers = [_reader(each, spelling) for each, _ in defaults()]
     binding, _ = every_builtin()
     builtins = spelling_of(binding, registry.load("c"))
     readers.append(_reader(binding.blocks[0], builtins))

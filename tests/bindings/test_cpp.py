@@ -93,9 +93,7 @@ def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [
-        _reader(each, _spelling()) for each in everything().blocks if each.derivation is None
-    ]
+    readers = [_reader(each, _spelling()) for each, _ in defaults()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("cpp"))
     readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))

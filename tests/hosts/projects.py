@@ -1,0 +1,40 @@
+"""Projects of hosts, in folders of their own, and the commands that their pages give."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+from .scene import COMMON
+
+HOSTS = COMMON.parent
+GLUE = re.compile(r"-- glue\b.*?\n(.*?)\n[^\n]*-- end of glue", re.DOTALL)
+MOST_GLUE = 15
+"""The lines that may stand between a binding and the calls of an API."""
+
+
+def project(host: str, folder: Path) -> Path:
+    """Copy what a host's project consists of into a folder."""
+    shutil.copytree(COMMON, folder)
+    shutil.copytree(HOSTS / host, folder, dirs_exist_ok=True)
+    return folder
+
+
+def commands(folder: Path) -> list[str]:
+    """The commands of a project's page: those that build it, and the one that draws."""
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    return [block.strip() for block in re.findall(r"```sh\n(.*?)```", page, re.DOTALL)]
+
+
+def glue(text: str, comments: Sequence[str]) -> list[int]:
+    """The number of lines between each pair of marks of glue, without comments and empty ones.
+
+    A second pair is what frames need besides.
+    """
+    found = []
+    for part in GLUE.findall(text):
+        lines = (line.strip() for line in part.splitlines())
+        found.append(len([x for x in lines if x and not x.startswith(tuple(comments))]))
+    return found
