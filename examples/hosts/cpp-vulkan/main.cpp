@@ -19,6 +19,7 @@ using nlohmann::json;
 namespace vulkan = burnish::vulkan;
 
 constexpr VkPipelineBindPoint GRAPHICS = VK_PIPELINE_BIND_POINT_GRAPHICS;
+constexpr VkImageLayout GENERAL = VK_IMAGE_LAYOUT_GENERAL;
 
 /// The numbers of a list, as they are stored: a vector, a matrix, or several of these.
 template <class T>
@@ -171,14 +172,11 @@ private:
         const auto find = [&](const burnish::Binding& each) -> vulkan::Resource {
             if (const void* bytes = blocks->find(each.name))
                 return {{uploaded(bytes, each.size), 0, each.size}, {}};
-            return {
-                {}, {sampler(material, each.name), view(use, each.name), VK_IMAGE_LAYOUT_GENERAL}
-            };
+            return {{}, {sampler(material, each.name), view(use, each.name), GENERAL}};
         };
         const auto sets = vulkan::make_sets(gpu_.device, gpu_.pool, layout, profile, find);
         vulkan::Pipeline state(material, profile, layout, depth_format_);
-        for (const burnish::Text& text : profile.texts)
-            state.add(text, module(text.module));
+        for (const burnish::Text& text : profile.texts) state.add(text, module(text.module));
         vkCmdBindPipeline(gpu_.commands, GRAPHICS, gpu_.pipeline(state.info));
         gpu_.bind(layout.pipeline, sets);
         for (std::uint32_t number = 0; number < material.vertex_inputs.size(); ++number)
