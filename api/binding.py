@@ -95,7 +95,7 @@ def host_language(name: str) -> HostLanguage:
 
 def _compiled(material: CompiledMaterial, embed: bool) -> Compiled:
     texts = {file.name: file.text for file in material.files} if embed else EMPTY
-    return Compiled(reflection=material.reflection, texts=texts)
+    return Compiled(reflection=material.reflection, texts=texts, stem=material.stem)
 
 
 def _plans(results: Iterable[CompileResult]) -> Iterator[CompiledPlan]:

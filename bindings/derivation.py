@@ -84,7 +84,8 @@ class Stored:
         return tuple(self._load(kind, (*column, lane)) for lane in range(kind.lanes))
 
     def _load(self, kind: Numbers, last: tuple[int, ...]) -> Expression:
-        place = Place(block=self._block, way=self._way, part=last)
+        is_choice = bool(self._field.choices)
+        place = Place(block=self._block, way=self._way, part=last, is_choice=is_choice)
         read: Any = "bool" if kind.truth else "float" if kind.kind == "float" else "int"
         natural = kind.kind == "uint"
         return made("load", *self._indices, kind=read, is_natural=natural, value=place)

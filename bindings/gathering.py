@@ -26,6 +26,8 @@ class Compiled:
     reflection: Reflection
     texts: Mapping[str, str]
     """The texts to embed by their files' names; empty if a host reads the files."""
+    stem: str = ""
+    """What the names of its files begin with; by default, its name in the binding."""
 
 
 @frozen(kw_only=True)
@@ -49,7 +51,7 @@ def gathered(
     materials = []
     for each, name in zip(compiled, _names(compiled), strict=True):
         blocks = tuple(Blocks(name, each.reflection, structures, helpers, shared).all())
-        profiles = profiles_of(each.reflection, blocks, each.texts)
+        profiles = profiles_of(each.reflection, blocks, each.texts, each.stem or name)
         materials.append(
             Material(
                 name=name, reflection=each.reflection, blocks=blocks,

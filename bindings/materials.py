@@ -140,6 +140,11 @@ class Text:
     entry_point: str
     text: str | None
     """The text itself, if it is embedded."""
+    module: str
+    """The name of the file with the stage's module, without its end: ``Plastic.vert``.
+
+    ``burnish compile --emit spirv`` writes it to ``Plastic.vert.spv``.
+    """
 
 
 @frozen(kw_only=True)

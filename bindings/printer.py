@@ -93,7 +93,11 @@ class Printer(ABC):
             return self._call(each)
         if each.op == "float64" and each.operands[0].kind != "float":
             return self._converted(each.operands[0], level, "float")
-        return self._formed(self.FORMS[each.op], each, level)
+        return self._formed(self.form(each), each, level)
+
+    def form(self, each: Expression) -> Form:
+        """The form of an operation."""
+        return self.FORMS[each.op]
 
     def _formed(self, form: Form, each: Expression, level: int) -> str:
         self.used.update((form.helper,) if form.helper else ())

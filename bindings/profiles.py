@@ -15,6 +15,7 @@ from ..compiler.documents.backends import (
     GroupLayoutRow,
 )
 from ..compiler.documents.reflection import Reflection
+from ..compiler.ir.stages import STAGES
 from ..support.frozen import changed
 from .materials import Block, Bound, Profile, Text
 
@@ -24,23 +25,23 @@ _KINDS = {"block": "uniform", "buffer": "storage", "combined": "texture"}
 
 
 def profiles_of(
-    reflection: Reflection, blocks: Sequence[Block], texts: Mapping[str, str]
+    reflection: Reflection, blocks: Sequence[Block], texts: Mapping[str, str], stem: str
 ) -> tuple[Profile, ...]:
     """The profiles of a material, in the order of their names."""
     return tuple(
         Profile(
             name=name, row=row, binding_id=row.binding_id,
-            bound=tuple(_bound(reflection, row, blocks)), texts=tuple(_texts(row, texts)),
+            bound=tuple(_bound(reflection, row, blocks)), texts=tuple(_texts(row, texts, stem)),
         )
         for name, row in sorted(reflection.backends.items())
     )  # fmt: skip
 
 
-def _texts(row: BackendRow, texts: Mapping[str, str]) -> Iterator[Text]:
+def _texts(row: BackendRow, texts: Mapping[str, str], stem: str) -> Iterator[Text]:
     for file in row.files:
         yield Text(
             stage=file.stage, file=file.file, entry_point=file.entry_point,
-            text=texts.get(file.file),
+            text=texts.get(file.file), module=f"{stem}.{STAGES[file.stage].suffix}",
         )  # fmt: skip
 
 

@@ -19,17 +19,23 @@ class Manner:
     constant_case: Case
     only_ascii: bool = False
     """True if not all compilers take letters beyond ASCII in names."""
+    prefixed: bool = False
+    """True if names of the whole text begin with the namespace."""
 
 
 class Spelling:
     """Spells all names of a binding; equal names of different things do not collide."""
 
-    def __init__(self, manner: Manner) -> None:
+    def __init__(self, manner: Manner, namespace: str = "") -> None:
+        """``namespace`` is what names of the whole text begin with, in languages that want it."""
         self._manner = manner
+        self._enumerations: dict[str, Scope] = {}
         self._globals = self._scope()
         self._members = self._scope()
         self._locals = self._scope(self._globals)
         self._choices: dict[str, Scope] = {}
+        self.prefix = f"{self.namespace(namespace).replace('::', '_')}_" if manner.prefixed else ""
+        """What names of the whole text begin with."""
 
     def _scope(self, outer: Scope | None = None) -> Scope:
         return Scope(self._manner.reserved, only_ascii=self._manner.only_ascii, outer=outer)
@@ -42,15 +48,23 @@ class Spelling:
 
     def type(self, name: str) -> str:
         """The name of a block or a structure."""
-        return self._globals.name("type", name, self._manner.type_case)
+        return self._global("type", name, self._manner.type_case)
 
     def constant(self, name: str) -> str:
         """The name of a constant of the whole text."""
-        return self._globals.name("constant", name, self._manner.constant_case)
+        return self._global("constant", name, self._manner.constant_case)
 
     def function(self, name: str) -> str:
         """The name of a function of the whole text."""
-        return self._globals.name("function", name, self._manner.function_case)
+        return self._global("function", name, self._manner.function_case)
+
+    def _global(self, kind: str, name: str, case: Case) -> str:
+        return self.prefix + self._globals.name(kind, name, case)
+
+    def member_of(self, enumeration: str, name: str) -> str:
+        """The name of a member of an enumeration, in which no other is called so."""
+        scope = self._enumerations.setdefault(enumeration, self._scope())
+        return scope.name("member", name, self._manner.value_case)
 
     def member(self, word: str) -> str:
         """The name of a field. Fields of all structures share names, which does no harm."""

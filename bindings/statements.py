@@ -23,6 +23,8 @@ class Place:
     """
     part: tuple[int, ...] = ()
     """The lane of a vector, or the column and the lane of a matrix."""
+    is_choice: bool = False
+    """True if it is a member of an enumeration, which is a type of its own in some languages."""
 
 
 @frozen(kw_only=True)

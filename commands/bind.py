@@ -123,6 +123,7 @@ def bind(**chosen: Any) -> None:
         burnish bind plastic.burnish --lang python -o plastic_binding.py
         burnish bind materials --lang cpp --namespace scene -o materials.hpp
         burnish bind materials --lang cpp --lang typescript -o bindings/
+        burnish bind plastic.burnish --lang c --namespace scene -o plastic.h
         burnish bind plastic.burnish --lang python --target wgsl --embed -o plastic_binding.py
     """
     from ..compiler.diagnostics.diagnostic import CompileError

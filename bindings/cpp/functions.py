@@ -31,6 +31,12 @@ inline std::int64_t wide_product(std::int64_t x, std::int64_t y) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(x) * static_cast<std::uint64_t>(y));
 }
 """,
+    "wrapped": """\
+/// The lowest 32 bits, as a number with a sign.
+inline std::int64_t wrapped(std::int64_t x) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(x));
+}
+""",
     "fraction_of": """\
 /// The fraction of a number, at least a half and below one.
 inline double fraction_of(double x) {

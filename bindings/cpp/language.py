@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..c_family.words import WORDS
 from ..folding import Style
 from ..host_language import HostLanguage
 from ..naming import pascal, snake
 from ..spelling import Manner
+from .functions import FUNCTIONS
 from .printer import CppPrinter
 from .texts import texts
 
@@ -22,10 +24,11 @@ _KEYWORDS = """
     xor xor_eq
 """
 _OF_SKELETON = """
-    Binding Field Kind List Material Profile Sampler Target Text Texture VertexFormat VertexInput
-    bvec2 bvec3 bvec4 capacity count detail fault first ivec2 ivec3 ivec4 mat2 mat3 mat4 mat2x4
-    mat3x4 stale std uvec2 uvec3 uvec4 vec2 vec3 vec4 near far min max assert errno NULL
-    unix linux
+    Attachment Binding Blend Blocks Depth Equation Frame FrameBuffer FrameHost FrameTexture Kept
+    List Material Output Pass Profile Read Sampler Source Stencil StencilSide Tag Target Text
+    Texture Use VertexInput Written bvec2 bvec3 bvec4 capacity count detail fault first
+    has_length_one ivec2 ivec3 ivec4 mat2 mat3 mat4 mat2x4 mat3x4 stale std uvec2 uvec3 uvec4 vec2
+    vec3 vec4 vulkan near far min max assert errno NULL unix linux
 """
 """Words of the skeleton, and some that headers of operating systems define as macros."""
 
@@ -38,7 +41,9 @@ LANGUAGE = HostLanguage(
     texts=texts,
     style=Style(comments=("///", "//")),
     manner=Manner(
-        reserved=frozenset((*_KEYWORDS.split(), *_OF_SKELETON.split())),
+        reserved=frozenset(
+            (*_KEYWORDS.split(), *_OF_SKELETON.split(), *FUNCTIONS, *(each.name for each in WORDS))
+        ),
         type_case=pascal,
         function_case=snake,
         value_case=snake,

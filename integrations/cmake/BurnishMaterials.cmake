@@ -2,7 +2,9 @@
 #     [TARGETS NAME[:PROFILE]...]      the languages to write; by default, those of `burnish compile`
 #     [OUTPUT_DIRECTORY FOLDER]        by default `burnish/TARGET` in the current binary folder
 #     [INCLUDE_DIRECTORIES FOLDER...]  folders in which imported files are looked for
-#     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp
+#     [BINDINGS LANGUAGE...]           what `burnish bind` writes of all FILEs: cpp for TARGET.hpp,
+#                                      and c for TARGET.h, which needs the library `m`
+#     [EMIT FORMAT...]                 modules for drivers as well: spirv, of `glsl`; dxil, of `hlsl`
 #     [OPTIONS WORD...])               more options of `burnish compile`, such as --rig Night
 #
 # Compiles materials whenever they, or the files that they import, have changed. TARGET is a library
@@ -16,6 +18,7 @@
 # that do not change keep their dates, so what is made of them is not made again.
 
 # The endings of bindings in languages that CMake builds.
+set(_BURNISH_ENDING_c h)
 set(_BURNISH_ENDING_cpp hpp)
 
 include("${CMAKE_CURRENT_LIST_DIR}/BurnishOutputs.cmake")
@@ -27,7 +30,7 @@ define_property(TARGET PROPERTY BURNISH_DIRECTORY BRIEF_DOCS "The folder of thes
 
 function(burnish_add_materials target)
     cmake_parse_arguments(
-        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;BINDINGS;OPTIONS"
+        PARSE_ARGV 1 arg "" "OUTPUT_DIRECTORY" "TARGETS;INCLUDE_DIRECTORIES;BINDINGS;EMIT;OPTIONS"
     )
     set(files ${arg_UNPARSED_ARGUMENTS})
     if(NOT files)
@@ -44,7 +47,7 @@ function(burnish_add_materials target)
 
     foreach(language IN LISTS arg_BINDINGS)
         if(NOT DEFINED _BURNISH_ENDING_${language})
-            _burnish_refuse("there are no BINDINGS in ${language} for CMake, but in cpp")
+            _burnish_refuse("there are no BINDINGS in ${language} for CMake, but in c and cpp")
         endif()
     endforeach()
 
@@ -61,6 +64,13 @@ function(burnish_add_materials target)
         cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
         list(APPEND options --include "${folder}")
     endforeach()
+
+    # A binding takes all options but this one: it has the names of modules anyway.
+    set(shared ${options})
+    if(arg_EMIT)
+        list(JOIN arg_EMIT "," formats)
+        list(APPEND options --emit "${formats}")
+    endif()
 
     set(sources)
     foreach(file IN LISTS files)
@@ -85,7 +95,7 @@ function(burnish_add_materials target)
 
     foreach(language IN LISTS arg_BINDINGS)
         _burnish_bind(
-            ${language} ${target} "${sources}" "${arg_OUTPUT_DIRECTORY}" "${options}" "${stamps}"
+            ${language} ${target} "${sources}" "${arg_OUTPUT_DIRECTORY}" "${shared}" "${stamps}"
             stamp header
         )
         list(APPEND stamps "${stamp}")

@@ -254,6 +254,21 @@ TOOLS: tuple[Tool, ...] = (
         minimum=(1, 10),  # the first that reads several outputs of one rule from a file
     ),
     Tool(
+        name="vulkan-headers",
+        purpose="headers of Vulkan, JSON and PNG for the host in C++; only tests need it",
+        place=SystemFiles(
+            (
+                ("usr/include/vulkan/vulkan_core.h",),
+                ("usr/include/nlohmann/json.hpp",),
+                ("usr/include/stb/stb_image_write.h",),
+                libraries("libvulkan.so"),
+            )
+        ),
+        version=written_in(0, rb"define VK_HEADER_VERSION (\d+)"),
+        source=Debian(("libvulkan-dev", "nlohmann-json3-dev", "libstb-dev")),
+        minimum=(204,),  # the first of Vulkan 1.3
+    ),
+    Tool(
         name="lavapipe",
         purpose="Mesa's Vulkan driver that draws on the CPU",
         place=SystemFiles(

@@ -12,6 +12,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import burnish
+from burnish.bindings.registry import names
 from burnish.commands.group import burnish as group
 
 from .kit import PLASTIC
@@ -75,7 +76,7 @@ def test_a_namespace_is_no_reserved_word(tmp_path: Path) -> None:
 def test_comments_stay_as_they_are_beside_embedded_texts(tmp_path: Path) -> None:
     source = tmp_path / "z.burnish"
     source.write_text("material Z { param a : float = 1  /// A star @0@ @99@\n color = vec3(a) }\n")
-    for language in ("cpp", "python", "rust", "typescript"):
+    for language in names():
         text = burnish.bind(source, language, "wgsl", embed=True)
         assert "A star @0@ @99@" in text and "@fragment" in text and "\0" not in text
 

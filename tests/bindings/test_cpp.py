@@ -10,7 +10,6 @@ import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -21,13 +20,14 @@ from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
-from .calls import ROUNDS, every_builtin, operands
+from .calls import ROUNDS, every_builtin
+from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
 from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
-_FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-O0")
+_FLAGS = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O0")
 _HEAD = """\
 #include "builtins.hpp"
 #include "examples.hpp"
@@ -43,6 +43,9 @@ static long long next_whole() {
     long long x = 0;
     if (std::scanf("%lld", &x) != 1) std::exit(2);
     return x;
+}
+template <class T, class N> static void take(T& place, N number) {
+    place = static_cast<T>(number);
 }
 template <class T> static T tell(const T& block) {
     const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&block);
@@ -74,11 +77,10 @@ def _reads_value(type_: Numbers | Structure, place: str, spelling: Spelling) -> 
             yield from _reads(field, f"{place}.{spelling.member(field.word)}", spelling)
         return
     read = "next_float()" if type_.kind == "float" else "next_whole()"
-    stored = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t"}[type_.kind]
     for column in range(type_.columns) or [None]:
         whole = place if column is None else f"{place}[{column}]"
         lanes = [""] if type_.lanes == 1 else [f".{lane}" for lane in "xyzw"[: type_.lanes]]
-        yield from (f"{whole}{lane} = static_cast<{stored}>({read});" for lane in lanes)
+        yield from (f"take({whole}{lane}, {read});" for lane in lanes)
 
 
 def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
@@ -91,9 +93,7 @@ def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [
-        _reader(each, _spelling()) for each in everything().blocks if each.derivation is None
-    ]
+    readers = [_reader(each, _spelling()) for each, _ in defaults()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("cpp"))
     readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))
@@ -114,20 +114,6 @@ def _program() -> str:
     return _HEAD + "".join(readers) + "int main() {\n" + "\n".join(turns) + "\n}\n"
 
 
-def _numbers(value: Any) -> Iterator[str]:
-    if isinstance(value, tuple):
-        for each in value:
-            yield from _numbers(each)
-    else:
-        yield value.hex() if isinstance(value, float) else str(int(value))
-
-
-def _input() -> str:
-    given = (sample for sample in samples() if sample.block.derivation is None)
-    values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
-    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
-
-
 @pytest.fixture(scope="module")
 def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     """The bytes of all blocks, as the program tells them."""
@@ -138,7 +124,7 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     (folder / "builtins.hpp").write_text(builtins, "utf-8")
     (folder / "main.cpp").write_text(_program(), "utf-8")
     _run(["g++", *_FLAGS, "main.cpp", "-o", "main"], folder)
-    lines = _run([str(folder / "main")], folder, _input()).splitlines()
+    lines = _run([str(folder / "main")], folder, numbers()).splitlines()
     return [bytes.fromhex(line) for line in lines]
 
 

@@ -182,6 +182,29 @@ def test_a_mistake_before_the_first_build(tmp_path: Path) -> None:
     assert "no work to do" in other.build()
 
 
+IN_C = """
+cmake_minimum_required(VERSION 3.25)
+project(InC LANGUAGES C)
+find_package(Burnish REQUIRED)
+add_executable(program main.c)
+target_link_libraries(program PRIVATE m)
+burnish_add_materials(program a.burnish BINDINGS c TARGETS wgsl)
+"""
+
+
+def test_a_binding_in_c(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(IN_C)
+    (tmp_path / "a.burnish").write_text(
+        "material A { param tone : float = 0.5  color = rgb(tone) }\n"
+    )
+    main = "program_AMaterial block = program_default_a_material();"
+    main = f'#include "program.h"\nint main(void) {{ {main} return block.tone != 0.5f; }}\n'
+    (tmp_path / "main.c").write_text(main)
+    configured(tmp_path, check=True)
+    run([tool("cmake", "cmake"), "--build", "build"], cwd=tmp_path, env=environment(), check=True)
+    run([str(tmp_path / "build" / "program")], check=True)
+
+
 CALL = """
 cmake_minimum_required(VERSION 3.25)
 project(Calls NONE)
@@ -198,7 +221,7 @@ WRONG_CALLS = {
     "m a.burnish OPTIONS -o x": "OPTIONS cannot have -o, which CMake decides on",
     "m a.burnish OPTIONS --wath": "No such option '--wath'",
     "m a.burnish OPTIONS --target=x": "OPTIONS cannot have --target=x, which CMake decides on",
-    "m a.burnish BINDINGS cobol": "there are no BINDINGS in cobol for CMake, but in cpp",
+    "m a.burnish BINDINGS cobol": "there are no BINDINGS in cobol for CMake, but in c and cpp",
     "m a.burnish b.burnish": "give one of them another OUTPUT_DIRECTORY",
 }
 

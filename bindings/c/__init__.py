@@ -1,0 +1,1 @@
+"""Bindings in C11: a header with structures whose offsets the compiler checks."""

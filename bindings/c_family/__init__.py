@@ -1,0 +1,1 @@
+"""What bindings in C and C++ have in common: statements, tables, and the words in them."""
