@@ -1,18 +1,19 @@
 """Compiles materials to the functions that an engine takes which lights surfaces itself.
 
-``entry_points.py`` calls ``functions_for`` for engines with a dialect of their own, which is no
-target, and ``compiling_functions.py`` makes the functions.
+``function_files.py`` calls ``functions_for`` for ``--engine``, and ``compiling_functions.py`` makes
+the functions: in targets, or in a dialect of the engine's own, which is no target.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
+from ..compiler.ir.functions import Offer
 from ..engines.engine import Engine
 from ..engines.slot_table import INPUTS, offers
 from ..support.frozen import EMPTY, changed
@@ -25,30 +26,48 @@ def functions_for(
     source: str | Path,
     *,
     material: str | None = None,
+    rig: str | None = None,
     search_path: tuple[Path, ...] = (),
     prefix: str | None = None,
     values: tuple[tuple[str, str], ...] = (),
     named: Mapping[str, str] = EMPTY,
-    only: Collection[str] = (),
+    only: Sequence[str] = (),
 ) -> FunctionsResult:
-    """The materials of a file as functions in an engine's dialect. Raises ``CompileError``.
+    """The materials of a file as functions that an engine takes. Raises ``CompileError``.
 
     ``named`` are slots that a user has named for a value of the engine: ``stain`` for
     ``base_color``; ``only`` are the slots to which others are not added, if there are any. A
     material without anything that an engine could light is left out.
     """
-    assert engine.dialect is not None
     _check_words(named)
-    offered = offers(named, only, engine.taken)
+    offered: tuple[Offer, ...] = ()
+    slots: tuple[str, ...] = ()
+    languages = () if engine.dialect is None else (engine.dialect(),)
+    if languages:
+        _check_places(engine, only)
+        offered = offers(named, only, engine.taken)
+    elif only:
+        slots = (*only, *named.values())
     asked = AskedFunctions(
-        targets=(), source=source, search_path=search_path, material=material, rig=None, slots=(),
-        together=False, prefix=prefix, values=values,
-        offers=offered, languages=(engine.dialect(),),
+        targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
+        slots=slots, together=False, prefix=prefix, values=values, offers=offered,
+        languages=languages,
     )  # fmt: skip
     found = functions_of(asked)
-    _check_slots(found, (*named.values(), *only))
+    _check_slots(found, (*named.values(), *(each.partition("@")[0] for each in only)))
     roles = {slot: word for word, slot in named.items()}
     return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
+
+
+def _check_places(engine: Engine, only: Sequence[str]) -> None:
+    """Raise ``CompileError`` if somebody says for what such an engine computes a slot."""
+    report = Report()
+    for slot in only:
+        if "@" in slot:
+            reason = "it has a place of its own for each slot: leave out what follows `@`"
+            report.add(rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot, reason=reason)
+    if report.failed:
+        raise CompileError(report.diagnostics)
 
 
 def _check_words(named: Mapping[str, str]) -> None:

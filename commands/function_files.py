@@ -23,7 +23,7 @@ def compiled_functions(request: CompileRequest) -> Compiled:
     """What the only file of a request becomes."""
     (file,) = request.files
     try:
-        engine = None if request.engine is None else _engine(request.engine)
+        engine = _engine(request.engines[0]) if request.engines else None
         result = _result(request, file, engine)
         if engine is None:
             texts = {each.name: each.text for material in result for each in material.files}
@@ -59,12 +59,11 @@ def _engine(name: str) -> Engine:
 
 
 def _result(request: CompileRequest, file: Path, engine: Engine | None) -> FunctionsResult:
-    if engine is not None and engine.dialect is not None:
-        return _in_dialect(request, file, engine)
-    targets = _apart(request.targets) if engine is None else list(engine.targets)
+    if engine is not None:
+        return _for_engine(request, file, engine)
     return api.functions(
         file,
-        targets or DEFAULT,
+        _apart(request.targets) or DEFAULT,
         material=request.material,
         rig=request.rig,
         slots=_apart(request.slots),
@@ -75,8 +74,8 @@ def _result(request: CompileRequest, file: Path, engine: Engine | None) -> Funct
     )
 
 
-def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
-    """The functions for an engine that takes them in a language of its own."""
+def _for_engine(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
+    """The functions that an engine takes, with what a user says of its values."""
     from ..api.compiling_engines import functions_for
 
     given = [each.partition("=") for each in _apart(request.slots)]
@@ -84,6 +83,7 @@ def _in_dialect(request: CompileRequest, file: Path, engine: Engine) -> Function
         engine,
         file,
         material=request.material,
+        rig=request.rig,
         search_path=tuple(map(Path, request.search_path)),
         prefix=request.prefix,
         values=tuple(map(name_and_value, request.values)),
