@@ -65,6 +65,10 @@ CASES = {
         "material M {\n    buffer heights : float[]\n    tall = heights[0]\n}\n", ["tall"],
         "error[B0904]: `tall` reads the storage buffer `heights`, which is no argument of a",
     ),
+    "a place in a storage buffer, though nobody asks for it": (
+        "material M {\n    buffer places : vec3[]\n    position = places[0]\n    t = uv.x\n}\n", [],
+        "error[B0904]: `position` reads the storage buffer `places`, which is no argument of a",
+    ),
     "nothing without lights": (
         "import std.terms.{lambert}\nmaterial M {\n    color = lambert(rgb(1, 1, 1))\n}\n", [],
         "error[B0906]: `M` gives no value to a slot that a function returns without lights",
