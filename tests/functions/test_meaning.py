@@ -1,17 +1,16 @@
 """Functions mean what whole shaders do: drawn by a driver, judged by the bounds of their slots.
 
 ``called_shaders.py`` is the engine. ``python -m burnish.tests.functions.test_meaning`` draws all
-examples; here are some, with whatever moves, bends, hides and interpolates.
+examples, and with ``--random 100`` so many random programs; here are some of both.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-import pytest
-
+import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.targets.conformance.conform import conform
 from burnish.targets.conformance.rows import Row
@@ -21,7 +20,9 @@ from burnish.targets.runner.runner import Runner
 from burnish.targets.toolchain import Toolchain
 
 from ..engines.files import materials
-from .called_shaders import Called, broken, subjects
+from ..fuzz.oracles import ALLOWED
+from ..fuzz.programs import program
+from .called_shaders import PROFILE, Called, broken, subjects
 
 ROUTE = ROUTES["lavapipe:wgsl-naga"]
 SIZE = (25, 19)
@@ -74,7 +75,7 @@ def wrong(found: Sequence[Row]) -> list[str]:
     return [
         "\n".join([f"{row.material}: {row.status}: {row.problem}", *details(row)])
         for row in found
-        if row.status not in ("agrees", "proves little")
+        if row.status in ("differs", "failed")
     ]
 
 
@@ -89,7 +90,29 @@ def of_examples(names: Sequence[str]) -> Iterator[tuple[str, Called]]:
             print(f"{file.stem}.{name}: not drawn: {str(error).splitlines()[0]}")
 
 
-@pytest.mark.xdist_group("drawn functions")
+def of_random(numbers: Iterable[int]) -> Iterator[tuple[str, Called]]:
+    """The subjects of random programs; those that make vertices of their own have none."""
+    for number in numbers:
+        text = str(program(f"functions:{number}"))
+        try:
+            names = [each.name for each in burnish.functions(text, PROFILE)]
+        except CompileError as error:
+            codes = {found.rule.code for found in error.diagnostics if found.severity == "error"}
+            assert codes <= {"B0904", "B0905", "B0906"} | ALLOWED, text
+            names = []
+        for name in names:
+            for label, subject in subjects(text, name, Path()):
+                yield f"{number}.{label}", subject
+
+
+def test_functions_of_random_programs_are_inside_the_bounds() -> None:
+    found = list(of_random(range(14)))
+    assert len(found) > 5
+    drawn = rows(found)
+    assert not wrong(drawn)
+    assert sum(row.status == "agrees" for row in drawn) > len(found) / 2
+
+
 def test_functions_are_inside_the_bounds_of_slots(tmp_path: Path) -> None:
     names = ("Bent", "Pushed", "Swept", "Lifted")
     moved = [each for name in names for each in subjects(MOVED, name, tmp_path)]
@@ -100,9 +123,16 @@ def test_functions_are_inside_the_bounds_of_slots(tmp_path: Path) -> None:
     assert [row.status for row in drawn[len(found) :]] == ["differs"] * len(moved)
 
 
-if __name__ == "__main__":
-    told = rows(list(of_examples(sys.argv[1:])))
+def main(arguments: Sequence[str]) -> int:
+    """Print the rows, and what is wrong; returns the process's exit code."""
+    is_random = arguments[:1] == ["--random"]
+    found = of_random(range(int(arguments[1]))) if is_random else of_examples(arguments)
+    told = rows(list(found))
     for row in told:
         print(f"{row.material}: {row.status}")
     print("\n".join(wrong(told)))
-    sys.exit(1 if wrong(told) else 0)
+    return 1 if wrong(told) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
