@@ -1,18 +1,19 @@
 """Compiles materials to what an engine takes in a dialect of its own, which is no target.
 
-The command line calls ``functions_for`` for engines that light surfaces themselves, and
+``function_files.py`` calls ``functions_for`` for engines that light surfaces themselves, and
 ``shaders_for`` for those that take whole shaders.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
 from ..compiler.documents.functions import FunctionRow, Functions
+from ..compiler.ir.functions import Offer
 from ..compiler.passes.pipeline import Options
 from ..engines.engine import Engine
 from ..engines.slot_table import INPUTS, offers
@@ -34,28 +35,44 @@ def functions_for(
     prefix: str | None = None,
     values: tuple[tuple[str, str], ...] = (),
     named: Mapping[str, str] = EMPTY,
-    only: Collection[str] = (),
+    only: Sequence[str] = (),
 ) -> FunctionsResult:
-    """The materials of a file as functions in an engine's dialect. Raises ``CompileError``.
+    """The materials of a file as functions that an engine takes. Raises ``CompileError``.
 
     ``named`` are slots that a user has named for a value of the engine: ``stain`` for
     ``base_color``; ``only`` are the slots to which others are not added, if there are any. A
     material without anything that an engine could light is left out.
     """
     _check_words(named)
-    offered = offers(named, only, engine.taken)
+    offered: tuple[Offer, ...] = ()
     slots: tuple[str, ...] = ()
-    if only and engine.dialect is None:  # Its materials have any slots, for users' own nodes.
-        offered, slots = (), (*only, *named.values())
+    languages = () if engine.dialect is None else (engine.dialect(),)
+    if languages:
+        _check_places(engine, only)
+    if engine.is_offered and (languages or not only):
+        offered = offers(named, only, engine.taken)
+    elif only:  # Functions in a target may be of any slots, for users' own nodes.
+        slots = (*only, *named.values())
     asked = AskedFunctions(
         targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
         slots=slots, together=False, prefix=prefix, values=values, offers=offered,
-        languages=() if engine.dialect is None else (engine.dialect(),),
+        languages=languages,
     )  # fmt: skip
     found = functions_of(asked)
-    _check_slots(found, () if slots else (*named.values(), *only))
+    _check_slots(found, (*named.values(), *(each.partition("@")[0] for each in only)))
     roles = {slot: word for word, slot in named.items()}
     return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
+
+
+def _check_places(engine: Engine, only: Sequence[str]) -> None:
+    """Raise ``CompileError`` if somebody says for what such an engine computes a slot."""
+    report = Report()
+    for slot in only:
+        if "@" in slot:
+            reason = "it has a place of its own for each slot: leave out what follows `@`"
+            report.add(rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot, reason=reason)
+    if report.failed:
+        raise CompileError(report.diagnostics)
 
 
 def _check_words(named: Mapping[str, str]) -> None:

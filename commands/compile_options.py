@@ -8,6 +8,7 @@ and options in full with their values. ``cli.py`` has those read here.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -73,8 +74,8 @@ SLOTS = Option(
     ("--slots",),
     "With `--emit functions`: only these slots. One is computed for vertices where `@vertex` "
     "follows its name. Default: those that the material itself, or its model, gives a value, and "
-    "that need no lights. With `--engine three`, `godot`, `filament` and `bevy`, `base_color=stain` "
-    "says that the slot `stain` is the base colour.",
+    "that need no lights. With `--engine`, `base_color=stain` says that the slot `stain` is the "
+    "base colour.",
     metavar="NAME[@vertex],…",
     many=True,
 )
@@ -84,13 +85,14 @@ TOGETHER = Option(
     "With `--emit functions`: one function for pixels and one for vertices, each for all slots.",
 )
 ENGINE = Option(
-    "engine",
+    "engines",
     ("--engine",),
     "Write what an engine takes, instead of texts: a module with a material for `three` "
     "(three.js), a shader for `godot`, a definition for `filament`, a shader with a module in Rust "
     "for `bevy`, functions for nodes of `unity` and `unreal`. It implies `--emit functions`, except "
     "`three-webgl`: that is a module with a material of whole shaders for three.js's WebGLRenderer.",
     metavar="NAME",
+    many=True,
 )
 PREFIX = Option(
     "prefix",
@@ -209,7 +211,8 @@ class CompileRequest:
     emit: str = SHADERS
     """Words, with commas: ``shaders``, the formats of modules, or ``functions``."""
     optimize: bool = False
-    engine: str | None = None
+    engines: tuple[str, ...] = ()
+    """The engine; two of them are a mistake."""
     slots: tuple[str, ...] = ()
     """Slots as they were given, each perhaps several with commas."""
     together: bool = False
@@ -238,16 +241,16 @@ class CompileRequest:
     @property
     def has_functions(self) -> bool:
         """True if functions are written, or what an engine takes of them."""
-        return self.emit == FUNCTIONS or self.engine is not None
+        return self.emit == FUNCTIONS or bool(self.engines)
 
     @property
     def has_engine_shaders(self) -> bool:
         """True if an engine is asked for that takes whole shaders."""
-        if self.engine is None:
+        if len(self.engines) != 1:
             return False
         from ..engines import known
 
-        name = self.engine
+        (name,) = self.engines
         return name in known.names() and known.load(name).write_shaders is not None
 
     @property
@@ -293,11 +296,15 @@ class CompileRequest:
     @property
     def _misfit(self) -> str | None:
         """What is wrong between options about whole shaders and those about functions."""
-        if self.engine is not None and self.targets:
+        if len(self.engines) > 1:
+            return "--engine names one engine: run the command once for each"
+        if self.prefix is not None and not _NAME.fullmatch(self.prefix):
+            return f"--prefix is a name of letters, digits and single `_`, not '{self.prefix}'"
+        if self.engines and self.targets:
             return "--engine says the targets itself: leave --target out"
         if self.has_engine_shaders:
             return self._misfit_of_engine_shaders
-        if self.engine is not None and self.together:
+        if self.engines and self.together:
             return "an engine takes one function for each slot: leave --together out"
         of_others = _OF_SHADERS if self.has_functions else _OF_FUNCTIONS
         given = [row.names[-1] for row in of_others if getattr(self, row.field) not in _NOTHING]
@@ -314,7 +321,7 @@ class CompileRequest:
         given = [row.names[-1] for row in rows if getattr(self, row.field) not in _NOTHING]
         if self.emit != SHADERS:
             given.append(f"--emit {self.emit}")
-        return f"{given[0]} does not go with --engine {self.engine}" if given else None
+        return f"{given[0]} does not go with --engine {self.engines[0]}" if given else None
 
     @property
     def _contradiction(self) -> str | None:
@@ -345,6 +352,7 @@ _OF_FUNCTIONS = (SLOTS, TOGETHER, PREFIX)
 _OF_SHADERS = (
     OPTIMIZE, PASS, WHY, VALIDATE, SINGLE_FILE, FLIP_Y, LINE_DIRECTIVES, BINDINGS, NATIVE_STAGES,
 )  # fmt: skip
+_NAME = re.compile("[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 _NOTHING: tuple[object, ...] = (None, False, ())
 
 _VALUES = {name: row for row in OPTIONS if row.metavar for name in row.names}

@@ -23,7 +23,7 @@ def compiled_functions(request: CompileRequest) -> Compiled:
     """What the only file of a request becomes."""
     (file,) = request.files
     try:
-        engine = None if request.engine is None else _engine(request.engine)
+        engine = _engine(request.engines[0]) if request.engines else None
         if engine is not None and engine.write_shaders is not None:
             return _of_shaders(request, file, engine)
         result = _result(request, file, engine)
@@ -61,12 +61,11 @@ def _engine(name: str) -> Engine:
 
 
 def _result(request: CompileRequest, file: Path, engine: Engine | None) -> FunctionsResult:
-    if engine is not None and engine.is_offered:
-        return _offered(request, file, engine)
-    targets = _apart(request.targets) if engine is None else list(engine.targets)
+    if engine is not None:
+        return _for_engine(request, file, engine)
     return api.functions(
         file,
-        targets or DEFAULT,
+        _apart(request.targets) or DEFAULT,
         material=request.material,
         rig=request.rig,
         slots=_apart(request.slots),
@@ -77,8 +76,8 @@ def _result(request: CompileRequest, file: Path, engine: Engine | None) -> Funct
     )
 
 
-def _offered(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
-    """The functions for an engine that is given the slots which it takes."""
+def _for_engine(request: CompileRequest, file: Path, engine: Engine) -> FunctionsResult:
+    """The functions that an engine takes, with what a user says of its values."""
     from ..api.compiling_engines import functions_for
 
     given = [each.partition("=") for each in _apart(request.slots)]

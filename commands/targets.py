@@ -12,6 +12,7 @@ from .console import Styled, say
 from .options import answer_option
 
 if TYPE_CHECKING:
+    from ..engines.engine import Engine
     from ..targets.description.profile import Profile
     from ..targets.description.shading_language import Language
 
@@ -35,7 +36,8 @@ def targets() -> None:
     if (collected := collector()) is not None:
         from ..compiler.documents.answer import TargetsAnswer
 
-        collected.find(TargetsAnswer(targets=tuple(map(_data, rows))))
+        found = tuple(map(_engine_data, map(engines.load, engines.names())))
+        collected.find(TargetsAnswer(targets=tuple(map(_data, rows)), engines=found))
         return
     for target in rows:
         say(Styled(target.name, is_bold=True), f"  {target.title}, *.{target.extension}")
@@ -93,6 +95,16 @@ def _data(target: Language) -> dict[str, Any]:
         "extension": target.extension,
         "unproven": target.unproven,
         "profiles": [_profile_data(profile) for profile in target.profiles],
+    }
+
+
+def _engine_data(engine: Engine) -> dict[str, Any]:
+    return {
+        "name": engine.name,
+        "title": engine.title,
+        "targets": list(engine.targets),
+        "unproven": engine.unproven,
+        "values": sorted(engine.taken),
     }
 
 

@@ -43,6 +43,11 @@ _NOT_OWN = {
     for kind in ("rig", "pass")
 }
 
+_LIT_BY = (
+    "an engine lights a surface by slots such as `base_color` and `roughness`; of a slot with "
+    "another name, say what it is: `--slots base_color=stain`"
+)
+
 
 class Frontend:
     """Reads one file with its imports and elaborates its materials."""
@@ -153,8 +158,9 @@ class Frontend:
             elif not setting.ctx.report.failed:
                 without.append(setting.parts.material)
         rule = rules.LEFT_OUT if made else rules.NO_FUNCTIONS
+        hint = _LIT_BY if asked.offers else ""
         for each in () if self._report.failed else without:
-            self._report.add(rule, each.declaration.name.span, name=each.name)
+            self._report.add(rule, each.declaration.name.span, name=each.name, hint=hint)
         return made
 
     def _parts(

@@ -24,18 +24,28 @@ def guard(macro: str, blocks: Iterable[str]) -> str:
 def argument_lines(
     surface: Surface, given: Given, nodes: Mapping[tuple[str, str], str]
 ) -> Iterator[str]:
-    """A comment for each argument: where the engine has it, or what a user sets."""
+    """A comment for each argument: where the engine has it, or what a user sets.
+
+    ``nodes`` has what the engine has itself: values of surfaces, and parameters by their role.
+    """
     for argument in given.signature.arguments:
         if argument.kind == "value":
             row = surface.arguments[argument.given]
-            if row.source == "parameter":
+            known = nodes.get(("role", row.role or ""))
+            if known is not None:
+                place = known
+            elif row.source == "parameter":
                 usual = "" if row.default is None else f", usually {row.default}"
                 place = f"a property of the type {row.type}{usual}"
             elif row.source == "varying":
                 place = f"what `{row.given}` is at the vertices, interpolated"
             else:
                 place = nodes.get((row.source, row.given), f"`{row.given}` of the mesh")
-            doc = f" ({row.doc.strip()})" if row.doc and row.source == "parameter" else ""
+            doc = (
+                f" ({row.doc.strip()})"
+                if row.doc and row.source == "parameter" and known is None
+                else ""
+            )
             yield f"//   {argument.name}: {place}{doc}".replace("\n", " ")
         elif argument.kind == "texture":
             texture = surface.textures[argument.given]

@@ -180,6 +180,8 @@ class TargetsAnswer:
 
     targets: tuple[Mapping[str, Any], ...]
     """A row for each target, with its profiles and what each can do."""
+    engines: tuple[Mapping[str, Any], ...]
+    """A row for each engine that takes functions, with the values that it lights surfaces by."""
 
 
 @frozen(kw_only=True)

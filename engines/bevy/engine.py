@@ -14,4 +14,5 @@ ENGINE = Engine(
     write=write,
     dialect=language,
     taken=TABLES.taken,
+    is_offered=True,
 )

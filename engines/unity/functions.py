@@ -31,6 +31,8 @@ NODES: Mapping[tuple[str, str], str] = {
     ("attribute", "vertex_uv2"): "the node UV, of the channel UV1",
     ("attribute", "vertex_color"): "the node Vertex Color",
     ("pipeline", "front_facing"): "the node Is Front Face",
+    ("role", "object_to_world"): "the node Transformation Matrix, Model",
+    ("role", "eye"): "the node Camera, its output Position",
 }
 """Where a graph has the values that functions take."""
 

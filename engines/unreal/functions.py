@@ -20,6 +20,7 @@ NODES: Mapping[tuple[str, str], str] = {
     ("attribute", "vertex_uv2"): "TexCoord, of the index 1",
     ("attribute", "vertex_color"): "Vertex Color",
     ("pipeline", "front_facing"): "TwoSidedSign, greater than 0",
+    ("role", "eye"): "Camera Position",
 }
 """Where a material has the values that functions take."""
 UNPROVEN = "Never compiled by Unreal's own compiler."

@@ -128,6 +128,9 @@ def test_targets_for_programs() -> None:
     es = next(p for row in rows for p in row["profiles"] if p["name"] == "es300")
     assert es["clip_depth"] == "-1..1"
     assert es["checkers"] == ["glslang-es300"]
+    engines = {row["name"]: row for row in answer["result"]["engines"]}
+    assert "clearcoat" in engines["godot"]["values"] and not engines["godot"]["targets"]
+    assert engines["unity"]["unproven"]
 
 
 def test_doctor_finds_what_the_tests_need() -> None:

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-import burnish
 from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.engines import known
@@ -30,10 +29,7 @@ def files_of(
 ) -> Mapping[str, str]:
     """The files of an engine for one material. Raises ``CompileError``."""
     row = known.load(engine)
-    if not row.is_offered:
-        found = burnish.functions(source, list(row.targets), material=material)
-    else:
-        found = functions_for(row, source, material=material, named=named)
+    found = functions_for(row, source, material=material, named=named)
     files, report = dict[str, str](), Report()
     for each in found:
         emissions = {f"{file.target}:{file.profile}": file.emission for file in each.files}

@@ -89,9 +89,9 @@ def test_slots_are_within_their_bounds(name: str, page: Page, site: Path, tmp_pa
 
 
 SIZE = 48
-CANNOT = {"B0905", "B0906", "B0206", "B0701", "B0909"}
-"""Why an example is not drawn: it makes vertices, needs lights, has no material, or needs what
-functions of WebGL 2 or of three.js cannot have."""
+CANNOT = {"B0904", "B0905", "B0906", "B0206", "B0701", "B0909"}
+"""Why an example is not drawn: buffers place vertices, it makes vertices, needs lights, has no
+material, or needs what functions of WebGL 2 or of three.js cannot have."""
 FILES = sorted(EXAMPLES.glob("*.burnish"))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from textwrap import dedent
 
@@ -10,6 +11,7 @@ import pytest
 import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.diagnostics.render import render_all
+from burnish.engines import known
 from tests.cli.kit import invoke
 
 PLASTIC = """\
@@ -62,6 +64,10 @@ CASES = {
     "a storage buffer": (
         "material M {\n    buffer heights : float[]\n    tall = heights[0]\n}\n", ["tall"],
         "error[B0904]: `tall` reads the storage buffer `heights`, which is no argument of a",
+    ),
+    "a place in a storage buffer, though nobody asks for it": (
+        "material M {\n    buffer places : vec3[]\n    position = places[0]\n    t = uv.x\n}\n", [],
+        "error[B0904]: `position` reads the storage buffer `places`, which is no argument of a",
     ),
     "nothing without lights": (
         "import std.terms.{lambert}\nmaterial M {\n    color = lambert(rgb(1, 1, 1))\n}\n", [],
@@ -144,3 +150,49 @@ def test_a_pass_that_a_material_is_tied_to_is_no_mistake() -> None:
     text = "pass Cut : Forward { discard when alpha < 0.5 }\n"
     text += "material Leaf by Cut { tint = vec3(uv, 0) }\n"
     assert burnish.functions(text, "wgsl").diagnostics == ()
+
+
+ENGINES: dict[tuple[str, ...], str] = {
+    ("--engine", "godot", "--material", "N"): """\
+        error[B0906]: `N` gives no value to a slot that a function returns without lights
+         --> m.burnish:9:10
+          |
+        9 | material N { color = lambert(rgb(1, 1, 1)) }
+          |          ^
+          = help: an engine lights a surface by slots such as `base_color` and `roughness`;""",
+    ("--engine", "godot", "--slots", "tint@vertex"): (
+        "error[B0909]: Godot 4 cannot draw `tint@vertex`: it has a place of its own for each slot: "
+        "leave out what follows `@`"
+    ),
+    ("--engine", "godot", "--engine", "three"): "--engine names one engine: run the command once",
+    ("--engine", "godot", "--rig", "Q"): "error[B0201]: unknown rig `Q`",
+    ("--engine", "unity", "--slots", "base=tint"): "error[B0911]: engines take no value called",
+    ("--emit", "functions", "--prefix", "my-shop"): "--prefix is a name of letters, digits and",
+    ("--emit", "functions", "--prefix", "a__b"): "--prefix is a name of letters, digits and single",
+    ("--emit", "functions", "--prefix", ""): "--prefix is a name of letters, digits and single `_`",
+}
+
+
+@pytest.mark.parametrize("given", ENGINES)
+def test_what_is_asked_of_engines(
+    given: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = PLASTIC + "material N { color = lambert(rgb(1, 1, 1)) }\n"
+    (tmp_path / "m.burnish").write_text(text, encoding="utf-8")
+    result = invoke("compile", "m.burnish", *given, "-o", "out")
+    assert result.exit_code and dedent(ENGINES[given]).strip() in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("engine", known.names())
+def test_every_engine_is_told_what_a_slot_is(engine: str, tmp_path: Path) -> None:
+    file = tmp_path / "m.burnish"
+    file.write_text("material M { stain = rgb(uv, 0)   wear = uv.x }\n", encoding="utf-8")
+    slots = "base_color=stain,roughness=wear"
+    result = invoke("compile", str(file), "--engine", engine, "--slots", slots, "-o", str(tmp_path))
+    assert result.exit_code == 0, result.stderr
+    assert "2 functions (stain, wear) in files for" in result.stdout
+    document = json.loads((tmp_path / "M.functions.json").read_text("utf-8"))
+    roles = [slot["role"] for row in document["functions"] for slot in row["slots"]]
+    assert roles == ["base_color", "roughness"]

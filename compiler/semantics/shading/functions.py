@@ -53,8 +53,11 @@ class _Slot:
 
     name: str
     stage: StageRow
-    is_named: bool
-    """True if somebody asked for it by name, so that what is wrong with it is an error."""
+    is_needed: bool
+    """True if what is wrong with it is an error, and not a reason to leave it out.
+
+    Somebody asked for it by name, or it says where the surface is.
+    """
 
 
 @frozen
@@ -115,7 +118,8 @@ def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
         yield from _offered(setting, asked)
     elif not asked.slots:
         for name in dict.fromkeys(_usual(setting, asked)):
-            yield _Slot(name, _usual_stage(record, name, asked), is_named=False)
+            stage = _usual_stage(record, name, asked)
+            yield _Slot(name, stage, _is_needed(record, name, asked))
     for text in dict.fromkeys(asked.slots):
         name, _, place = (part.strip() for part in text.partition("@"))
         if place and STAGES.get(place) not in RASTERISED:
@@ -125,7 +129,7 @@ def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
             report.add(rules.NO_SUCH_SLOT, span, name=record.name, slot=name, hint=hint)
         else:
             stage = STAGES[place] if place else _usual_stage(record, name, asked)
-            yield _Slot(name, stage, is_named=True)
+            yield _Slot(name, stage, is_needed=True)
 
 
 def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
@@ -148,7 +152,7 @@ def _offered(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
         found = record.definitions.get(offer.name)
         if found is not None and _is_taken(setting, asked, offer, found[0]):
             stage = VERTEX if offer.at_vertices else FRAGMENT
-            yield _Slot(offer.name, stage, is_named=False)
+            yield _Slot(offer.name, stage, _is_needed(record, offer.name, asked))
 
 
 def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition) -> bool:
@@ -207,6 +211,12 @@ def _usual_stage(record: Record, name: str, asked: FunctionsAsked) -> StageRow:
     return VERTEX if _library_slot(record, name) in asked.at_vertices else FRAGMENT
 
 
+def _is_needed(record: Record, name: str, asked: FunctionsAsked) -> bool:
+    """True for a slot that says where the surface is, or where it has holes."""
+    is_placed = _library_slot(record, name) in asked.at_vertices
+    return is_placed or _word(record, name, asked) == HIDDEN
+
+
 def _word(record: Record, name: str, asked: FunctionsAsked) -> str:
     return asked.words.get(_library_slot(record, name), "")
 
@@ -228,7 +238,7 @@ def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> 
         if isinstance(tree, Failure):
             continue
         if not _is_returned(tree.type):
-            if each.is_named:
+            if each.is_needed:
                 shown = ctx.meanings.of(tree) or tree.type
                 ctx.report.add(rules.NO_RESULT_OF_FUNCTION, span, slot=each.name, type=shown)
             continue
@@ -251,9 +261,9 @@ def _is_free(
     leaves = [each.data for each in reachable((node,)) if isinstance(each.data, Leaf)]
     buffers = [leaf for leaf in leaves if isinstance(leaf, Buffer)]
     lights = [] if asked.lit else [leaf for leaf in leaves if _is_of_lights(leaf)]
-    if buffers and value.slot.is_named:
+    if buffers and value.slot.is_needed:
         report.add(rules.NOT_AN_ARGUMENT, value.span, slot=value.slot.name, buffer=buffers[0].name)
-    elif lights and value.slot.is_named:
+    elif lights and value.slot.is_needed:
         infos = {info.leaf: info for info in (*shader.parameters, *shader.textures)}
         read = infos.get(lights[0])
         labels = [] if read is None else [Label(read.span, f"reads `{lights[0].name}`")]
