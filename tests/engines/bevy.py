@@ -75,10 +75,10 @@ SWOLLEN = """burnish 1
 import std.prelude.{Surface}
 
 material Swollen : Surface {
-    param amount    : float = 0.1
+    param by        : float = 0.1
 
-    object_position = vertex_position + vertex_normal * (amount * (1 + vertex_position.y))
-    object_normal   = normalize(vertex_normal + vec3(0, amount, 0) * vertex_position)
+    object_position = vertex_position + vertex_normal * (by * (1 + vertex_position.y))
+    object_normal   = normalize(vertex_normal + vec3(0, by, 0) * vertex_position)
     is_hidden       = vertex_normal.y > 0.9
     base_color      = rgb(vertex_position * 0.5 + 0.5)
 }

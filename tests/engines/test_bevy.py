@@ -90,11 +90,10 @@ def test_a_material_that_is_called_like_something_of_bevy_is_told() -> None:
 def test_a_vertex_is_moved_by_what_the_mesh_has() -> None:
     shader = files_of("bevy", SWOLLEN, "Swollen")["Swollen.wgsl"]
     moved = shader.partition("    var world_position")[2].partition("    out.world_position")[0]
-    assert [
-        line for line in moved.splitlines() if line.startswith(("    out.", "    vertex."))
-    ] == [
-        "    out.object_normal = given.normal;",
-        "    out.object_position = given.position;",
-        "    vertex.position = swollen_object_position(given.position, given.normal, parameters.amount);",
-        "    vertex.normal = swollen_object_normal(given.position, given.normal, parameters.amount);",
+    lines = map(str.strip, moved.splitlines())
+    assert [line for line in lines if line.startswith(("out.", "vertex."))] == [
+        "out.object_normal = given.normal;",
+        "out.object_position = given.position;",
+        "vertex.position = swollen_object_position(given.position, given.normal, parameters.by);",
+        "vertex.normal = swollen_object_normal(given.position, given.normal, parameters.by);",
     ]
