@@ -10,13 +10,17 @@ from ...targets import registry
 from ...targets.description.profile import Profile
 from ...targets.description.reserved import Reserved
 from ...targets.description.shading_language import Language
-from .values import MODULES
+from ..values import Between
+from .values import MODULES, TABLES
 
 OWN = frozenset({
     *MODULES, "FragmentOutput", "Vertex", "VertexOutput", "coverage", "fragment", "out",
     "parameters", "pbr_input", "pixel", "vertex",
 })  # fmt: skip
 """What the files have beside the functions. Imports are found by their names alone, anywhere."""
+
+HANDED = tuple(row.name for row in TABLES.at_pixels.values() if isinstance(row, Between))
+"""Names of values between vertices and pixels that are not the material's own."""
 
 
 @cache
@@ -30,7 +34,9 @@ def language() -> tuple[Language, Profile]:
         textures=frozenset(each for each in TEXTURES if each.sample != "depth"),
         checkers=(),
     )
-    return changed(wgsl, name="bevy", reserved=_reserved, profiles=(profile,)), profile
+    fixed = (*wgsl.fixed_names, *HANDED)
+    own = changed(wgsl, name="bevy", reserved=_reserved, profiles=(profile,), fixed_names=fixed)
+    return own, profile
 
 
 def _reserved() -> Reserved:

@@ -54,9 +54,14 @@ class Statements(Writer):
             return []
         return [name for name in DEEP if name in self.attributes]
 
+    def _of_vertices(self) -> list[str]:
+        """The statements of a vertex: they read what is given, so that their order is free."""
+        moved = list(self._statements(TABLES.moved))
+        return [*map(self._handed, self.between.values()), *moved]
+
     @staticmethod
     def _reads(name: str, text: str) -> bool:
-        members = {f"vertex.{name}", f"pixel.{name}", f"world_{name}", f"pixel.world_{name}"}
+        members = {f"given.{name}", f"pixel.{name}", f"world_{name}", f"pixel.world_{name}"}
         return name != "position" and text.partition(".xyz")[0] in members
 
     def _parameter(self, identifier: str, row: ArgumentRow, at_vertices: bool) -> str:

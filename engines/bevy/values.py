@@ -1,6 +1,7 @@
 """Where Bevy has the values that functions take, and which it takes itself: its tables.
 
-``pixel`` is what a fragment shader of Bevy gets, ``vertex`` what a vertex shader gets.
+``pixel`` is what a fragment shader of Bevy gets, ``given`` what a vertex shader gets, and
+``vertex`` what the material makes of that.
 """
 
 from __future__ import annotations
@@ -94,25 +95,25 @@ TABLES = Tables(
         Output("position", "vec3", "world_position = vec4<f32>({value}, 1.0);"),
     ),
     at_vertices={
-        ("surface", "uv"): "vertex.uv",
+        ("surface", "uv"): "given.uv",
         ("surface", "position"): "world_position.xyz",
         ("surface", "normal"): "world_normal",
-        ("attribute", "vertex_position"): "vertex.position",
-        ("attribute", "vertex_normal"): "vertex.normal",
-        ("attribute", "vertex_tangent"): "vertex.tangent",
-        ("attribute", "vertex_uv"): "vertex.uv",
-        ("attribute", "vertex_uv2"): "vertex.uv_b",
-        ("attribute", "vertex_color"): "vertex.color",
-        ("pipeline", "instance_index"): "vertex.instance_index",
+        ("attribute", "vertex_position"): "given.position",
+        ("attribute", "vertex_normal"): "given.normal",
+        ("attribute", "vertex_tangent"): "given.tangent",
+        ("attribute", "vertex_uv"): "given.uv",
+        ("attribute", "vertex_uv2"): "given.uv_b",
+        ("attribute", "vertex_color"): "given.color",
+        ("pipeline", "instance_index"): "given.instance_index",
     },
     at_pixels={
         ("surface", "uv"): "pixel.uv",
         ("surface", "position"): "pixel.world_position.xyz",
         ("surface", "normal"): "pixel.world_normal",
         ("surface", "tangent"): "pixel.world_tangent.xyz",
-        ("attribute", "vertex_position"): Between("vec3", "object_position", "vertex.position"),
-        ("attribute", "vertex_normal"): Between("vec3", "object_normal", "vertex.normal"),
-        ("attribute", "vertex_tangent"): Between("vec4", "object_tangent", "vertex.tangent"),
+        ("attribute", "vertex_position"): Between("vec3", "object_position", "given.position"),
+        ("attribute", "vertex_normal"): Between("vec3", "object_normal", "given.normal"),
+        ("attribute", "vertex_tangent"): Between("vec4", "object_tangent", "given.tangent"),
         ("attribute", "vertex_uv"): "pixel.uv",
         ("attribute", "vertex_uv2"): "pixel.uv_b",
         ("attribute", "vertex_color"): "pixel.color",

@@ -70,6 +70,20 @@ material Own {
 }
 """
 """A material with parameters of all kinds."""
+SWOLLEN = """burnish 1
+
+import std.prelude.{Surface}
+
+material Swollen : Surface {
+    param by        : float = 0.1
+
+    object_position = vertex_position + vertex_normal * (by * (1 + vertex_position.y))
+    object_normal   = normalize(vertex_normal + vec3(0, by, 0) * vertex_position)
+    is_hidden       = vertex_normal.y > 0.9
+    base_color      = rgb(vertex_position * 0.5 + 0.5)
+}
+"""
+"""A material that moves and turns the vertices of its object, and has holes."""
 
 
 def passes_of(files: Mapping[str, str]) -> dict[str, tuple[str, ...]]:

@@ -14,7 +14,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.targets.toolchain.installer_commands import InstallError, run_command
 from burnish.targets.toolchain.tools import cache_folder, tool_named
 
-from .bevy import OWN, composed
+from .bevy import OWN, SWOLLEN, composed
 from .files import files_of, materials
 
 MANIFEST = """\
@@ -43,6 +43,7 @@ def main(names: Sequence[str]) -> int:
         except CompileError as error:
             print(f"{label}: not written: {error}".splitlines()[0])
     found["own"] = files_of("bevy", OWN, "Own")
+    found["swollen"] = files_of("bevy", SWOLLEN, "Swollen")
     folder = cache_folder() / "bevy-suite"
     folder.mkdir(exist_ok=True)
     said = composed(found, folder)

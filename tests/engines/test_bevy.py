@@ -13,7 +13,7 @@ import pytest
 from burnish.compiler.diagnostics.diagnostic import CompileError
 
 from ..golden import assert_golden
-from .bevy import OWN, composed
+from .bevy import OWN, SWOLLEN, composed
 from .files import EXAMPLES, files_of
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -40,6 +40,7 @@ def test_the_composer_takes_the_shaders_in_all_passes(tmp_path: Path) -> None:
         for name, material in COMPOSED.items()
     }
     materials["own"] = files_of("bevy", OWN, "Own")
+    materials["swollen"] = files_of("bevy", SWOLLEN, "Swollen")
     wrong = dict(materials["plastic"])
     wrong["Plastic.wgsl"] = wrong["Plastic.wgsl"].replace("return base *", "return bass *")
     said = composed({**materials, "wrong": wrong}, tmp_path)
@@ -84,3 +85,15 @@ def test_a_material_that_is_called_like_something_of_bevy_is_told() -> None:
     assert str(told.value) == (
         "Bevy cannot draw `Mesh`: modules use something of Bevy or Rust that is called so"
     )
+
+
+def test_a_vertex_is_moved_by_what_the_mesh_has() -> None:
+    shader = files_of("bevy", SWOLLEN, "Swollen")["Swollen.wgsl"]
+    moved = shader.partition("    var world_position")[2].partition("    out.world_position")[0]
+    lines = map(str.strip, moved.splitlines())
+    assert [line for line in lines if line.startswith(("out.", "vertex."))] == [
+        "out.object_normal = given.normal;",
+        "out.object_position = given.position;",
+        "vertex.position = swollen_object_position(given.position, given.normal, parameters.by);",
+        "vertex.normal = swollen_object_normal(given.position, given.normal, parameters.by);",
+    ]

@@ -13,7 +13,7 @@ use bevy::render::render_resource::*;
 use bevy::shader::ShaderRef;
 
 /// The shader, which is in a file beside this one.
-const SHADER: Handle<Shader> = uuid_handle!("18324b33-c51f-57a8-b387-aa1fbd24cae9");
+const SHADER: Handle<Shader> = uuid_handle!("33e5c24e-9f79-5ded-9c63-99dd6b8c131c");
 
 /// Bevy's standard material, whose surface is what `Water` says.
 pub type WaterMaterial = ExtendedMaterial<StandardMaterial, Water>;
