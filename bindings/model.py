@@ -33,6 +33,6 @@ class Binding:
 
 
 __all__ = [
-    "Binding", "Block", "Bound", "Buffer", "Derivation", "Frame", "Helper", "Material", "Profile", "Source",
-    "Text",
+    "Binding", "Block", "Bound", "Buffer", "Derivation", "Frame", "Helper", "Material", "Profile",
+    "Source", "Text",
 ]  # fmt: skip
