@@ -219,8 +219,8 @@ def _numbers(value: Any) -> Iterator[str]:
 def _input() -> str:
     given = (sample for sample in samples() if sample.block.derivation is None)
     values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
-    given = (*(tuple(each.values()) for each in values), *drawn_values())
-    return "\n".join(number for each in given for number in _numbers(each))
+    rows = (*(tuple(each.values()) for each in values), *drawn_values())
+    return "\n".join(number for each in rows for number in _numbers(each))
 
 
 @pytest.fixture(scope="module")
