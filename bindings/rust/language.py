@@ -19,7 +19,7 @@ _KEYWORDS = """
     while yield _
 """
 _OF_SKELETON = """
-    Attachment Binding Block Blocks Box Buffer Bytes Default Err Frame FrameBuffer FrameHost
+    Attachment Binding Block Blocks Box Buffer Bytes Default Err FrameBuffer FrameTable FrameHost
     FrameTexture Kept Kind Lanes MATERIALS Material NAMES NamedBinding None Ok Option Pass Place
     Profile PulledInput Resource Result Sampler Some Source StencilLoad Target Text Texture Use Vec
     VertexInput Written columns has_length_one of_shader

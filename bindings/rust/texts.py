@@ -67,6 +67,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "webgpu_targets": webgpu.targets,
         "webgpu_samplers": webgpu.samplers,
         "webgpu_state": webgpu.state,
+        "webgpu_formats": webgpu.formats,
     }
 
 

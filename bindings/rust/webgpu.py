@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from ...compiler.documents.writing import to_json
-from ..model import Bound, Material
+from ..model import Binding, Bound, Material
 from ..naming import pascal
 from ..printer import single
 from ..spelling import Spelling
@@ -74,6 +74,13 @@ def _format(name: str) -> str:
     """The name of a format: ``Rgba8UnormSrgb`` of ``rgba8unorm-srgb``."""
     head = name.rstrip("abcdefghijklmnopqrstuvwxyz-")
     return pascal([head, *name[len(head) :].split("-")])
+
+
+def formats(binding: Binding) -> Iterator[tuple[str, str]]:
+    """The formats of the textures of all frames, in WebGPU's words and in wgpu's."""
+    rows = (to_json(each.row) for frame in binding.frames for each in frame.textures)
+    for name in sorted({row["format"] for row in rows}):
+        yield name, _format(name)
 
 
 def _words(name: str) -> str:

@@ -23,8 +23,11 @@ from burnish.bindings.writing import deriving, spelling_of, written
 from ..comparers.kit import tool
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, operands
+from .frame_calls import drawings, wrong
 from .judging import assert_builtins, assert_bytes, assert_defaults
 from .kit import PLASTIC, defaults, everything, samples
+from .rust_frames import RECORDER, drawers
+from .rust_frames import values as drawn_values
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -204,8 +207,10 @@ def _program() -> str:
     builtins = f"fn all_builtins(numbers: &mut Numbers) {{\nuse builtins::Bytes;\n{turn}\n}}\n"
     turns += ["all_builtins(numbers);"] * ROUNDS
     begin = "let numbers = &mut Numbers(std::io::stdin().lines());"
+    turns.append("draw_all(numbers);")
+    frames = RECORDER + drawers(_spelling(), _reads)
     main = "\n".join(["fn main() {", "checked();", "small();", begin, *turns, "}", ""])
-    return _HEAD + _PLASTIC + _SMALL_CHECKED + "".join(readers) + builtins + main
+    return _HEAD + _PLASTIC + _SMALL_CHECKED + "".join(readers) + builtins + frames + main
 
 
 def _numbers(value: Any) -> Iterator[str]:
@@ -221,12 +226,13 @@ def _numbers(value: Any) -> Iterator[str]:
 def _input() -> str:
     given = (sample for sample in samples() if sample.block.derivation is None)
     values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
-    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
+    rows = (*(tuple(each.values()) for each in values), *drawn_values())
+    return "\n".join(number for each in rows for number in _numbers(each))
 
 
 @pytest.fixture(scope="module")
-def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
-    """The bytes of all blocks, as the program tells them."""
+def lines(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """What the program tells: the bytes of all blocks, then the calls of each drawing."""
     folder = tmp_path_factory.mktemp("rust")
     language = registry.load("rust")
     texts = {
@@ -244,8 +250,13 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     for name, text in texts.items():
         (folder / name).write_text(text, "utf-8")
     run([tool("rustc", "rustc"), *_STRICT, "main.rs"], cwd=folder, limit=600, check=True)
-    lines = run([str(folder / "main")], text=_input(), check=True).stdout.splitlines()
-    return [bytes.fromhex(line) for line in lines]
+    return run([str(folder / "main")], text=_input(), check=True).stdout.splitlines()
+
+
+@pytest.fixture(scope="module")
+def told(lines: list[str]) -> list[bytes]:
+    """The bytes of all blocks."""
+    return [bytes.fromhex(line) for line in lines[: -len(drawings())]]
 
 
 def test_values_have_the_bytes_of_the_runtime_and_so_have_derived_ones(told: list[bytes]) -> None:
@@ -258,3 +269,9 @@ def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
 
 def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
     assert_builtins(told)
+
+
+def test_frames_are_drawn_as_burnish_draws_them(lines: list[str]) -> None:
+    calls = map(json.loads, lines[-len(drawings()) :])
+    found = zip(drawings(), calls, strict=True)
+    assert not [text for each in found if (text := wrong(*each))]

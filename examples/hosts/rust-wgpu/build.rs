@@ -1,5 +1,6 @@
 fn main() {
-    burnish_build::Materials::new(["materials/plastic.burnish", "materials/banner.burnish"])
+    let names = ["plastic", "banner", "shadows"];
+    burnish_build::Materials::new(names.map(|name| format!("materials/{name}.burnish")))
         .targets(["wgsl"])
         .bindings("shaders.rs")
         .compile();

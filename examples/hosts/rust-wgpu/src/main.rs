@@ -10,17 +10,19 @@ use serde_json::Value;
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use wgpu::*;
 
-#[rustfmt::skip]
 mod shaders {
     include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 }
-use shaders::{for_wgpu, Block, Bytes};
+use shaders::{for_wgpu, Blocks, Bytes};
+
+mod shadows;
 
 const SCENE: &str = include_str!("../scene.json");
 const COLORS: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 const DEPTHS: TextureFormat = TextureFormat::Depth32Float;
 
 type Told<T> = Result<T, Box<dyn Error>>;
+type Textures = HashMap<&'static str, TextureView>;
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -32,62 +34,51 @@ fn main() {
 
 fn run(words: &[String]) -> Told<()> {
     let [name, output] = words else {
-        return Err("usage: cargo run -- plastic|banner OUTPUT.png".into());
+        return Err("usage: cargo run -- plastic|banner|shadows OUTPUT.png".into());
     };
-    let scene: Value = serde_json::from_str(SCENE)?;
     let draw = match name.as_str() {
         "plastic" => plastic,
         "banner" => banner,
-        _ => return Err(format!("there is no scene `{name}`: there are plastic, banner").into()),
+        "shadows" => shadows::draw,
+        _ => {
+            return Err(
+                format!("there is no scene `{name}`: there are plastic, banner, shadows").into(),
+            )
+        }
     };
+    let scene: Value = serde_json::from_str(SCENE)?;
     let host = Host::new(&scene)?;
-    draw(&host, &scene["scenes"][name])?;
-    host.write(output)
+    let picture = draw(&host, &scene["scenes"][name])?;
+    host.write(&picture, output)
 }
 
 // -- what is drawn ------------------------------------------------------------------------------
 
 /// A ball with lights of all kinds and a texture.
-fn plastic(host: &Host, scene: &Value) -> Told<()> {
-    let (lights, model) = (&scene["lights"], &scene["models"][0]);
+fn plastic(host: &Host, scene: &Value) -> Told<Texture> {
+    let lights = &scene["lights"];
     let lamp = |lamp: &Value| shaders::Point {
         place: lanes(&lamp["place"]),
         diffuse_color: lanes(&lamp["diffuse_color"]),
         ..shaders::Point::DEFAULT
     };
-    let mut rig = shaders::Rig {
-        sun_direction: lanes(&lights["sun"]["direction"]),
-        torch_place: lanes(&lights["torch"]["place"]),
-        torch_axis: lanes(&lights["torch"]["axis"]),
-        ..shaders::Rig::DEFAULT
-    };
+    let mut blocks = shaders::PlasticBlocks::DEFAULT;
+    let rig = &mut blocks.rig;
+    rig.sun_direction = lanes(&lights["sun"]["direction"]);
+    rig.torch_place = lanes(&lights["torch"]["place"]);
+    rig.torch_axis = lanes(&lights["torch"]["axis"]);
     rig.set_lamps(&list(&lights["lamps"], lamp))?;
     rig.check()?;
-    let material = shaders::PlasticMaterial::DEFAULT;
-    let draw = shaders::Draw {
-        object_to_world: matrix(&model["object_to_world"]),
-    };
-    let (of_rig, of_draw) = (shaders::derive_rig(&rig), shaders::derive_draw(&draw));
-    let blocks: [&dyn Block; 6] = [&host.view(), &rig, &of_rig, &material, &draw, &of_draw];
-    host.draw(&for_wgpu::PLASTIC, &blocks, scene)
+    host.draw(&shaders::PLASTIC, &mut blocks, scene)
 }
 
 /// A cloth that bones bend, with a normal map.
-fn banner(host: &Host, scene: &Value) -> Told<()> {
-    let direction = lanes(&scene["lights"]["sun"]["direction"]);
-    let rig = shaders::BannerRig {
-        sun_direction: direction,
-        ..shaders::BannerRig::DEFAULT
-    };
-    rig.check()?;
-    let material = shaders::BannerMaterial::DEFAULT;
-    let draw = shaders::BannerDraw {
-        object_to_world: matrix(&scene["models"][0]["object_to_world"]),
-        bones: std::array::from_fn(|bone| matrix(&host.scene["bones"][bone])),
-    };
-    let of_draw = shaders::derive_banner_draw(&draw);
-    let blocks: [&dyn Block; 5] = [&host.view(), &rig, &material, &draw, &of_draw];
-    host.draw(&for_wgpu::BANNER, &blocks, scene)
+fn banner(host: &Host, scene: &Value) -> Told<Texture> {
+    let mut blocks = shaders::BannerBlocks::DEFAULT;
+    blocks.rig.sun_direction = lanes(&scene["lights"]["sun"]["direction"]);
+    blocks.rig.check()?;
+    blocks.draw.bones = std::array::from_fn(|bone| columns(&host.scene["bones"][bone]));
+    host.draw(&shaders::BANNER, &mut blocks, scene)
 }
 
 // -- how it is drawn ----------------------------------------------------------------------------
@@ -96,8 +87,6 @@ struct Host<'a> {
     scene: &'a Value,
     device: Device,
     queue: Queue,
-    size: Extent3d,
-    picture: Texture,
 }
 
 impl<'a> Host<'a> {
@@ -105,69 +94,71 @@ impl<'a> Host<'a> {
         let instance = Instance::new(InstanceDescriptor::new_without_display_handle());
         let options = RequestAdapterOptions::default();
         let adapter = pollster::block_on(instance.request_adapter(&options))?;
-        let (device, queue) =
-            pollster::block_on(adapter.request_device(&DeviceDescriptor::default()))?;
-        let [width, height] = lanes(&scene["size"]).map(|side| side as u32);
-        let size = Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        };
-        let picture = device.create_texture(&target(size, COLORS, TextureUsages::COPY_SRC));
+        let asked = adapter.request_device(&DeviceDescriptor::default());
+        let (device, queue) = pollster::block_on(asked)?;
         Ok(Host {
             scene,
             device,
             queue,
-            size,
-            picture,
         })
     }
 
-    fn view(&self) -> shaders::View {
-        let camera = &self.scene["camera"];
-        let view_projection = matrix(&camera["view_projection"]);
-        shaders::View {
-            view_projection,
-            eye: lanes(&camera["eye"]),
-            ..shaders::View::DEFAULT
-        }
-    }
-
-    /// Draws the first model of a scene.
+    /// Draws the only model of a scene.
     fn draw(
         &self,
-        material: &for_wgpu::Descriptors,
-        blocks: &[&dyn Block],
+        material: &shaders::Material,
+        blocks: &mut dyn Blocks,
         scene: &Value,
-    ) -> Told<()> {
-        let (device, mesh) = (
-            &self.device,
-            &self.scene["meshes"][text(&scene["models"][0]["mesh"])],
-        );
-        let textures = self.textures(material, scene)?;
-        let indices = list(&mesh["indices"], whole);
-        let depths = device.create_texture(&target(self.size, DEPTHS, TextureUsages::empty()));
-        let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor::default());
-        let mut pass = begun(&mut encoder, &self.picture, &depths);
-        // -- glue
-        let layouts = material.bind_group_layouts(device);
-        let buffers = for_wgpu::uniform_buffers(device, blocks);
-        let groups = material.bind_groups(device, &layouts, &buffers, &textures)?;
-        pass.set_pipeline(&material.render_pipeline(device, &layouts, &[COLORS], Some(DEPTHS)));
-        for (number, group) in groups.iter().enumerate() {
-            pass.set_bind_group(number as u32, group, &[]);
-        }
-        for (slot, input) in material.material.vertex_inputs.iter().enumerate() {
-            pass.set_vertex_buffer(slot as u32, self.vertices(mesh, input).slice(..));
-        }
-        pass.set_index_buffer(
-            self.buffer(&indices.bytes(), BufferUsages::INDEX).slice(..),
-            IndexFormat::Uint32,
-        );
-        pass.draw_indexed(0..indices.len() as u32, 0, 0..1);
-        // -- end of glue
+    ) -> Told<Texture> {
+        let model = &scene["models"][0];
+        let picture = self.target(COLORS, TextureUsages::COPY_SRC);
+        let depths = self.target(DEPTHS, TextureUsages::empty());
+        let textures = self.textures(material, scene);
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        let mut pass = begun(&mut encoder, &picture, &depths);
+        self.place(blocks, model);
+        self.draw_model(&mut pass, material, blocks, &textures, model, &[COLORS])?;
         drop(pass);
         self.queue.submit([encoder.finish()]);
+        Ok(picture)
+    }
+
+    /// Sets what the camera and the place of a model give.
+    fn place(&self, blocks: &mut dyn Blocks, model: &Value) {
+        let camera = &self.scene["camera"];
+        blocks.set_role("world_to_clip", &list(&camera["view_projection"], number));
+        blocks.set_role("eye", &list(&camera["eye"], number));
+        blocks.set_role("object_to_world", &list(&model["object_to_world"], number));
+    }
+
+    /// Draws a model in a pass.
+    fn draw_model(
+        &self,
+        pass: &mut RenderPass,
+        material: &shaders::Material,
+        blocks: &dyn Blocks,
+        textures: &Textures,
+        model: &Value,
+        targets: &[TextureFormat],
+    ) -> Told<()> {
+        let (device, mesh) = (&self.device, &self.scene["meshes"][text(&model["mesh"])]);
+        // -- glue
+        let shader = for_wgpu::of(material);
+        let layouts = shader.bind_group_layouts(device);
+        let buffers = for_wgpu::uniform_buffers(device, blocks);
+        let groups = shader.bind_groups(device, &layouts, &buffers, textures)?;
+        pass.set_pipeline(&shader.render_pipeline(device, &layouts, targets, Some(DEPTHS)));
+        for (number, group) in (0..).zip(&groups) {
+            pass.set_bind_group(number, group, &[]);
+        }
+        for (slot, input) in (0..).zip(material.vertex_inputs) {
+            pass.set_vertex_buffer(slot, self.vertices(mesh, input).slice(..));
+        }
+        // -- end of glue
+        let indices = list(&mesh["indices"], whole);
+        let buffer = self.buffer(&indices.bytes(), BufferUsages::INDEX);
+        pass.set_index_buffer(buffer.slice(..), IndexFormat::Uint32);
+        pass.draw_indexed(0..indices.len() as u32, 0, 0..1);
         Ok(())
     }
 
@@ -190,44 +181,39 @@ impl<'a> Host<'a> {
     }
 
     /// The views of the scene's pictures, by the names of textures.
-    fn textures(
-        &self,
-        material: &for_wgpu::Descriptors,
-        scene: &Value,
-    ) -> Told<HashMap<&'static str, TextureView>> {
+    fn textures(&self, material: &shaders::Material, scene: &Value) -> Textures {
         let view = |each: &shaders::Texture| {
             let picture = &self.scene["pictures"][text(&scene["textures"][each.name])];
             let format = match each.intent {
                 "color" => TextureFormat::Rgba8UnormSrgb,
                 _ => TextureFormat::Rgba8Unorm,
             };
-            let [width, height] = [&picture["width"], &picture["height"]].map(whole);
-            let size = Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            };
-            let usage = TextureUsages::TEXTURE_BINDING;
-            let descriptor = TextureDescriptor {
-                usage,
-                ..target(size, format, usage)
-            };
-            let texels: Vec<u8> = list(&picture["rgba"], |byte| whole(byte) as u8);
+            let size = [&picture["width"], &picture["height"]].map(whole);
+            let descriptor = described(size, format, TextureUsages::TEXTURE_BINDING);
+            let texels = list(&picture["rgba"], |byte| whole(byte) as u8);
             let order = TextureDataOrder::default();
             let texture =
                 self.device
                     .create_texture_with_data(&self.queue, &descriptor, order, &texels);
-            (
-                each.name,
-                texture.create_view(&TextureViewDescriptor::default()),
-            )
+            (each.name, texture.create_view(&Default::default()))
         };
-        Ok(material.material.textures.iter().map(view).collect())
+        material.textures.iter().map(view).collect()
     }
 
-    /// Writes the picture to a file.
-    fn write(&self, output: &str) -> Told<()> {
-        let Extent3d { width, height, .. } = self.size;
+    /// A texture of the picture's size that a pass draws to.
+    fn target(&self, format: TextureFormat, others: TextureUsages) -> Texture {
+        let usage = TextureUsages::RENDER_ATTACHMENT | others;
+        self.device
+            .create_texture(&described(self.size(), format, usage))
+    }
+
+    fn size(&self) -> [u32; 2] {
+        lanes(&self.scene["size"]).map(|side| side as u32)
+    }
+
+    /// Writes a picture to a file. Its width is a multiple of 64, as copies to buffers want it.
+    fn write(&self, picture: &Texture, output: &str) -> Told<()> {
+        let (width, height) = (picture.width(), picture.height());
         let buffer = self.device.create_buffer(&BufferDescriptor {
             label: None,
             size: u64::from(4 * width * height),
@@ -239,17 +225,12 @@ impl<'a> Host<'a> {
             bytes_per_row: Some(4 * width),
             rows_per_image: None,
         };
-        let mut encoder = self
-            .device
-            .create_command_encoder(&CommandEncoderDescriptor::default());
-        encoder.copy_texture_to_buffer(
-            self.picture.as_image_copy(),
-            TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout,
-            },
-            self.size,
-        );
+        let target = TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout,
+        };
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        encoder.copy_texture_to_buffer(picture.as_image_copy(), target, picture.size());
         self.queue.submit([encoder.finish()]);
         buffer.map_async(MapMode::Read, .., |done| {
             done.expect("the picture can be read")
@@ -257,25 +238,34 @@ impl<'a> Host<'a> {
         self.device.poll(PollType::wait_indefinitely())?;
         let mut file = png::Encoder::new(File::create(output)?, width, height);
         file.set_color(png::ColorType::Rgba);
-        file.write_header()?
-            .write_image_data(&buffer.get_mapped_range(..)?)?;
+        let mut pixels = buffer.get_mapped_range(..)?.to_vec();
+        pixels
+            .iter_mut()
+            .skip(3)
+            .step_by(4)
+            .for_each(|alpha| *alpha = 255);
+        file.write_header()?.write_image_data(&pixels)?;
         Ok(())
     }
 }
 
-fn target(
-    size: Extent3d,
+fn described(
+    [width, height]: [u32; 2],
     format: TextureFormat,
     usage: TextureUsages,
 ) -> TextureDescriptor<'static> {
     TextureDescriptor {
         label: None,
-        size,
+        size: Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
         mip_level_count: 1,
         sample_count: 1,
         dimension: TextureDimension::D2,
         format,
-        usage: usage | TextureUsages::RENDER_ATTACHMENT,
+        usage,
         view_formats: &[],
     }
 }
@@ -286,8 +276,7 @@ fn begun<'a>(
     colors: &Texture,
     depths: &Texture,
 ) -> RenderPass<'a> {
-    let [colors, depths] =
-        [colors, depths].map(|each| each.create_view(&TextureViewDescriptor::default()));
+    let [colors, depths] = [colors, depths].map(|each| each.create_view(&Default::default()));
     encoder.begin_render_pass(&RenderPassDescriptor {
         color_attachments: &[Some(RenderPassColorAttachment {
             view: &colors,
@@ -338,6 +327,6 @@ fn lanes<const N: usize>(value: &Value) -> [f32; N] {
 }
 
 /// The columns of a matrix.
-fn matrix(value: &Value) -> [[f32; 4]; 4] {
+fn columns(value: &Value) -> [[f32; 4]; 4] {
     std::array::from_fn(|column| std::array::from_fn(|lane| number(&value[4 * column + lane])))
 }
