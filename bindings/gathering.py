@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection

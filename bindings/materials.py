@@ -119,19 +119,6 @@ class Buffer:
 
 
 @frozen(kw_only=True)
-class Buffer:
-    """What lies in a storage buffer, one element behind the other."""
-
-    name: str
-    type: Numbers | Structure
-    stride: int
-    """Bytes from one element to the next."""
-    count: str
-    """The parameter with the number of elements; empty where a kernel writes them."""
-    doc: str
-
-
-@frozen(kw_only=True)
 class Text:
     """One text of a profile."""
 

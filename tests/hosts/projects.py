@@ -13,6 +13,8 @@ HOSTS = COMMON.parent
 GLUE = re.compile(r"-- glue\b.*?\n(.*?)\n[^\n]*-- end of glue", re.DOTALL)
 MOST_GLUE = 15
 """The lines that may stand between a binding and the calls of an API."""
+ENGINE = re.compile(r"# -- an engine for frames -*\n(.*?)\n# -- ", re.DOTALL)
+"""What implements the functions that frames call, where a binding does not bring it."""
 
 
 def project(host: str, folder: Path) -> Path:
@@ -33,8 +35,10 @@ def glue(text: str, comments: Sequence[str]) -> list[int]:
 
     A second pair is what frames need besides.
     """
-    found = []
-    for part in GLUE.findall(text):
-        lines = (line.strip() for line in part.splitlines())
-        found.append(len([x for x in lines if x and not x.startswith(tuple(comments))]))
-    return found
+    return [count(part, comments) for part in GLUE.findall(text)]
+
+
+def count(part: str, comments: Sequence[str]) -> int:
+    """The number of lines that are no comments, and not empty."""
+    lines = (line.strip() for line in part.splitlines())
+    return len([line for line in lines if line and not line.startswith(tuple(comments))])

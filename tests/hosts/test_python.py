@@ -11,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from .expecting import SCENES, Picture, difference
-from .projects import GLUE, HOSTS, MOST_GLUE, commands, glue, project
+from .projects import ENGINE, GLUE, HOSTS, MOST_GLUE, commands, count, glue, project
 
 DOCS = HOSTS.parents[1] / "docs"
 PYTHON = ("wgpu-py", "moderngl")
+COMMENTS = ("#", '"""')
 TIME_LIMIT = 120
 
 
@@ -52,7 +53,7 @@ def test_a_host_draws_what_burnish_draws(
 def test_a_scene_that_there_is_not(built: Path) -> None:
     done = _run("python draw.py glass glass.png", built)
     assert done.returncode == 1
-    assert done.stderr.startswith("there is no scene `glass`: there are plastic, banner")
+    assert done.stderr.startswith("there is no scene `glass`: there are plastic, banner, shadows")
     assert not (built / "glass.png").exists()
 
 
@@ -65,12 +66,16 @@ def test_types_are_right(built: Path) -> None:
 
 @pytest.mark.parametrize("host", PYTHON)
 def test_little_stands_between_the_binding_and_the_api(host: str) -> None:
-    lines = glue((HOSTS / host / "draw.py").read_text(encoding="utf-8"), ("#", '"""'))
+    text = (HOSTS / host / "draw.py").read_text(encoding="utf-8")
+    lines = glue(text, COMMENTS)
     assert lines
     assert all(5 < count <= MOST_GLUE for count in lines)
     page = (DOCS / "adopt.md").read_text(encoding="utf-8")
-    for what, count in zip(("materials", "frames of passes"), lines, strict=False):
-        assert f"| glue beside the binding, {what}: {host} | {count} lines |" in page
+    for what, number in zip(("materials", "frames of passes"), lines, strict=False):
+        assert f"| glue beside the binding, {what}: {host} | {number} lines |" in page
+    for part in ENGINE.findall(text):
+        what = "an engine for frames of passes where the binding brings none"
+        assert f"| {what}: {host} | {count(part, COMMENTS)} lines |" in page
 
 
 def test_the_page_of_bindings_shows_what_is_drawn_here() -> None:
