@@ -29,7 +29,6 @@ class Spelling:
     def __init__(self, manner: Manner, namespace: str = "") -> None:
         """``namespace`` is what names of the whole text begin with, in languages that want it."""
         self._manner = manner
-        self._enumerations: dict[str, Scope] = {}
         self._globals = self._scope()
         self._members = self._scope()
         self._locals = self._scope(self._globals)
@@ -50,6 +49,10 @@ class Spelling:
         """The name of a block or a structure."""
         return self._global("type", name, self._manner.type_case)
 
+    def enumeration(self, name: str) -> str:
+        """The name of an enumeration."""
+        return self._global("enumeration", name, self._manner.type_case)
+
     def constant(self, name: str) -> str:
         """The name of a constant of the whole text."""
         return self._global("constant", name, self._manner.constant_case)
@@ -60,11 +63,6 @@ class Spelling:
 
     def _global(self, kind: str, name: str, case: Case) -> str:
         return self.prefix + self._globals.name(kind, name, case)
-
-    def member_of(self, enumeration: str, name: str) -> str:
-        """The name of a member of an enumeration, in which no other is called so."""
-        scope = self._enumerations.setdefault(enumeration, self._scope())
-        return scope.name("member", name, self._manner.value_case)
 
     def member(self, word: str) -> str:
         """The name of a field. Fields of all structures share names, which does no harm."""

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..compiler.documents.writing import to_json
-from .enumerations import Enumerations
 from .fields import Numbers, Pad, Structure
 from .folding import folded
 from .host_language import HostLanguage
@@ -93,14 +92,14 @@ def _headline(binding: Binding) -> str:
 def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
     """The names of a binding; those of the whole text are given before variables get theirs."""
     spelling = Spelling(language.manner, binding.namespace)
-    for enumeration in Enumerations(binding).all:
-        spelling.type(enumeration.name)
     for structure in binding.structures:
         spelling.type(structure.name)
     for block in binding.blocks:
         spelling.type(block.name)
         if block.derivation is not None:
             spelling.function(deriving(block))
+    for enumeration in binding.enumerations:
+        spelling.enumeration(enumeration.name)
     for helper in binding.helpers:
         spelling.function(helper.name)
     for material in binding.materials:

@@ -89,8 +89,9 @@ ENGINE = Option(
     ("--engine",),
     "Write what an engine takes, instead of texts: a module with a material for `three` "
     "(three.js), a shader for `godot`, a definition for `filament`, a shader with a module in Rust "
-    "for `bevy`, functions for nodes of `unity` and `unreal`. It implies `--emit functions`, except "
-    "`three-webgl`: that is a module with a material of whole shaders for three.js's WebGLRenderer.",
+    "for `bevy`, functions for nodes of `unity` and `unreal`. It implies `--emit functions`, "
+    "except `three-webgl`: that is a module with a material of whole shaders for three.js's "
+    "WebGLRenderer.",
     metavar="NAME",
     many=True,
 )

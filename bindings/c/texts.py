@@ -10,8 +10,7 @@ from ..c_family.lines import Lines, number, string
 from ..c_family.tables import Tables, chunks, enumerated, layouts, plain, rows
 from ..c_family.words import WORDS
 from ..describing import about_block, about_field, sources
-from ..enumerations import Enumeration, Enumerations
-from ..fields import Field, Numbers, Pad, Structure
+from ..fields import Enumeration, Field, Numbers, Pad, Structure
 from ..model import Binding
 from ..naming import words
 from ..spelling import Spelling
@@ -23,11 +22,10 @@ _LONGEST = 4000
 
 def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
-    enumerations = Enumerations(binding)
-    parts = _Parts(spelling, enumerations)
+    parts = _Parts(spelling)
     return {
         "enums": [_words(each.name, each.constants) for each in WORDS],
-        "choices": [parts.choices(each) for each in enumerations.all],
+        "choices": [parts.choices(each) for each in binding.enumerations],
         "plain": plain,
         "member": parts.member,
         "asserts": parts.asserts,
@@ -52,17 +50,17 @@ class _Parts(Lines):
 
     def lane_type(self, field: Field) -> str:
         """The type of a field's lanes, or of the structures that it has."""
-        if (enumeration := self._enumerations.of(field)) is not None:
-            return self._spelling.type(enumeration.name)
+        if field.enumeration is not None:
+            return self._spelling.enumeration(field.enumeration.name)
         if isinstance(field.type, Structure):
             return self._spelling.type(field.type.name)
         return _STORED[field.type.kind]
 
     def choices(self, enumeration: Enumeration) -> list[str]:
         """The lines that declare an enumeration of the language, whose size is fixed by this."""
-        name = self._spelling.type(enumeration.name)
+        name = self._spelling.enumeration(enumeration.name)
         members = [
-            f"{name}_{self._spelling.member_of(enumeration.name, each)}"
+            f"{name}_{self._spelling.choice(enumeration.name, each.name)}"
             for each in enumeration.members
         ]
         return [f"typedef int32_t {name};", *enumerated("enum", members, "};")]
@@ -109,9 +107,10 @@ class _Parts(Lines):
     def _value(self, field: Field, value: Any) -> str:
         """The value of a field that is no array, or of an element of one."""
         type_ = field.type
-        if (enumeration := self._enumerations.of(field)) is not None:
-            member = self._spelling.member_of(enumeration.name, enumeration.members[int(value)])
-            return f"{self._spelling.type(enumeration.name)}_{member}"
+        if (enumeration := field.enumeration) is not None:
+            chosen = enumeration.members[int(value)].name
+            member = self._spelling.choice(enumeration.name, chosen)
+            return f"{self._spelling.enumeration(enumeration.name)}_{member}"
         if isinstance(type_, Structure):
             given = dict(zip((each.word for each in type_.fields), value, strict=True))
             parts = (

@@ -8,7 +8,6 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from ..enumerations import Enumerations
 from ..fields import Field, Numbers, Structure
 from ..printer import single
 from ..spelling import Spelling
@@ -19,9 +18,8 @@ _WIDTH = 100
 class Lines:
     """Lines that need the names of the binding. A language has a subclass."""
 
-    def __init__(self, spelling: Spelling, enumerations: Enumerations) -> None:
+    def __init__(self, spelling: Spelling) -> None:
         self._spelling = spelling
-        self._enumerations = enumerations
 
     def lane(self, place: str, number: int) -> str:
         """A lane of a vector."""

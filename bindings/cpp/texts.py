@@ -10,8 +10,7 @@ from ..c_family.lines import Lines, is_scalar, number, real
 from ..c_family.tables import Tables, chunks, enumerated, identifier, layouts, plain, rows
 from ..c_family.words import WORDS, Words
 from ..describing import about_block, about_field, sources
-from ..enumerations import Enumeration, Enumerations
-from ..fields import Field, Numbers, Structure
+from ..fields import Enumeration, Field, Numbers, Structure
 from ..model import Binding, Material
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
@@ -26,12 +25,11 @@ _LONGEST = 8000
 
 def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
-    enumerations = Enumerations(binding)
-    parts = _Parts(spelling, enumerations)
+    parts = _Parts(spelling)
     return {
         "FUNCTIONS": FUNCTIONS,
         "enums": [_enum(each.name, "uint8_t", map(_word, each.constants)) for each in WORDS],
-        "choices": [parts.choices(each) for each in enumerations.all],
+        "choices": [parts.choices(each) for each in binding.enumerations],
         "plain": plain,
         "member": parts.member,
         "asserts": parts.asserts,
@@ -71,11 +69,9 @@ class _Parts(Lines):
 
     def declared(self, field: Field) -> str:
         """The type of a field, or of its elements."""
-        enumeration = self._enumerations.of(field)
-        return self.type(field.type) if enumeration is None else self._name(enumeration.name)
-
-    def _name(self, enumeration: str) -> str:
-        return self._spelling.type(enumeration)
+        if field.enumeration is not None:
+            return self._spelling.enumeration(field.enumeration.name)
+        return self.type(field.type)
 
     def roles(self, material: Material) -> list[tuple[str, str]]:
         """The fields that have a role, each as its role and its place among the blocks.
@@ -93,8 +89,9 @@ class _Parts(Lines):
 
     def choices(self, enumeration: Enumeration) -> list[str]:
         """The lines that declare an enumeration of the language."""
-        names = (self._spelling.member_of(enumeration.name, each) for each in enumeration.members)
-        return _enum(self._name(enumeration.name), "int32_t", names)
+        choice = partial(self._spelling.choice, enumeration.name)
+        names = (choice(each.name) for each in enumeration.members)
+        return _enum(self._spelling.enumeration(enumeration.name), "int32_t", names)
 
     def member(self, field: Field) -> Iterator[str]:
         """The lines of a member, with its comment."""
@@ -118,10 +115,9 @@ class _Parts(Lines):
     def _value(self, field: Field, value: Any) -> str:
         """The value of a field that is no array, or of an element of one."""
         type_ = field.type
-        if (enumeration := self._enumerations.of(field)) is not None:
-            member = enumeration.members[int(value)]
-            name = self._spelling.member_of(enumeration.name, member)
-            return f"{self._name(enumeration.name)}::{name}"
+        if (enumeration := field.enumeration) is not None:
+            name = self._spelling.choice(enumeration.name, enumeration.members[int(value)].name)
+            return f"{self._spelling.enumeration(enumeration.name)}::{name}"
         if isinstance(type_, Structure):
             return self._structure(type_, value)
         if type_.columns:

@@ -101,7 +101,7 @@ class _Parts:
     def element_type(self, field: Field) -> str:
         """The type of a field, or of an element of an array."""
         if field.enumeration is not None:
-            return self._spelling.type(field.enumeration.name)
+            return self._spelling.enumeration(field.enumeration.name)
         return self.type(field.type)
 
     def default(self, part: Field | Pad) -> str:
@@ -121,7 +121,7 @@ class _Parts:
             return self._value(field.type, value)
         name = field.enumeration.name
         member = field.enumeration.members[int(value or 0)].name
-        return f"{self._spelling.type(name)}::{self._spelling.choice(name, member)}"
+        return f"{self._spelling.enumeration(name)}::{self._spelling.choice(name, member)}"
 
     def _value(self, type_: Numbers | Structure, value: Any) -> str:
         if isinstance(type_, Structure):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..enumerations import Enumerations
 from ..fields import Field, Numbers, Structure
 from ..printer import single
 from ..spelling import Spelling
@@ -43,8 +42,8 @@ def roles(structure: Structure) -> Sequence[Field]:
 class Fields:
     """Lines and types of fields, which need the names of the binding."""
 
-    def __init__(self, spelling: Spelling, enumerations: Enumerations) -> None:
-        self._spelling, self._enumerations = spelling, enumerations
+    def __init__(self, spelling: Spelling) -> None:
+        self._spelling = spelling
 
     def values_type(self, structure: Structure) -> str:
         """The interface of the values of a structure."""
@@ -72,9 +71,8 @@ class Fields:
         return f"readonly {one}[]" if field.capacity else one
 
     def _scalar_type(self, field: Field, type_: Numbers) -> str:
-        enumeration = self._enumerations.of(field)
-        if enumeration is not None:
-            return self._spelling.type(enumeration.name)
+        if field.enumeration is not None:
+            return self._spelling.enumeration(field.enumeration.name)
         return "boolean" if type_.truth else "number"
 
     def view(self, field: Field) -> str:
@@ -101,8 +99,7 @@ class Fields:
             return f"this.#{self._spelling.member(field.word)}"
         assert isinstance(field.type, Numbers)
         kept = " !== 0" if field.type.truth else "!"
-        is_member = self._enumerations.of(field) is not None
-        kind = f" as {self.read_type(field)}" if is_member else ""
+        kind = "" if field.enumeration is None else f" as {self.read_type(field)}"
         return f"{_place(field, field.type)}{kept}{kind}"
 
     def storing(self, field: Field) -> list[str]:

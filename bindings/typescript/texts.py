@@ -12,7 +12,6 @@ from typing import Any
 from ...compiler.documents.drawing import TargetRow, TextureRow, VertexInputRow
 from ...compiler.documents.writing import to_json
 from ..describing import about_block, about_field, sources
-from ..enumerations import Enumerations
 from ..fields import Field, Structure
 from ..model import Binding, Block, Material
 from ..spelling import Spelling
@@ -29,15 +28,13 @@ _KEY = re.compile(r"[A-Za-z_$][\w$]*")
 
 def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
-    enumerations = Enumerations(binding)
-    fields = Fields(spelling, enumerations)
+    fields = Fields(spelling)
     return {
         "FUNCTIONS": FUNCTIONS,
         "has_webgpu": any(_has_webgpu(material) for material in binding.materials),
         "has_webgl_any": any(map(has_webgl, binding.materials)),
         "has_webgl": has_webgl,
         "render_state": state,
-        "enumerations": enumerations.all,
         "needs_complete": _has_parts(binding),
         "is_scalar": is_scalar,
         "is_optional": is_optional,

@@ -6,14 +6,14 @@ The material sets what the renderer knows by itself before each draw, and comput
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from ...bindings import registry
 from ...bindings.folding import folded
 from ...bindings.gathering import Compiled, gathered
-from ...bindings.model import Binding, Block
+from ...bindings.model import Block
 from ...bindings.typescript.functions import FUNCTIONS
 from ...bindings.writing import deriving, spelling_of
 from ...compiler.diagnostics import rules

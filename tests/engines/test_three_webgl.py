@@ -96,9 +96,7 @@ UNFIT = {
 @pytest.mark.parametrize("name", UNFIT)
 def test_what_three_cannot_draw_is_told_and_nothing_is_written(name: str, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    result = invoke(
-        "compile", EXAMPLES / f"{name}.burnish", "--engine", "three-webgl", "-o", out
-    )
+    result = invoke("compile", EXAMPLES / f"{name}.burnish", "--engine", "three-webgl", "-o", out)
     assert (result.exit_code, UNFIT[name] in result.stderr) == (1, True), result.stderr
     assert not out.exists()
 
@@ -123,7 +121,9 @@ def test_options_that_do_not_fit_are_told(given: tuple[str, ...], tmp_path: Path
 
 def test_a_name_of_three_is_never_another_value(tmp_path: Path) -> None:
     """A user's parameter may be called as three.js calls an attribute: that one keeps its name."""
-    source = "material Named {\n    param skinIndex : float = 0.5\n    color = vec3(skinIndex, uv)\n}"
+    source = (
+        "material Named {\n    param skinIndex : float = 0.5\n    color = vec3(skinIndex, uv)\n}"
+    )
     (material,) = webgl.shaders_for(webgl.ENGINE, source).materials
     text = material.text("glsl", "fragment")
     assert "uniform float skinIndex_;" in text
