@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...compiler.documents.functions import ArgumentRow
+
 SURFACE: Mapping[str, str] = {
     "uv": "uv()",
     "position": "positionWorld",
@@ -27,7 +29,13 @@ ROLES: Mapping[str, str] = {
     "object_to_world": "modelWorldMatrix",
     "world_to_clip": "cameraProjectionMatrix.mul(cameraViewMatrix)",
 }
-"""Parameters that the renderer sets, by their role in a scene."""
+"""Parameters of the library that the renderer sets, by their role in a scene."""
+
+
+def of_renderer(row: ArgumentRow) -> bool:
+    """True for a value that the renderer sets; a user's own may have a role, too, by its type."""
+    return row.source == "parameter" and row.library is not None and row.role in ROLES
+
 
 ATTRIBUTES: Mapping[str, str] = {
     "vertex_position": "position",

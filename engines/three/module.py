@@ -169,7 +169,7 @@ def _fits(document: Functions, report: Report) -> bool:
 def _lacking_argument(row: ArgumentRow) -> str:
     if row.source == "pipeline" and row.given not in inputs.PIPELINE:
         return f"no node has `{row.given}` as Burnish means it"
-    is_set = row.source == "parameter" and row.role not in inputs.ROLES
+    is_set = row.source == "parameter" and not inputs.of_renderer(row)
     if is_set and _uniform_type(row) not in inputs.VALUES:
         return f"no uniform is a {row.representation}, as `{row.given}` is"
     if row.source in ("attribute", "varying") and row.representation.startswith(("mat", "bool")):
@@ -279,7 +279,7 @@ class _Writer:
 
     def _uniforms(self) -> Iterator[Entry]:
         for row in self._document.arguments:
-            if row.source == "parameter" and row.role not in inputs.ROLES:
+            if row.source == "parameter" and not inputs.of_renderer(row):
                 type_ = _uniform_type(row)
                 code = inputs.VALUES[type_].format(", ".join(_numbers(row, type_)))
                 yield Entry(row.name, code, inputs.TYPES[type_], _comment(row.doc, row.range))
@@ -354,8 +354,8 @@ class _Writer:
             return _given_name(row)
         if row.source == "pipeline":
             return inputs.PIPELINE[row.given]
-        if row.role is not None and row.role in inputs.ROLES:
-            return inputs.ROLES[row.role]
+        if inputs.of_renderer(row):
+            return inputs.ROLES[row.role or ""]
         read = f"parameters.{row.name}"
         return f"{read}.node" if row.representation == "bool" else read
 

@@ -49,6 +49,18 @@ _TYPES = re.compile(": (number|boolean)(?=[,) ])")
 _CLASS = re.compile(r"\b[A-Z][A-Za-z0-9]+\b")
 
 
+def of_renderer(reflection: Reflection) -> Mapping[str, str]:
+    """The parameters that the renderer sets, with their roles: those that the library declares.
+
+    A user's own may have a role as well, by its type: it is the user's all the same.
+    """
+    return {
+        row.name: row.role
+        for row in reflection.parameters
+        if row.role in OF_RENDERER and row.library is not None
+    }
+
+
 @frozen
 class Texture:
     """A texture of the material."""
@@ -109,6 +121,7 @@ def _lacking_textures(reflection: Reflection) -> Iterator[str]:
 class _Writer:
     def __init__(self, reflection: Reflection, texts: Mapping[str, str]) -> None:
         self._reflection, self._texts = reflection, texts
+        self._of_renderer = of_renderer(reflection)
         (self._backend,) = reflection.backends.values()
         self._binding = gathered([Compiled(reflection=reflection, texts={})], [], (), "")
         (material,) = self._binding.materials
@@ -168,7 +181,7 @@ class _Writer:
     # --- uniforms --------------------------------------------------------------------------------
 
     def _is_settable(self, each: Uniform) -> bool:
-        return not each.field.computed and each.field.role not in OF_RENDERER
+        return not each.field.computed and each.field.name not in self._of_renderer
 
     def _counted(self, settable: Iterable[Uniform]) -> Iterator[tuple[str, str]]:
         """Arrays, each with the name of its counter, which is empty where all elements count."""
@@ -195,9 +208,11 @@ class _Writer:
 
     def _set_by_renderer(self, *, per_object: bool) -> Iterator[str]:
         for each in self._uniforms:
-            form, is_of_object = OF_RENDERER.get(each.field.role or "", ("", False))
-            if form and not each.field.computed and is_of_object == per_object:
-                yield form.format(each.name)
+            role = self._of_renderer.get(each.field.name)
+            if role is not None and not each.field.computed:
+                form, is_of_object = OF_RENDERER[role]
+                if is_of_object == per_object:
+                    yield form.format(each.name)
 
     def _calls(self, *, per_object: bool) -> Iterator[str]:
         for block in self._blocks:

@@ -23,7 +23,7 @@ from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.documents.functions import ArgumentRow, Functions
 from burnish.engines import known
-from burnish.engines.three.inputs import ATTRIBUTES, ROLES
+from burnish.engines.three.inputs import ATTRIBUTES, of_renderer
 from burnish.targets.toolchain.tools import tool_named
 
 from ..cli.kit import invoke
@@ -154,7 +154,7 @@ def given_for(case: Mapping[str, Any], golden: Path, document: Functions) -> dic
 
 
 def _is_set(row: ArgumentRow) -> bool:
-    return row.source == "parameter" and row.role not in ROLES
+    return row.source == "parameter" and not of_renderer(row)
 
 
 def _given(values: Mapping[str, Any], row: ArgumentRow) -> Any:

@@ -8,13 +8,15 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
+from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError
+from burnish.engines import known
 
 from ..cli.kit import invoke
 from ..golden import assert_golden
 from . import webgl
 from .files import EXAMPLES
-from .kit import page_of, site_in
+from .kit import module_of, page_of, site_in
 from .typed import complaints
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -127,5 +129,21 @@ def test_a_name_of_three_is_never_another_value(tmp_path: Path) -> None:
     (material,) = webgl.shaders_for(webgl.ENGINE, source).materials
     text = material.text("glsl", "fragment")
     assert "uniform float skinIndex_;" in text
-    with pytest.raises(CompileError, match="has no parameter|no parameter"):
+    with pytest.raises(CompileError, match="nothing"):
         webgl.shaders_for(webgl.ENGINE, source, values=(("nothing", "1"),))
+
+
+def test_a_transform_of_the_user_is_not_the_cameras(tmp_path: Path) -> None:
+    """Its type says what it may be, and still nobody but the user sets it."""
+    source = (
+        "material Seen {\n    param from_lamp : transform<world, clip>\n"
+        "    color = vec3((from_lamp * vec4(position, 1)).z)\n}\n"
+    )
+    (material,) = webgl.shaders_for(webgl.ENGINE, source).materials
+    text = (tmp_path / webgl.module_in(tmp_path, material)).read_text(encoding="utf-8")
+    assert "setWorldToClip(u.view_projection.value, camera);" in text
+    assert text.count("u.from_lamp") == 0
+    (compiled,) = functions_for(known.load("three"), source).materials
+    assert "from_lamp: uniform(new Matrix4()" in (
+        tmp_path / module_of(compiled, tmp_path)
+    ).read_text(encoding="utf-8")

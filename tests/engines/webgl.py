@@ -20,7 +20,7 @@ from burnish.api.compiling_engines import shader_files, shaders_for
 from burnish.bindings.gathering import Compiled, gathered
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.engines import known
-from burnish.engines.three_webgl.module import OF_RENDERER
+from burnish.engines.three_webgl.module import of_renderer
 from burnish.engines.three_webgl.uniforms import Uniform, uniforms_of
 from burnish.testing import assert_in_bounds
 
@@ -117,7 +117,8 @@ def given_for(material: CompiledMaterial, golden: Path, case: Mapping[str, Any])
         "eye": values.get(roles.get("eye", ""), [0, 0, 5]),
         "values": {
             each.name: values[each.field.name]
-            for each in uniforms(material) if each.field.name in values and _is_set(each)
+            for each in uniforms(material)
+            if each.field.name in values and _is_set(each, of_renderer(material.reflection))
         },
         "textures": {
             backend.textures[name].identifier: _texture(row, reflection, name)
@@ -134,9 +135,9 @@ def uniforms(material: CompiledMaterial) -> Iterator[Uniform]:
     yield from uniforms_of(binding.materials[0], backend)
 
 
-def _is_set(each: Uniform) -> bool:
-    is_of_renderer = each.field.role in OF_RENDERER and each.field.role != "pose"
-    return not each.field.computed and not is_of_renderer
+def _is_set(each: Uniform, renderers: Mapping[str, str]) -> bool:
+    """True if the page has to set it: bones, too, as no mesh there has a skeleton."""
+    return not each.field.computed and renderers.get(each.field.name, "pose") == "pose"
 
 
 def _lanes(format_: str) -> int:
