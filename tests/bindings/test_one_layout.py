@@ -43,7 +43,7 @@ def test_typescript() -> None:
 
 def test_rust() -> None:
     text = _squeezed(_text("rust"))
-    found = re.findall(r"_GROUPS:&\[&\[BindGroupLayoutEntry\]\]=&\[&\[(.*?)\][,\]]", text)
+    found = re.findall(r"groups:&\[&\[(.*?)\][,\]]", text)
     assert len(found) == len(everything().materials)
     stages = "ShaderStages::VERTEX.union(ShaderStages::FRAGMENT.union(ShaderStages::COMPUTE))"
     entry = f"entry(%d,{stages},uniform(0))"
