@@ -48,7 +48,7 @@ def buffer_row(buffer: FrameBuffer, literal: Literal) -> str:
     return ", ".join(map(literal, (buffer.name, buffer.stride, buffer.initial)))
 
 
-class Drawing:
+class PythonDrawing:
     """Prints the statements that draw a frame."""
 
     def __init__(self, spelling: Spelling, printer: Printer, literal: Literal) -> None:

@@ -15,7 +15,7 @@ from ..model import Binding, Block, Material
 from ..printer import single
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
-from .frames import Drawing, buffer_row, texture_row
+from .frames import PythonDrawing, buffer_row, texture_row
 from .functions import FUNCTIONS
 
 _KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
@@ -53,7 +53,7 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "frame_doc": lambda frame: _doc(frame.plan.doc),
         "texture_of_frame": texture_row,
         "buffer_of_frame": buffer_row,
-        "Drawing": Drawing,
+        "Drawing": PythonDrawing,
         "has_webgpu": any(each.name == "wgsl:webgpu" for each in profiles),
     }
 

@@ -167,3 +167,58 @@ def test_what_there_is_not_is_told(language: str, namespace: str, told: str) -> 
     with pytest.raises(ValueError) as error:
         burnish.bind(PLASTIC, language, "wgsl", namespace=namespace)
     assert str(error.value).startswith(told)
+
+
+def test_images_of_kernels_are_bound_as_storage_textures() -> None:
+    module = _module(EXAMPLES / "bilateral.burnish")
+    entries = [each for group in module.bind_group_layouts(module.BILATERAL) for each in group]
+    images = [each["storage_texture"] for each in entries if "storage_texture" in each]
+    (image,) = (each for each in module.BILATERAL.targets)
+    assert images == [{"access": "write-only", "format": image["format"]}]
+
+
+def test_a_block_shows_what_differs_from_its_defaults() -> None:
+    module = _module(PLASTIC)
+    assert repr(module.Rig()) == "Rig()"
+    rig = module.Rig(torch_place=(0.0, 1.5, 2.0), lamps=[module.Point(place=(0.1, 0.0, 0.0))])
+    assert repr(rig) == (
+        "Rig(lamps=[Point(place=(0.1, 0, 0)), Point(), …], lamps_count=1, torch_place=(0, 1.5, 2))"
+    )
+
+
+def test_all_blocks_of_a_material() -> None:
+    module = _module(PLASTIC)
+    rig = module.Rig(torch_place=(0.0, 1.5, 2.0))
+    blocks = module.PlasticBlocks(rig=rig)
+    blocks.set_roles({"eye": (1.0, 2.0, 3.0), "something else": 1})
+    assert blocks.view.eye == (1.0, 2.0, 3.0)
+    found = {type(each).__name__: each for each in blocks.all()}
+    assert found["Rig"] is rig
+    assert bytes(found["DerivedFromRig"]) == bytes(module.derive_rig(rig))
+    bound = {row.block for row in module.PLASTIC.profiles["wgsl:webgpu"].bound if row.block}
+    assert bound <= {type(each) for each in blocks.all()}
+
+
+def test_materials_share_blocks_that_are_not_those_of_the_first() -> None:
+    text = """
+        import std.lights.{Point, Directional}
+        import std.terms.{lambert, phong}
+        rig Lamps { lamps : Point[<= 2] }
+        material One : Surface { color = lambert(#808080) }
+        material Two : Surface {
+            param glow : rgb per draw = #101010
+            color = lambert(#808080) + glow
+        }
+        material Three : Surface {
+            param glow : rgb per draw = #101010
+            color = lambert(#404040) + 2 * glow
+        }
+    """
+    module = _module(text)
+    draws = [
+        {row.block for row in each.profiles["wgsl:webgpu"].bound if row.block}
+        for each in module.MATERIALS
+    ]
+    assert module.TwoDraw in draws[1] & draws[2]
+    assert module.Draw in draws[0]
+    assert not hasattr(module, "ThreeDraw")

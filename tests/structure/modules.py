@@ -42,8 +42,10 @@ def name(path: Path) -> str:
 
 @cache
 def modules() -> Graph:
-    """Every module of the tree, tests included."""
-    paths = {name(path): path for path in files(ROOT) if path.suffix == ".py"}
+    """Every module of the tree, tests included; the programs of examples are none."""
+    examples = ROOT / "examples"
+    found = (path for path in files(ROOT) if path.suffix == ".py")
+    paths = {name(path): path for path in found if examples not in path.parents}
     known = frozenset(paths)
     return {
         module: frozenset(imported(path, known)) & known - {module}
