@@ -29,7 +29,7 @@ from ..statements import Place
 from ..writing import blocks_of
 
 
-class Drawing:
+class CppFrames:
     """Prints the tables of frames, and the statements that draw them."""
 
     def __init__(self, spelling: Spelling, printer: Printer, tables: Tables) -> None:

@@ -14,7 +14,7 @@ from ..fields import Enumeration, Field, Numbers, Structure
 from ..model import Binding, Material
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
-from .frames import Drawing
+from .frames import CppFrames
 from .functions import FUNCTIONS
 
 _SCALARS = {"float": "float", "int": "std::int32_t", "uint": "std::uint32_t"}
@@ -38,7 +38,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "block_doc": partial(about_block, binding),
         "sources_text": sources,
         "tables": Tables(_enumerator, spelling.type, _raw, "{}"),
-        "Drawing": Drawing,
+        "CppFrames": CppFrames,
         "blocks_of": blocks_of,
         "drawing": drawing,
         "table_of": table_of,

@@ -13,12 +13,13 @@ def numbers() -> str:
     """The numbers, one a line; floats are hexadecimal, so that nothing is rounded."""
     given = (sample for sample in samples() if sample.block.derivation is None)
     values = [each.values for each in given] + [operands(seed) for seed in range(ROUNDS)]
-    return "\n".join(number for each in values for number in _numbers(tuple(each.values())))
+    return "\n".join(number for each in values for number in lanes(tuple(each.values())))
 
 
-def _numbers(value: Any) -> Iterator[str]:
+def lanes(value: Any) -> Iterator[str]:
+    """The numbers of a value in nested tuples."""
     if isinstance(value, tuple):
         for each in value:
-            yield from _numbers(each)
+            yield from lanes(each)
     else:
         yield value.hex() if isinstance(value, float) else str(int(value))

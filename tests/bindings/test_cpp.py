@@ -20,7 +20,9 @@ from burnish.bindings.model import Block
 from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
+from . import cpp_frames
 from .calls import ROUNDS, every_builtin
+from .frame_calls import drawings, wrong
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
 from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
@@ -111,12 +113,14 @@ def _program() -> str:
     turns += [f"tell({_spelling().type(block.name)}{{}});" for block, _ in defaults()]
     turn = "tell(burnish::builtins::derive_results(read_Operands()));"
     turns += [turn] * ROUNDS
-    return _HEAD + "".join(readers) + "int main() {\n" + "\n".join(turns) + "\n}\n"
+    turns += cpp_frames.turns(_spelling(), _reads)
+    parts = (_HEAD, *readers, cpp_frames.recorder(_spelling()), "int main() {\n")
+    return "".join(parts) + "\n".join(turns) + "\n}\n"
 
 
 @pytest.fixture(scope="module")
-def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
-    """The bytes of all blocks, as the program tells them."""
+def lines(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """What the program tells: the bytes of all blocks, then the calls of all frames."""
     folder = tmp_path_factory.mktemp("cpp")
     header = written(everything(), registry.load("cpp"))
     (folder / "examples.hpp").write_text(header, "utf-8")
@@ -124,8 +128,14 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     (folder / "builtins.hpp").write_text(builtins, "utf-8")
     (folder / "main.cpp").write_text(_program(), "utf-8")
     _run(["g++", *_FLAGS, "main.cpp", "-o", "main"], folder)
-    lines = _run([str(folder / "main")], folder, numbers()).splitlines()
-    return [bytes.fromhex(line) for line in lines]
+    given = "\n".join([numbers(), *cpp_frames.numbers()])
+    return _run([str(folder / "main")], folder, given).splitlines()
+
+
+@pytest.fixture(scope="module")
+def told(lines: list[str]) -> list[bytes]:
+    """The bytes of all blocks."""
+    return [bytes.fromhex(line) for line in lines[: lines.index(cpp_frames.MARK)]]
 
 
 def _run(command: list[str], folder: Path, text: str = "") -> str:
@@ -146,6 +156,12 @@ def test_blocks_begin_with_their_defaults(told: list[bytes]) -> None:
 
 def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
     assert_builtins(told)
+
+
+def test_frames_are_drawn_as_burnish_draws_them(lines: list[str]) -> None:
+    drawn = cpp_frames.calls(lines[lines.index(cpp_frames.MARK) :])
+    pairs = zip(drawings(), drawn, strict=True)
+    assert not [reason for each in pairs if (reason := wrong(*each))]
 
 
 _STALE = """\
