@@ -185,7 +185,7 @@ def _program() -> str:
     readers = [
         _reader(each, _spelling(), "examples")
         for each in everything().blocks
-        if each.derivation is None
+        if each.derivation is None and not each.about
     ]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("rust"))

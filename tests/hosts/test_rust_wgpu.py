@@ -17,15 +17,19 @@ from ..suite.processes import run
 from .expecting import SCENES, Picture, difference
 from .scene import COMMON
 
-pytestmark = pytest.mark.xdist_group("rust-wgpu")  # Its tests share what Cargo has built.
+LIMIT = 1200
+"""Seconds in which Cargo downloads wgpu and builds it."""
+
+pytestmark = [
+    pytest.mark.xdist_group("rust-wgpu"),  # Its tests share what Cargo has built.
+    pytest.mark.timeout(LIMIT),
+]
 
 HOST = COMMON.parent / "rust-wgpu"
 GLUE = re.compile(r"// -- glue\n(.*?)\n *// -- end of glue", re.DOTALL)
 COMMANDS = re.compile(r"```sh\n(.*?)```", re.DOTALL)
 MOST_GLUE = 15
 """The lines that may stand between the binding and the calls of wgpu."""
-LIMIT = 1200
-"""Seconds in which Cargo downloads wgpu and builds it."""
 
 
 @pytest.fixture(scope="module")

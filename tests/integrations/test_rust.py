@@ -95,6 +95,29 @@ def test_burnish_is_not_there(folder: Path) -> None:
     cargo(folder, "build", BURNISH=str(PROGRAMS / "burnish"), PATH=without_burnish()["PATH"])
 
 
+def test_the_program_has_the_binding(folder: Path) -> None:
+    """Without the features that add to it, there is no warning of them."""
+    replaced(folder / "build.rs", ".compile()", '.bindings("materials.rs").compile()')
+    main = folder / "src" / "main.rs"
+    main.write_text(BOUND, encoding="utf-8")
+    printed, said = cargo(folder, "run")
+    assert printed == texts(folder)
+    assert "warning" not in said
+
+
+BOUND = """\
+mod materials {
+    include!(concat!(env!("OUT_DIR"), "/materials.rs"));
+}
+
+fn main() {
+    for each in materials::PLASTIC.profiles[0].texts {
+        print!("{}", each.text);
+    }
+}
+"""
+
+
 def test_the_crate_itself(folder: Path) -> None:
     """Its own tests, of the files of dependencies that it reads, and of the example in its page."""
     printed, _ = cargo(folder / "burnish-build", "test")
