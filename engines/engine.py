@@ -37,6 +37,8 @@ class Engine:
     """
     taken: frozenset[str]
     """The values of ``slot_table.py`` that it takes; what a material gives beside is told."""
+    by_hand: bool = False
+    """True if a user puts the functions into a graph, so that files say nothing of others."""
     unproven: str = ""
     """The reason why nobody should rely on the files yet: "never compiled by …"."""
     dialect: Callable[[], Dialect] | None = None
