@@ -47,6 +47,8 @@ class Engine:
     """The values of ``slot_table.py`` that it takes; what a material gives beside is told."""
     write_shaders: Callable[[Reflection, Texts, Report], Mapping[str, str]] | None = None
     """Makes the files of the whole shaders of one material, for an engine that takes these."""
+    by_hand: bool = False
+    """True if a user puts the functions into a graph, so that files say nothing of others."""
     unproven: str = ""
     """The reason why nobody should rely on the files yet: "never compiled by …"."""
     dialect: Callable[[], Dialect] | None = None

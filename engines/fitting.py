@@ -13,7 +13,7 @@ from ..compiler.documents.functions import Functions
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import changed
 from .engine import Emissions, Engine
-from .slot_table import INPUTS, Input, found
+from .slot_table import INPUTS, LIT, Input, found, is_lit
 
 
 def files(
@@ -35,7 +35,16 @@ def files(
             )  # fmt: skip
     if any(each.severity == "error" for each in report.since(before)):
         return {}
-    return engine.write(document, emissions, report)
+    written = engine.write(document, emissions, report)
+    if written and not engine.by_hand and _is_white(document):
+        report.add(rules.WHITE_IN_ENGINE, None, engine=engine.title, name=document.material)
+    return written
+
+
+def _is_white(document: Functions) -> bool:
+    """True if an engine lights a surface that says no colour of it, but something else."""
+    given = found(document.functions)
+    return is_lit(given) and bool(LIT & given.keys()) and "base_color" not in given
 
 
 def taken(engine: Engine, document: Functions) -> Functions:

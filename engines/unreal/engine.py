@@ -13,5 +13,6 @@ ENGINE = Engine(
     targets=("hlsl",),
     write=writing("Unreal Engine", "ush", functions),
     taken=frozenset(row.name for row in INPUTS),
+    by_hand=True,
     unproven="never compiled by Unreal's own compiler",
 )

@@ -93,6 +93,28 @@ def test_all_is_computed_before_a_vertex_is_moved(compiled: str) -> None:
     assert "\n".join(map(str.strip, expected.strip().splitlines())) in "\n".join(lines)
 
 
+COATED = """\
+import std.models.{OpenPbr}
+material Paint : OpenPbr { base_color = #a01810   coat_weight = 0.5 }
+"""
+
+
+@pytest.mark.parametrize("compiled", [(BENT, "godot"), (BENT, "three")], indirect=True)
+def test_a_surface_without_a_colour_is_told(compiled: str) -> None:
+    assert "draws `Bent` white: no slot of it is known as its base colour" in compiled
+
+
+@pytest.mark.parametrize("compiled", [(BENT, "unity"), (COATED, "godot")], indirect=True)
+def test_others_have_a_colour_or_nothing_to_do_with_it(compiled: str) -> None:
+    assert "white" not in compiled.partition("warning")[2]
+
+
+@pytest.mark.parametrize("compiled", [(COATED, "godot")], indirect=True)
+def test_constants_of_the_library_are_the_engines(compiled: str) -> None:
+    """A surface with an alpha would be drawn as a transparent one, even if that is 1."""
+    assert "ALPHA" not in compiled and "CLEARCOAT = " in compiled
+
+
 def test_engines_take_values_of_the_table() -> None:
     names = {row.name for row in INPUTS}
     for name in known.names():

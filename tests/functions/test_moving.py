@@ -54,7 +54,9 @@ def test_engines_have_what_a_material_does_not_move(moved: str) -> None:
     document = made(text, slots=["shown"])
     arguments = {row.name: row for row in document.arguments}
     (shown,) = (row for row in document.functions if row.name == "shown")
-    sources = {word: _source(word, arguments.values()) for word in expected}
+    sources = {
+        word: _source(word, map(arguments.__getitem__, shown.arguments)) for word in expected
+    }
     assert sources == expected and len(shown.arguments) == 3
 
 

@@ -72,3 +72,9 @@ LEFT_TO_ENGINE = warning(
     "The engine lights the surface without it, so it looks different from the whole shader. A slot "
     "that is the library's own, as `clearcoat = 0`, is not told.",
 )
+WHITE_IN_ENGINE = warning(
+    "B0913",
+    "{engine} draws `{name}` white: no slot of it is known as its base colour",
+    "An engine finds the base colour in slots called `base_color`, `albedo`, `tint` and the like. "
+    "Of a slot with another name, `--slots base_color=stain` says so.",
+)

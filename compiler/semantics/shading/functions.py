@@ -15,7 +15,7 @@ from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
 from ...ir.functions import FunctionsAsked, FunctionsShader, Offer, SlotInfo, SurfaceInfo
 from ...ir.leaves import Buffer, Leaf, Parameter, Texture
-from ...ir.node import Node, reachable
+from ...ir.node import Node, bare, reachable
 from ...ir.operations import CROSS
 from ...ir.shader import Result, Shader, TextureInfo
 from ...ir.stages import (
@@ -58,6 +58,8 @@ class _Slot:
 
     Somebody asked for it by name, or it says where the surface is.
     """
+    is_changed: bool = False
+    """True if it is left out where it is the constant that it is as it was declared."""
 
 
 @frozen
@@ -152,7 +154,8 @@ def _offered(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
         found = record.definitions.get(offer.name)
         if found is not None and _is_taken(setting, asked, offer, found[0]):
             stage = VERTEX if offer.at_vertices else FRAGMENT
-            yield _Slot(offer.name, stage, _is_needed(record, offer.name, asked))
+            is_needed = _is_needed(record, offer.name, asked)
+            yield _Slot(offer.name, stage, is_needed, offer.changed)
 
 
 def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition) -> bool:
@@ -237,6 +240,8 @@ def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> 
             tree = tree if condition is None else condition
         if isinstance(tree, Failure):
             continue
+        if each.is_changed and _is_as_declared(setting, each.name, tree):
+            continue
         if not _is_returned(tree.type):
             if each.is_needed:
                 shown = ctx.meanings.of(tree) or tree.type
@@ -247,6 +252,16 @@ def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> 
             at_stage = ctx.crossings.checked_at_vertex(tree, span)
         if isinstance(at_stage, Node):
             yield _Value(each, at_stage, span)
+
+
+def _is_as_declared(setting: Setting, name: str, tree: Node) -> bool:
+    """True if a slot is a constant, and the one of its declaration: the engine has it itself."""
+    declared = setting.surface.record.declaration(name)
+    span, written = declared.member.name.span, bare(tree)
+    usual = slot(setting.ctx, setting.surface, name, span, declared.level)
+    if written.op != "constant" or not isinstance(usual, Node):
+        return False
+    return bare(usual).op == "constant" and bare(usual).data == written.data
 
 
 def _is_returned(type_: Type) -> bool:
