@@ -249,8 +249,8 @@ def _classes(
 CLASSES = frozenset((
     *state.SIDES.values(), *state.DEPTHS.values(), *state.FACTORS.values(),
     *state.OPERATIONS.values(), *SAMPLING, *TEXTURE_TYPES.values(), *TEXTURES.values(),
-    "DepthTexture", "CustomBlending", "NoBlending", "Color", "Vector2", "Vector3", "Vector4", "Matrix2", "Matrix3",
-    "Matrix4",
+    "DepthTexture", "CustomBlending", "NoBlending", "Color", "Vector2", "Vector3", "Vector4",
+    "Matrix2", "Matrix3", "Matrix4",
 ))  # fmt: skip
 """The names that modules import from three.js as they need them."""
 
