@@ -81,9 +81,7 @@ def test_types_are_those_of_three(tmp_path: Path) -> None:
     for name in ("plastic", "skinned", "texture_array", "cube_map", "splatting"):
         for material in shaders_for(webgl.ENGINE, EXAMPLES / f"{name}.burnish").materials:
             webgl.module_in(tmp_path, material)
-    webgl.module_in(
-        tmp_path, shaders_for(webgl.ENGINE, EXAMPLES / "plastic.burnish").materials[0]
-    )
+    webgl.module_in(tmp_path, shaders_for(webgl.ENGINE, EXAMPLES / "plastic.burnish").materials[0])
     (tmp_path / "program.ts").write_text(PROGRAM, encoding="utf-8")
     assert complaints(tmp_path) == []
 
@@ -132,6 +130,13 @@ def test_a_name_of_three_is_never_another_value() -> None:
     assert "uniform float skinIndex_;" in text
     with pytest.raises(CompileError, match="nothing"):
         shaders_for(webgl.ENGINE, source, values=(("nothing", "1"),))
+
+
+def test_a_stored_matrix_multiplies_a_whole_sum() -> None:
+    (material,) = shaders_for(webgl.ENGINE, EXAMPLES / "morphing.burnish").materials
+    assert "vec4(normal_matrix * (normal + 0.75 * (side - normal)), 0.0)" in material.text(
+        "glsl", "vertex"
+    )
 
 
 def test_a_transform_of_the_user_is_not_the_cameras(tmp_path: Path) -> None:
