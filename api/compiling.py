@@ -112,7 +112,7 @@ class _Computed:
 
 def _computed(asked: Asked, inputs: Inputs, report: Report) -> _Computed:
     """Run all phases, from reading to printing. Raises ``CompileError``."""
-    chosen: Sequence[tuple[Language, Profile]] = asked.languages or select_targets(
+    chosen = list(asked.languages) or select_targets(
         asked.targets, report, single_file=asked.emit.single_file
     )
     if asked.bindings is not None:

@@ -48,7 +48,7 @@ class UniformPrinter(TypeScriptPrinter):
             return f"{text}[{_scaled(index, room_of(field.type), lane)}]"
         return f"{text}{_accessed(field, part)}" if part else text
 
-    def part(self, place: str, part: tuple[int, ...]) -> str:
+    def part(self, place: str, _part: tuple[int, ...]) -> str:
         """A lane, which ``place`` has named already."""
         return place
 

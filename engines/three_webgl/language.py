@@ -42,7 +42,7 @@ def language() -> tuple[Language, Profile]:
         # three.js sets square matrices only. A stored matrix of two or three columns has more rows
         # than are read, so a square one has all of them.
         types=changed(glsl.types, rectangular_matrix="mat{columns}"),
-        forms=changed(glsl.forms, product_of_stored="vec4({matrix:factor} * {vector}, {zeros})"),
+        forms=changed(glsl.forms, product_of_stored="vec4({matrix:factor} * {vector:p}, {zeros})"),
         rectangular_matrices=False,
         skeleton=glsl.skeleton.with_name("loose.glsl.j2"),
         loose_uniforms=True,

@@ -54,11 +54,8 @@ def of_renderer(reflection: Reflection) -> Mapping[str, str]:
 
     A user's own may have a role as well, by its type: it is the user's all the same.
     """
-    return {
-        row.name: row.role
-        for row in reflection.parameters
-        if row.role in OF_RENDERER and row.library is not None
-    }
+    found = {row.name: row.role or "" for row in reflection.parameters if row.library is not None}
+    return {name: role for name, role in found.items() if role in OF_RENDERER}
 
 
 @frozen
@@ -140,10 +137,12 @@ class _Writer:
         each_draw = [*self._set_by_renderer(per_object=True), *self._calls(per_object=True)]
         used = [
             "Matrix4" if any("setBones" in line for line in each_draw) else "",
-            *(each.begins for each in (*self._uniforms, *textures)), *properties.values(),
+            *(each.begins for each in self._uniforms),
+            *(each.begins for each in textures), *properties.values(),
             *(each.sampled for each in textures),
         ]  # fmt: skip
         settable = [each for each in self._uniforms if self._is_settable(each)]
+        types = [*(each.type for each in settable), *(each.type for each in textures)]
         makers = _makers(textures)
         encodes = "encodes_color" in self._texts["fragment"]
         height = next(iter(self._backend.host_uniforms), "")
@@ -171,11 +170,7 @@ class _Writer:
             "encodes": encodes,
             "height": height,
             "classes": sorted(_classes(used, sizes, encodes, makers)),
-            "types": sorted(
-                {
-                    word for each in (*settable, *textures) for word in _CLASS.findall(each.type)
-                } & CLASSES
-            ),
+            "types": sorted({word for text in types for word in _CLASS.findall(text)} & CLASSES),
         }  # fmt: skip
 
     # --- uniforms --------------------------------------------------------------------------------
@@ -253,9 +248,9 @@ def _classes(
 
 CLASSES = frozenset((
     *state.SIDES.values(), *state.DEPTHS.values(), *state.FACTORS.values(),
-    *state.OPERATIONS.values(), *SAMPLING, *TEXTURE_TYPES.values(), *TEXTURES.values(), "DepthTexture",
-    "CustomBlending", "NoBlending", "Color", "Vector2", "Vector3", "Vector4", "Matrix2", "Matrix3",
-    "Matrix4",
+    *state.OPERATIONS.values(), *SAMPLING, *TEXTURE_TYPES.values(), *TEXTURES.values(),
+    "DepthTexture", "CustomBlending", "NoBlending", "Color", "Vector2", "Vector3", "Vector4",
+    "Matrix2", "Matrix3", "Matrix4",
 ))  # fmt: skip
 """The names that modules import from three.js as they need them."""
 

@@ -76,7 +76,7 @@ def state_of(reflection: Reflection) -> Mapping[str, str]:
     return found | ({"blending": "NoBlending"} if blend is None else _blending(blend))
 
 
-def _blending(blend: Blend) -> Mapping[str, str]:
+def _blending(blend: Blend) -> dict[str, str]:
     color, alpha = blend.color, blend.alpha
     return {
         "transparent": "true", "blending": "CustomBlending",

@@ -39,6 +39,7 @@ class Uniform:
                 return f"Array.from({{ length: {field.capacity} }}, () => ({element}))"
             listed = ", ".join(value(field, each) for each in field.default)
             return f"[{listed}]"
+        assert isinstance(field.type, Numbers)
         count = field.capacity * room_of(field.type)
         given = field.default
         numbers = "" if given is None else f"[{', '.join(map(number, _flat(given)))}]"

@@ -159,7 +159,7 @@ class Expressions:
         """A stored matrix times a vector of ``type_``, where it is written as a square one."""
         zeros = ", ".join([literal(0.0, "float", self._literals)] * (4 - width(type_)))
         form = self._forms.product_of_stored
-        return form.format(matrix=Field(*matrix), vector=vector[0], zeros=zeros), POSTFIX
+        return form.format(matrix=Field(*matrix), vector=Field(*vector), zeros=zeros), POSTFIX
 
     def _product_of_columns(self, made: Node, vector: Node) -> Printed:
         type_, columns = self._transposed(made.type), self._arguments(made.operands)

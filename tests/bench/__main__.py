@@ -21,6 +21,7 @@ from . import (
     reductions,
     stage_lengths,
     stages,
+    three,
     tiles,
     times,
     view,
@@ -47,6 +48,7 @@ PARTS: dict[str, Part] = {
     "frames": lambda _: frames.measure(),
     "view": lambda _: view.measure(),
     "stages": lambda _: stages.measure(),
+    "three": lambda _: three.measure(),
     "tiles": lambda _: tiles.measure(),
     "reductions": lambda _: reductions.measure(),
 }

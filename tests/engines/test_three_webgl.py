@@ -1,4 +1,4 @@
-"""Materials of whole shaders for three.js's WebGLRenderer: drawn by it, and judged by the bounds."""
+"""Materials of whole shaders for three.js's WebGLRenderer, which draws them inside the bounds."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from burnish.api.compiling_engines import functions_for
+from burnish.api.compiling_engines import functions_for, shaders_for
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.engines import known
 
@@ -55,7 +55,8 @@ PROGRAM = """\
 import { Color, Texture, Vector3 } from "three";
 import { PlasticMaterial } from "./Plastic.three-webgl.js";
 
-const material = new PlasticMaterial({ base: new Color("#2266aa"), lamps: [{ place: new Vector3() }] });
+const lamps = [{ place: new Vector3() }];
+const material = new PlasticMaterial({ base: new Color("#2266aa"), lamps });
 material.uniforms.power.value = 20;
 material.set({ albedo: new Texture() }).transparent = true;
 // @ts-expect-error A number is no vector.
@@ -78,11 +79,9 @@ def test_the_files_are_as_they_were(tmp_path: Path) -> None:
 def test_types_are_those_of_three(tmp_path: Path) -> None:
     """A strict tsc takes declarations with all kinds of uniforms, and a program by some of them."""
     for name in ("plastic", "skinned", "texture_array", "cube_map", "splatting"):
-        for material in webgl.shaders_for(webgl.ENGINE, EXAMPLES / f"{name}.burnish").materials:
+        for material in shaders_for(webgl.ENGINE, EXAMPLES / f"{name}.burnish").materials:
             webgl.module_in(tmp_path, material)
-    webgl.module_in(
-        tmp_path, webgl.shaders_for(webgl.ENGINE, EXAMPLES / "plastic.burnish").materials[0]
-    )
+    webgl.module_in(tmp_path, shaders_for(webgl.ENGINE, EXAMPLES / "plastic.burnish").materials[0])
     (tmp_path / "program.ts").write_text(PROGRAM, encoding="utf-8")
     assert complaints(tmp_path) == []
 
@@ -121,16 +120,23 @@ def test_options_that_do_not_fit_are_told(given: tuple[str, ...], tmp_path: Path
     assert not out.exists()
 
 
-def test_a_name_of_three_is_never_another_value(tmp_path: Path) -> None:
+def test_a_name_of_three_is_never_another_value() -> None:
     """A user's parameter may be called as three.js calls an attribute: that one keeps its name."""
     source = (
         "material Named {\n    param skinIndex : float = 0.5\n    color = vec3(skinIndex, uv)\n}"
     )
-    (material,) = webgl.shaders_for(webgl.ENGINE, source).materials
+    (material,) = shaders_for(webgl.ENGINE, source).materials
     text = material.text("glsl", "fragment")
     assert "uniform float skinIndex_;" in text
     with pytest.raises(CompileError, match="nothing"):
-        webgl.shaders_for(webgl.ENGINE, source, values=(("nothing", "1"),))
+        shaders_for(webgl.ENGINE, source, values=(("nothing", "1"),))
+
+
+def test_a_stored_matrix_multiplies_a_whole_sum() -> None:
+    (material,) = shaders_for(webgl.ENGINE, EXAMPLES / "morphing.burnish").materials
+    assert "vec4(normal_matrix * (normal + 0.75 * (side - normal)), 0.0)" in material.text(
+        "glsl", "vertex"
+    )
 
 
 def test_a_transform_of_the_user_is_not_the_cameras(tmp_path: Path) -> None:
@@ -139,7 +145,7 @@ def test_a_transform_of_the_user_is_not_the_cameras(tmp_path: Path) -> None:
         "material Seen {\n    param from_lamp : transform<world, clip>\n"
         "    color = vec3((from_lamp * vec4(position, 1)).z)\n}\n"
     )
-    (material,) = webgl.shaders_for(webgl.ENGINE, source).materials
+    (material,) = shaders_for(webgl.ENGINE, source).materials
     text = (tmp_path / webgl.module_in(tmp_path, material)).read_text(encoding="utf-8")
     assert "setWorldToClip(u.view_projection.value, camera);" in text
     assert text.count("u.from_lamp") == 0
