@@ -17,6 +17,7 @@ from typing import Any
 from .shapes import keys_of, left_out, spelling_of
 
 _PLAIN = frozenset((str, int, float, bool, type(None)))
+_INTEGERS = frozenset((int,))
 
 
 def to_json(value: object) -> Any:
@@ -25,6 +26,8 @@ def to_json(value: object) -> Any:
     if kind in _PLAIN:
         return value
     if isinstance(value, tuple | list):
+        if _PLAIN.issuperset(map(type, value)):
+            return list(value)
         return [to_json(each) for each in value]
     if isinstance(value, Mapping):
         return {key: to_json(each) for key, each in value.items()}
@@ -48,7 +51,10 @@ def _indented(value: Any, line: str) -> str:
     if isinstance(value, dict):
         members = [f"{encode_basestring(key)}: {_indented(v, inner)}" for key, v in value.items()]
         return f"{{{inner}{f',{inner}'.join(members)}{line}}}" if members else "{}"
-    elements = [_indented(each, inner) for each in value]
+    if _INTEGERS.issuperset(map(type, value)):  # The rows of source maps are many.
+        elements = list(map(repr, value))
+    else:
+        elements = [_indented(each, inner) for each in value]
     return f"[{inner}{f',{inner}'.join(elements)}{line}]" if elements else "[]"
 
 
@@ -60,8 +66,8 @@ _LEAVES: Mapping[type, Callable[[Any], str]] = {
     str: encode_basestring,
     int: repr,
     float: _float,
-    bool: json.dumps,
-    NoneType: json.dumps,
+    bool: {False: "false", True: "true"}.__getitem__,
+    NoneType: {None: "null"}.__getitem__,
 }
 """Writers of values without parts."""
 
