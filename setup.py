@@ -87,6 +87,8 @@ setup(
                 f"examples/**/*.{ending}"
                 for ending in ("burnish", "md", "mtlx", "said", "png", "hdr")
             ),
+            # Projects of `burnish new`, in whichever languages they are.
+            "examples/hosts/**/*.*",
             # What GitHub runs is in the repository alone.
             *(
                 f"integrations/**/*.{ending}"
