@@ -29,7 +29,7 @@ from ..statements import Place
 from ..writing import blocks_of
 
 
-class Drawing:
+class FrameDrawing:
     """Prints the tables of a frame, and the statements that draw it."""
 
     def __init__(self, spelling: Spelling, printer: Printer) -> None:

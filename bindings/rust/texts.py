@@ -16,7 +16,7 @@ from ..printer import single
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
 from . import webgpu
-from .frames import Drawing
+from .frames import FrameDrawing
 from .functions import FUNCTIONS
 
 _STORED = {"float": "f32", "int": "i32", "uint": "u32"}
@@ -57,7 +57,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "blocks_of": blocks_of,
         "table_of": table_of,
         "drawing": drawing,
-        "Drawing": Drawing,
+        "FrameDrawing": FrameDrawing,
         "given_blocks": _given_blocks,
         "roles": parts.roles,
         "has_webgpu": any(each.name == webgpu.PROFILE for each in profiles),
