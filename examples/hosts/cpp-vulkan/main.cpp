@@ -43,8 +43,8 @@ class Engine : public burnish::FrameHost {
 public:
     Engine(const json& document, const json& scene) : document_(document), scene_(scene) {}
 
-    /// Uploads the pictures that a material reads. Colours are encoded as sRGB, and decoded where they
-    /// are read.
+    /// Uploads the pictures that a material reads. Colours are encoded as sRGB, and decoded where
+    /// they are read.
     void load_pictures(const burnish::Material& material) {
         for (const burnish::Texture& each : material.textures) {
             const json& picture =
