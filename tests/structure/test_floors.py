@@ -123,7 +123,7 @@ FLOORS: dict[str, str] = {
     # What hosts set, compute and bind, in their own languages.
     "bindings": "frozen ir packing documents reference tracing javascript",
     # Engines.
-    "engines.slot_table": "frozen ir documents",
+    "engines.slot_table": "frozen ir documents reflection",
     "engines.values": "frozen",
     "engines.surface": "frozen diagnostics documents emit slot_table",
     "engines.writer": "documents reflection emit surface values",
@@ -133,10 +133,11 @@ FLOORS: dict[str, str] = {
     "engines.filament": (
         "frozen ir documents description registry emit engine surface values writer"
     ),
-    "engines.unity": "emit engine surface texts",
-    "engines.unreal": "emit engine surface texts",
+    "engines.unity": "emit engine surface texts slot_table",
+    "engines.unreal": "emit engine surface texts slot_table",
     "engines.known": "engine",
-    "engines.three": "frozen diagnostics documents emit engine",
+    "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
+    "engines.three": "frozen diagnostics documents emit engine slot_table",
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -158,8 +159,7 @@ FLOORS: dict[str, str] = {
         "selection compiling specialising compiled_functions"
     ),
     "api.compiling_engines": (
-        "frozen diagnostics documents reflection engine slot_table compiled_functions "
-        "compiling_functions"
+        "frozen diagnostics documents ir engine slot_table compiled_functions compiling_functions"
     ),
     "api.sameness": ("frozen garbage diagnostics ir passes frontend equivalence compiling"),
     "api.entry_points": (
@@ -184,7 +184,7 @@ FLOORS: dict[str, str] = {
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
         "entry_points binding frame_sameness materialx bindings compiled_functions "
-        "compiling_engines engine known"
+        "compiling_engines engine known fitting"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
