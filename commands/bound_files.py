@@ -125,7 +125,8 @@ def binding_of(made: Bound, namespace: str, *, embed: bool) -> Binding:
     from .written_files import written_of
 
     written_of(made.files, made.found)
-    compiled, plans = [], []
+    compiled: list[gathering.Compiled] = []
+    plans = []
     for each in made.found:
         texts = each.texts if embed else {}
         numbers = {}

@@ -123,7 +123,7 @@ FLOORS: dict[str, str] = {
     # What hosts set, compute and bind, in their own languages.
     "bindings": "frozen ir packing documents reference tracing javascript",
     # Engines.
-    "engines.slot_table": "frozen ir documents",
+    "engines.slot_table": "frozen ir documents reflection",
     "engines.values": "frozen",
     "engines.surface": "frozen diagnostics documents emit slot_table",
     "engines.writer": "documents reflection emit surface values",
@@ -133,6 +133,7 @@ FLOORS: dict[str, str] = {
     "engines.filament": (
         "frozen ir documents description registry emit engine surface values writer"
     ),
+<<<<<<< HEAD
     "engines.bevy": (
         "frozen ir diagnostics documents description registry emit engine surface values writer"
     ),
@@ -143,6 +144,13 @@ FLOORS: dict[str, str] = {
     "engines.three_webgl": (
         "frozen diagnostics documents ir tracing bindings description registry engine three"
     ),
+=======
+    "engines.unity": "emit engine surface texts slot_table",
+    "engines.unreal": "emit engine surface texts slot_table",
+    "engines.known": "engine",
+    "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
+    "engines.three": "frozen diagnostics documents emit engine slot_table",
+>>>>>>> eng
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -164,8 +172,7 @@ FLOORS: dict[str, str] = {
         "selection compiling specialising compiled_functions"
     ),
     "api.compiling_engines": (
-        "frozen diagnostics documents reflection engine slot_table compiled_functions "
-        "compiling_functions"
+        "frozen diagnostics documents ir engine slot_table compiled_functions compiling_functions"
     ),
     "api.validating": "diagnostics ir emit toolchain compiled",
     "api.modules": "frozen arguments diagnostics documents ir toolchain compiled validating",
@@ -191,8 +198,13 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
+<<<<<<< HEAD
         "entry_points binding modules validating frame_sameness materialx bindings "
         "compiled_functions compiling_engines engine known"
+=======
+        "entry_points binding frame_sameness materialx bindings compiled_functions "
+        "compiling_engines engine known fitting"
+>>>>>>> eng
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
