@@ -133,24 +133,17 @@ FLOORS: dict[str, str] = {
     "engines.filament": (
         "frozen ir documents description registry emit engine surface values writer"
     ),
-<<<<<<< HEAD
     "engines.bevy": (
         "frozen ir diagnostics documents description registry emit engine surface values writer"
     ),
-    "engines.unity": "emit engine surface texts",
-    "engines.unreal": "emit engine surface texts",
-    "engines.known": "engine",
-    "engines.three": "frozen diagnostics documents emit engine",
-    "engines.three_webgl": (
-        "frozen diagnostics documents ir tracing bindings description registry engine three"
-    ),
-=======
     "engines.unity": "emit engine surface texts slot_table",
     "engines.unreal": "emit engine surface texts slot_table",
     "engines.known": "engine",
     "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
     "engines.three": "frozen diagnostics documents emit engine slot_table",
->>>>>>> eng
+    "engines.three_webgl": (
+        "frozen diagnostics documents ir tracing bindings description registry engine three"
+    ),
     # The door.
     "api.graphs": "frozen locks diagnostics ir passes source_map emit legalise selection",
     "api.compiled": (
@@ -172,7 +165,8 @@ FLOORS: dict[str, str] = {
         "selection compiling specialising compiled_functions"
     ),
     "api.compiling_engines": (
-        "frozen diagnostics documents ir engine slot_table compiled_functions compiling_functions"
+        "frozen diagnostics documents ir passes emit engine slot_table compiled compiling "
+        "compiled_functions compiling_functions"
     ),
     "api.validating": "diagnostics ir emit toolchain compiled",
     "api.modules": "frozen arguments diagnostics documents ir toolchain compiled validating",
@@ -198,13 +192,8 @@ FLOORS: dict[str, str] = {
         "installing frozen garbage stack cache watching inputs diagnostics syntax ir documents "
         "passes equations frontend formula budget closing description emit registry availability "
         "selection runner web_host web_view conformance toolchain serving compiled sameness "
-<<<<<<< HEAD
         "entry_points binding modules validating frame_sameness materialx bindings "
-        "compiled_functions compiling_engines engine known"
-=======
-        "entry_points binding frame_sameness materialx bindings compiled_functions "
-        "compiling_engines engine known fitting"
->>>>>>> eng
+        "compiled_functions compiling_engines engine known fitting"
     ),
     "generate": "initialisers precomputed library syntax reflection emit registry web_host serving",
     "testing": "conformance",
