@@ -23,7 +23,7 @@ from burnish.bindings.writing import deriving, spelling_of, written
 
 from .calls import ROUNDS, every_builtin, operands
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, reflections, samples
+from .kit import PLASTIC, defaults, everything, reflections, samples, set_by_hosts
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -91,9 +91,7 @@ def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [
-        _reader(each, _spelling()) for each in everything().blocks if each.derivation is None
-    ]
+    readers = [_reader(each, _spelling()) for each in set_by_hosts()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("cpp"))
     readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))

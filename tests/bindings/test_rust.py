@@ -24,7 +24,7 @@ from ..comparers.kit import tool
 from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, operands
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, samples
+from .kit import PLASTIC, defaults, everything, samples, set_by_hosts
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -133,11 +133,7 @@ def _reader(block: Block, spelling: Spelling, module: str) -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [
-        _reader(each, _spelling(), "examples")
-        for each in everything().blocks
-        if each.derivation is None
-    ]
+    readers = [_reader(each, _spelling(), "examples") for each in set_by_hosts()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("rust"))
     readers.append(_reader(binding.blocks[0], spelling, "builtins"))
