@@ -65,6 +65,11 @@ def _compiled() -> tuple[CompileResult, ...]:
     return tuple(burnish.compile(path, "wgsl", keep_graphs=False) for path in one)
 
 
+def set_by_hosts() -> list[Block]:
+    """The blocks of materials that hosts set; those of frames have no samples."""
+    return [each for each in everything().blocks if each.derivation is None and not each.about]
+
+
 def compiled_frames() -> tuple[tuple[Frame, CompiledFrame], ...]:
     """The frames of all examples."""
     compiled = [frame for result in _compiled() for frame in result.frames]

@@ -23,7 +23,7 @@ from ..suite.processes import run
 from .calls import ROUNDS, every_builtin
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, reflections, samples
+from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 

@@ -25,7 +25,7 @@ from .calls import ROUNDS, every_builtin
 from .frame_calls import drawings, wrong
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
+from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples, set_by_hosts
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -95,7 +95,7 @@ def _reader(block: Block, spelling: Spelling, namespace: str = "") -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [_reader(each, _spelling()) for each, _ in defaults()]
+    readers = [_reader(each, _spelling()) for each in set_by_hosts()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("cpp"))
     readers.append(_reader(binding.blocks[0], spelling, "burnish::builtins::"))

@@ -25,7 +25,7 @@ from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, operands
 from .frame_calls import drawings, wrong
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, samples
+from .kit import PLASTIC, defaults, everything, samples, set_by_hosts
 from .rust_frames import RECORDER, drawers
 from .rust_frames import values as drawn_values
 
@@ -182,11 +182,7 @@ def _reader(block: Block, spelling: Spelling, module: str) -> str:
 
 def _program() -> str:
     """The program that reads all samples in their order, and then tells the defaults."""
-    readers = [
-        _reader(each, _spelling(), "examples")
-        for each in everything().blocks
-        if each.derivation is None and not each.about
-    ]
+    readers = [_reader(each, _spelling(), "examples") for each in set_by_hosts()]
     binding, _ = every_builtin()
     spelling = spelling_of(binding, registry.load("rust"))
     readers.append(_reader(binding.blocks[0], spelling, "builtins"))
