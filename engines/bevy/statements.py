@@ -17,7 +17,7 @@ class Statements(Writer):
 
     def __init__(self, surface: Surface) -> None:
         if "clip_position" in surface.inputs:
-            raise UnfitError("clip_position", "Bevy places the vertices of what it draws itself")
+            raise UnfitError("clip_position", "its materials have nothing of that kind")
         super().__init__(surface, TABLES)
         if len(self.between) > LOCATIONS:
             names = ", ".join(self.between)

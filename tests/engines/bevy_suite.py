@@ -60,13 +60,12 @@ def checked(found: Files, folder: Path) -> str:
     """What cargo says of the modules; nothing if it takes them without a warning."""
     version = tool_named("bevy").folder.partition("-")[2]
     lines = [_written(label, files, folder / "src") for label, files in found.items()]
-    (folder / "src" / "lib.rs").write_text("".join(lines), "utf-8")
+    text = "#![deny(warnings)]\n" + "".join(lines)
+    (folder / "src" / "lib.rs").write_text(text, "utf-8")
     (folder / "Cargo.toml").write_text(MANIFEST.format(version=version), "utf-8")
     manifest = str(folder / "Cargo.toml")
     try:
-        run_command(
-            "cargo", "check", "--manifest-path", manifest, environment={"RUSTFLAGS": "-D warnings"}
-        )
+        run_command("cargo", "check", "--manifest-path", manifest)
     except InstallError as error:
         return str(error)
     return ""
