@@ -151,6 +151,7 @@ def _texture(row: Mapping[str, Any], reflection: Mapping[str, Any], name: str) -
     kind = "unorm8" if "8unorm" in format_ else "float16" if "16float" in format_ else "float32"
     return {
         "width": row["width"], "height": row["height"], "levels": row["levels"],
+        "isDepth": format_.startswith("depth"),
         "srgb": format_.endswith("-srgb"), "lanes": lanes, "kind": kind, "dimension": dimension,
         "parts": 6 if dimension == "cube" else row["depth"],
     }  # fmt: skip
