@@ -60,7 +60,7 @@ def new(name: str | None, host: str | None) -> None:
     wanted = chosen("host", host, hosts(), "")
     folder = _folder(name)
     give_out(
-        folder, _contents(wanted), "is there already, and nothing was written",
+        folder, contents(wanted), "is there already, and nothing was written",
         "choose another name",
     )  # fmt: skip
     say()
@@ -83,8 +83,8 @@ def _folder(name: str) -> Path:
     return Path(name)
 
 
-def _contents(host: str) -> Mapping[str, bytes]:
-    """The files of a project: what all hosts draw, and the host's own."""
+def contents(host: str) -> Mapping[str, bytes]:
+    """The files of a project by their paths: what all hosts draw, and the host's own."""
     return {
         path.relative_to(folder).as_posix(): path.read_bytes()
         for folder in (HOSTS / COMMON, HOSTS / host)

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
+
+from burnish.commands.new import contents
 
 from .scene import COMMON
 
 HOSTS = COMMON.parent
 GLUE = re.compile(r"-- glue\b.*?\n(.*?)\n[^\n]*-- end of glue", re.DOTALL)
-MOST_GLUE = 15
-"""The lines that may stand between a binding and the calls of an API."""
 ENGINE = re.compile(r"# -- an engine for frames -*\n(.*?)\n# -- ", re.DOTALL)
 """What implements the functions that frames call, where a binding does not bring it."""
 
 
 def project(host: str, folder: Path) -> Path:
-    """Copy what a host's project consists of into a folder."""
-    shutil.copytree(COMMON, folder)
-    shutil.copytree(HOSTS / host, folder, dirs_exist_ok=True)
+    """The project of a host in a new folder, as `burnish new` writes it."""
+    for path, content in contents(host).items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_bytes(content)
     return folder
 
 

@@ -14,7 +14,7 @@ from burnish.tests.integrations.kit import environment
 from burnish.tests.suite.processes import run
 
 from .expecting import SCENES, Picture, difference
-from .projects import HOSTS, MOST_GLUE, commands, glue, project
+from .projects import commands, project
 
 pytestmark = pytest.mark.xdist_group("cpp-vulkan")  # It is built once.
 
@@ -63,8 +63,3 @@ def test_a_stale_binding_is_told(built: Path) -> None:
     assert done.returncode == 1
     assert "the binding is stale: a block has another layout; run `burnish bind`" in done.stderr
     assert not (built / "stale.png").exists()
-
-
-def test_little_stands_between_the_binding_and_vulkan() -> None:
-    (count,) = glue((HOSTS / HOST / "main.cpp").read_text(encoding="utf-8"), ("//",))
-    assert 5 < count <= MOST_GLUE

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from .expecting import SCENES, Picture, difference
-from .projects import ENGINE, GLUE, HOSTS, MOST_GLUE, commands, count, glue, project
+from .projects import GLUE, HOSTS, commands, project
 
 DOCS = HOSTS.parents[1] / "docs"
 PYTHON = ("wgpu-py", "moderngl")
@@ -62,20 +62,6 @@ def test_types_are_right(built: Path) -> None:
         return  # wgpu brings no types.
     done = _run("python -m mypy --strict --no-incremental draw.py", built)
     assert done.returncode == 0, done.stdout
-
-
-@pytest.mark.parametrize("host", PYTHON)
-def test_little_stands_between_the_binding_and_the_api(host: str) -> None:
-    text = (HOSTS / host / "draw.py").read_text(encoding="utf-8")
-    lines = glue(text, COMMENTS)
-    assert lines
-    assert all(5 < count <= MOST_GLUE for count in lines)
-    page = (DOCS / "adopt.md").read_text(encoding="utf-8")
-    for what, number in zip(("materials", "frames of passes"), lines, strict=False):
-        assert f"| glue beside the binding, {what}: {host} | {number} lines |" in page
-    for part in ENGINE.findall(text):
-        what = "an engine for frames of passes where the binding brings none"
-        assert f"| {what}: {host} | {count(part, COMMENTS)} lines |" in page
 
 
 def test_the_page_of_bindings_shows_what_is_drawn_here() -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import shlex
-import shutil
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -15,7 +13,7 @@ from burnish.targets.toolchain.tools import cache_folder, tool_named
 from ..integrations.kit import environment, tool
 from ..suite.processes import run
 from .expecting import SCENES, Picture, difference
-from .scene import COMMON
+from .projects import commands, project
 
 LIMIT = 1200
 """Seconds in which Cargo downloads wgpu and builds it."""
@@ -25,20 +23,12 @@ pytestmark = [
     pytest.mark.timeout(LIMIT),
 ]
 
-HOST = COMMON.parent / "rust-wgpu"
-GLUE = re.compile(r"// -- glue\n(.*?)\n *// -- end of glue", re.DOTALL)
-COMMANDS = re.compile(r"```sh\n(.*?)```", re.DOTALL)
-MOST_GLUE = 15
-"""The lines that may stand between the binding and the calls of wgpu."""
-
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, after the commands of its page that build it."""
-    made = tmp_path_factory.mktemp("rust-wgpu") / "project"
-    shutil.copytree(COMMON, made)
-    shutil.copytree(HOST, made, dirs_exist_ok=True)
-    build, _ = COMMANDS.findall((made / "README.md").read_text(encoding="utf-8"))
+    made = project("rust-wgpu", tmp_path_factory.mktemp("rust-wgpu") / "project")
+    build, _ = commands(made)
     for line in build.splitlines():
         run(shlex.split(line), cwd=made, env=_environment(), limit=LIMIT, check=True)
     return made
@@ -58,7 +48,7 @@ def _environment() -> Mapping[str, str]:
 def _draw(folder: Path, scene: str, *, check: bool = True) -> str:
     """Run the command of the page that draws, for a scene; what it has said."""
     tool("cargo", "cargo")
-    _, draw = COMMANDS.findall((folder / "README.md").read_text(encoding="utf-8"))
+    _, draw = commands(folder)
     words = shlex.split(draw.replace("plastic", scene))
     done = run(words, cwd=folder, env=_environment(), limit=LIMIT)
     assert (done.returncode == 0) == check, done
@@ -79,8 +69,3 @@ def test_a_scene_that_there_is_not(folder: Path) -> None:
     assert "there is no scene `glass`: there are plastic, banner, shadows" in said
     assert "panicked" not in said
     assert not (folder / "glass.png").exists()
-
-
-def test_little_stands_between_the_binding_and_wgpu() -> None:
-    (glue,) = GLUE.findall((HOST / "src" / "main.rs").read_text(encoding="utf-8"))
-    assert 5 < len(glue.splitlines()) <= MOST_GLUE

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import shlex
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,25 +16,20 @@ from burnish.tests.cli.kit import invoke
 from burnish.tests.suite import browsers
 
 from .expecting import SCENES, Picture, difference
-from .scene import COMMON
+from .projects import commands
+from .projects import project as project_of
 
-HOST = COMMON.parent / "three"
 ADDRESS = "https://burnish.invalid"
-GLUE = 25
-"""The most lines of the glue, in which each value of three scenes is set."""
 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, built by the commands of its page."""
-    folder = tmp_path_factory.mktemp("three") / "project"
-    shutil.copytree(COMMON, folder)
-    shutil.copytree(HOST, folder, dirs_exist_ok=True)
+    folder = project_of("three", tmp_path_factory.mktemp("three") / "project")
     found = tool_named("three").find()
     assert found is not None
     (folder / "node_modules").symlink_to(found[0].parents[1])
-    page = (HOST / "README.md").read_text(encoding="utf-8")
-    (block,) = re.findall(r"```sh\n(.*?)```", page, re.DOTALL)
+    (block,) = commands(folder)
     for line in block.strip().splitlines():
         program, command, *arguments = shlex.split(line)
         assert program == "burnish"
@@ -92,9 +85,3 @@ def test_functions_are_lit_by_three(query: str, page: Page, tmp_path: Path) -> N
 def test_a_scene_that_there_is_not_is_told(page: Page, tmp_path: Path) -> None:
     told = shown(page, "index.html?draw=glass", tmp_path / "nothing.png")
     assert told == "there is no scene `glass`: there are plastic, banner, shadows"
-
-
-def test_the_glue_is_short() -> None:
-    text = (HOST / "draw.js").read_text(encoding="utf-8")
-    (glue,) = re.findall(r"// -- glue\n(.*?)// -- end of glue", text, re.DOTALL)
-    assert len(glue.splitlines()) <= GLUE

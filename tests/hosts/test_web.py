@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import re
 import shlex
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,13 +16,10 @@ from ..integrations.kit import environment
 from ..suite import browsers
 from ..suite.processes import run
 from .expecting import SCENES, Picture, difference
-from .scene import COMMON
+from .projects import project
 
-HOSTS = COMMON.parent
 PAGES = ("webgpu", "webgl2")
 ADDRESS = "https://burnish.invalid/"
-GLUE = re.compile(r"// -- glue\n(.*?)// -- end of glue", re.DOTALL)
-MOST_GLUE = 15
 
 pytestmark = pytest.mark.xdist_group("hosts in pages")  # One browser draws for all tests.
 
@@ -44,9 +39,7 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="module", params=PAGES)
 def built(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A project, after the commands of its ``package.json`` that bind, check and build."""
-    folder = tmp_path_factory.mktemp(request.param) / "project"
-    shutil.copytree(COMMON, folder)
-    shutil.copytree(HOSTS / request.param, folder, dirs_exist_ok=True)
+    folder = project(request.param, tmp_path_factory.mktemp(request.param) / "project")
     modules = folder / "node_modules"
     modules.mkdir()
     (modules / "vite").symlink_to(Path(_tool("vite", "package.json")).parent)
@@ -89,11 +82,3 @@ def test_a_page_draws_what_burnish_draws(
 def test_a_scene_that_there_is_not(built: Path, browser: Browser) -> None:
     told = _opened(browser, built, "glass").locator("[role=alert]").inner_text()
     assert told == "there is no scene `glass`: there are plastic, banner, shadows"
-
-
-@pytest.mark.parametrize("host", PAGES)
-def test_little_stands_between_the_binding_and_the_api(host: str) -> None:
-    (found,) = GLUE.findall((HOSTS / host / "main.ts").read_text(encoding="utf-8"))
-    lines = [line.strip() for line in found.splitlines()]
-    written = [line for line in lines if line and not line.startswith(("//", "/**"))]
-    assert 5 < len(written) <= MOST_GLUE
