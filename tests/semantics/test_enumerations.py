@@ -51,6 +51,14 @@ VALUES = {
         "number(choose(mode, add = mode, mix = Mode.add, first = Mode.mix))",
         1.0,
     ),
+    "a state of a loop": (
+        "number(iterate m from Mode.add for i in 0..3 : if i == 1 then mode else m)",
+        2.0,
+    ),
+    "a state in a structure": (
+        "number((iterate l from Layer(1, mode) for i in 0..3 : Layer(2 * l.tint, l.mode)).mode)",
+        2.0,
+    ),
     "vectors": ("choose(mode, add = uv.xyx, mix = vec3(1), first = 0.5)", 0.5),
 }
 
@@ -279,3 +287,19 @@ def test_wrong_parameters_are_told_with_the_way_out(text: str) -> None:
     with pytest.raises(CompileError) as raised:
         kit.shader(f"{HEAD}material M : Surface {{ param {text}  alpha = float(int(mode)) }}")
     assert raised.value.diagnostics[0].hint == PARAMETERS[text]
+
+
+STATES = {
+    "iterate m from mode for i in 0..2 : 1": "`m` is Mode at the start, and int after an iteration",
+    "iterate n from 1 for i in 0..2 : mode": "`n` is int at the start, and Mode after an iteration",
+    "iterate o from mode for i in 0..2 : Other.add": (
+        "`o` is Mode at the start, and Other after an iteration"
+    ),
+}
+
+
+@pytest.mark.parametrize("loop", STATES)
+def test_a_state_stays_a_member_of_its_enumeration(loop: str) -> None:
+    with pytest.raises(CompileError) as raised:
+        kit.shader(f"enum Other {{ add, mix }}\n{whole(f'float(int({loop}))')}")
+    assert [each.message for each in raised.value.diagnostics] == [STATES[loop]]

@@ -262,10 +262,19 @@ def _states(ctx: Context, e: ast.Iterate, initial: Node) -> _States | Failure:
     names = tuple(name for name, _ in build.named_parts(e.state.text, initial.type))
     formals = tuple(map(Formal, names))
     variables = tuple(
-        ctx.tree.node("formal", start.type, (), formal)
+        _as_member(ctx, ctx.tree.node("formal", start.type, (), formal), start)
         for start, formal in zip(starts, formals, strict=True)
     )
     return _States(initial, starts, formals, variables)
+
+
+def _as_member(ctx: Context, value: Node, start: Node) -> Node:
+    """A state's value: a member of an enumeration, if the state begins with one.
+
+    Other meanings are lost, since a step may change what a number means.
+    """
+    meaning = ctx.meanings.of(start)
+    return ctx.meanings.ascribed(value, meaning) if is_enum(meaning) else value
 
 
 def _iterated(
@@ -286,16 +295,21 @@ def _iterated(
     if not may_stand(ctx, turns, (going, *nexts), formals, e.span, waits=waits, states=True):
         return FAILURE
     rows = list(zip(states.formals, states.variables, states.starts, nexts, strict=True))
-    return build.assembled(ctx.tree, states.initial.type, iter(_looped(ctx, turns, rows, going)))
+    last = zip(_looped(ctx, turns, rows, going), states.starts, strict=True)
+    ends = (_as_member(ctx, value, start) for value, start in last)
+    return build.assembled(ctx.tree, states.initial.type, ends)
 
 
 def _following(ctx: Context, e: ast.Iterate, body: Node, initial: Node) -> Node | Failure:
     """The value of the state after an iteration, of the state's type."""
     fitted = coerce(ctx.tree, body, initial.type)
-    if fitted is None:
+    meanings = [ctx.meanings.of(each) for each in (initial, body)]
+    is_member = any(map(is_enum, meanings))
+    if fitted is None or (is_member and meanings[0] != meanings[1]):
+        before, after = (enumerations.shown_type(ctx, each) for each in (initial, body))
         ctx.report.add(
-            rules.STATE_CHANGES, e.body.span, name=e.state.text, before=initial.type,
-            after=body.type, labels=[Label(e.initial.span, f"this is `{initial.type}`")],
+            rules.STATE_CHANGES, e.body.span, name=e.state.text, before=before, after=after,
+            labels=[Label(e.initial.span, f"this is `{before}`")],
         )  # fmt: skip
         return FAILURE
     return fitted
