@@ -389,8 +389,10 @@ class _Writer:
         if moved is not None:  # A place in the world, as the material itself has it.
             position = moved
             placed = f"modelWorldMatrixInverse.mul(vec4(slots.{moved}, 1)).xyz"
-        if normal is not None:
-            lines = f"normalLocal.assign(slots.{normal}); return {placed};"
+        if normal is not None:  # The place may be computed from the normal that the mesh has.
+            lines = (
+                f"const place = {placed}.toVar(); normalLocal.assign(slots.{normal}); return place;"
+            )
             yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")
         elif position is not None:
             yield Entry("positionNode", placed)

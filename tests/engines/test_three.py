@@ -239,7 +239,7 @@ import std.terms.{lambert}
 material Waving {
     param high : float = 0.1
     tint = vec3(0.5)
-    object_position = vertex_position + vec3(0, high * sin(vertex_position.x), 0)
+    object_position = vertex_position + high * sin(vertex_position.x) * vertex_normal
     object_normal = normalize(vec3(-high * cos(vertex_position.x), 1, 0))
     color = lambert(tint)
 }
@@ -247,12 +247,14 @@ material Waving {
 
 
 def test_vertices_bring_their_normals(tmp_path: Path) -> None:
+    """The place is computed of the mesh's own normal, before the new one stands in its place."""
     source = tmp_path / "waving.burnish"
     source.write_text(MOVED, encoding="utf-8")
     result = invoke("compile", source, "--engine", "three", "-o", tmp_path)
     assert result.exit_code == 0, result.stderr
     text = (tmp_path / "Waving.three.js").read_text(encoding="utf-8")
-    assert "normalLocal.assign(slots.object_normal); return slots.object_position;" in text
+    place, normal = "const place = slots.object_position.toVar()", "slots.object_normal"
+    assert f"{place}; normalLocal.assign({normal}); return place;" in text
 
 
 def test_each_row_of_the_table_is_a_property_of_three(site: Path) -> None:
