@@ -37,6 +37,12 @@ def about_field(field: Field) -> str:
     return "; ".join(_parts(field))
 
 
+def range_text(bounds: tuple[float, float]) -> str:
+    """A range, in which large whole numbers are not rounded: ``0 to 0.5``, ``0 to 2147483647``."""
+    shown = (str(int(each)) if float(each).is_integer() else f"{each:g}" for each in bounds)
+    return " to ".join(shown)
+
+
 def _parts(field: Field) -> Iterator[str]:
     if field.doc:
         yield " ".join(field.doc.split()).rstrip(".")
@@ -45,8 +51,7 @@ def _parts(field: Field) -> Iterator[str]:
     if field.choices:
         yield ", ".join(f"{number} {name}" for number, name in enumerate(field.choices))
     elif field.range is not None:
-        low, high = (f"{bound:g}" for bound in field.range)
-        yield f"{low} to {high}"
+        yield range_text(field.range)
     if field.meaning in _UNITS:
         yield _UNITS[field.meaning]
     if field.is_unit:

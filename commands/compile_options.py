@@ -297,7 +297,7 @@ class CompileRequest:
     @property
     def _misfit(self) -> str | None:
         """What is wrong between options about whole shaders and those about functions."""
-        if len(self.engines) > 1:
+        if len(self.engines) > 1 or any("," in name for name in self.engines):
             return "--engine names one engine: run the command once for each"
         if self.prefix is not None and not _NAME.fullmatch(self.prefix):
             return f"--prefix is a name of letters, digits and single `_`, not '{self.prefix}'"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from .surface import Given, Surface
 
@@ -21,6 +22,15 @@ def guard(macro: str, blocks: Iterable[str]) -> str:
     return "\n\n".join(inner) + "\n"
 
 
+def usual(value: Any) -> str:
+    """A default in a comment: ``true``, ``0.46``, ``(1, 0.5, 0)``."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (list, tuple)):
+        return f"({', '.join(map(usual, value))})"
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
 def argument_lines(
     surface: Surface, given: Given, nodes: Mapping[tuple[str, str], str]
 ) -> Iterator[str]:
@@ -35,8 +45,8 @@ def argument_lines(
             if known is not None:
                 place = known
             elif row.source == "parameter":
-                usual = "" if row.default is None else f", usually {row.default}"
-                place = f"a property of the type {row.type}{usual}"
+                said = "" if row.default is None else f", usually {usual(row.default)}"
+                place = f"a property of the type {row.type}{said}"
             elif row.source == "varying":
                 place = f"what `{row.given}` is at the vertices, interpolated"
             else:

@@ -8,6 +8,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from ..describing import range_text
 from ..fields import Field, Numbers, Structure
 from ..printer import single
 from ..spelling import Spelling
@@ -66,8 +67,11 @@ class Lines:
         if not field.capacity:
             yield from self._faults_of_value(field, place, name)
             return
-        # Elements beyond the count are read by nobody.
-        last = f"{way}{self._spelling.member(field.counter)}" if field.counter else field.capacity
+        last = str(field.capacity)
+        if field.counter:  # Elements beyond the count are read by nobody.
+            last = f"{way}{self._spelling.member(field.counter)}"
+            told = f"`{name}` has room for {field.capacity} elements"
+            yield self.returned(f"({last} <= {field.capacity})", told)
         inner = list(self._faults_of_value(field, f"{place}[i]", f"{name}[…]"))
         if inner:
             yield f"for (int i = 0; i < {last}; ++i) {{"
@@ -84,7 +88,7 @@ class Lines:
             inside = f"({self.natural(place)} <= {last}u)"
             yield self.returned(inside, f"`{name}` is declared in 0 to {last}")
         elif field.range is not None and not type_.columns:
-            shown = " to ".join(f"{bound:g}" for bound in field.range)
+            shown = range_text(field.range)
             lanes = [self.lane(place, number) for number in range(type_.lanes)]
             for lane in lanes if len(lanes) > 1 else [place]:
                 inside = _inside(type_, lane, *field.range)

@@ -59,14 +59,14 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
 
 
 def _kind_name(kind: Numbers) -> str:
-    """The name of a type of numbers: ``f32``, ``vec3``, ``mat3``."""
+    """The name of a type of numbers: ``_f32``, ``_vec3``, ``_mat3``. No field is called so."""
     if kind.columns:
         is_square = kind.columns == kind.lanes
-        return f"mat{kind.columns}" if is_square else f"mat{kind.columns}x{kind.lanes}"
+        return f"_mat{kind.columns}" if is_square else f"_mat{kind.columns}x{kind.lanes}"
     if kind.lanes == 1:
-        return "flag" if kind.truth else _KINDS[kind.kind]
+        return "_flag" if kind.truth else f"_{_KINDS[kind.kind]}"
     padded = "_padded" if kind.stored_lanes != kind.lanes else ""
-    return f"{'b' if kind.truth else _PREFIXES[kind.kind]}vec{kind.lanes}{padded}"
+    return f"_{'b' if kind.truth else _PREFIXES[kind.kind]}vec{kind.lanes}{padded}"
 
 
 def _python_type(kind: Numbers) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...compiler.documents.writing import to_json
 from ...support.frozen import changed
-from ..describing import about_block, about_field, sources
+from ..describing import about_block, about_field, range_text, sources
 from ..fields import Field, Numbers, Pad, Structure
 from ..model import Binding, Block, Bound, Buffer, Material
 from ..printer import single
@@ -194,7 +194,7 @@ class _Parts:
                 (f"{place}.0", f"&{place}.0") if field.enumeration else (place, reference)
             )
             low, high = (_number(field.type, bound) for bound in field.range)
-            shown = " to ".join(f"{bound:g}" for bound in field.range)
+            shown = range_text(field.range)
             lanes = [f"&{place}[{lane}]" for lane in range(field.type.lanes)]
             for lane in lanes if len(lanes) > 1 else [reference]:
                 condition = f"!({low}..={high}).contains({lane})"

@@ -54,13 +54,12 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
     is writing into it.
     """
     records = Records(folder)
-    stale = [each for each in actions if each.request.uses_tools or not records.are_current(each)]
-    current = tuple(each.name for each in actions if each not in stale)
-    abandoned = records.abandoned(actions)
-    if not stale and not abandoned:
-        records.keep()
-        return Built({}, current, (), (), ())
+    if not _stale(records, actions) and not records.abandoned(actions):
+        return Built({}, tuple(each.name for each in actions), (), (), ())
     with held(Path(folder)):
+        records = Records(folder)  # Another build may have ended just before.
+        stale, abandoned = _stale(records, actions), records.abandoned(actions)
+        current = tuple(each.name for each in actions if each not in stale)
         try:
             found = _run(stale, jobs, told, records)
             removed = (*found.removed, *cleared(abandoned, folder))
@@ -68,6 +67,11 @@ def run(folder: str, actions: Sequence[Action], jobs: int, told: Told) -> Built:
             return changed(found, current=current, removed=removed)
         finally:
             records.keep()
+
+
+def _stale(records: Records, actions: Sequence[Action]) -> list[Action]:
+    """The actions that are out of date."""
+    return [each for each in actions if each.request.uses_tools or not records.are_current(each)]
 
 
 def run_part(actions: Sequence[Action], told: Told) -> Built:

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from ...compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ...targets.emit.wrapping import wrapped
 from ..surface import Surface, UnfitError
+from ..texts import usual
 from ..writer import Writer
-from .values import NORMAL, PREPARE, REQUIRED, TABLES, VARIABLES
+from .values import NORMAL, PREMULTIPLY, PREPARE, REQUIRED, TABLES, VARIABLES
 
 TYPES = {
     **{f"{of}vec{lanes}": f"{kind}{lanes}" for of, kind in
@@ -130,7 +131,7 @@ def _told(row: ArgumentRow) -> str:
     if row.choices is not None:
         told.append(", ".join(f"{place} is {each.name}" for place, each in enumerate(row.choices)))
     if row.default is not None:
-        told.append(f"usually {row.default}")
+        told.append(f"usually {usual(row.default)}")
     return f"        // {_meaning(row)}{'; '.join(told)}\n" if told else ""
 
 
@@ -167,7 +168,8 @@ def _functions(writer: Writer, stage: str) -> list[str]:
 def _statements(surface: Surface, writer: Writer) -> list[str]:
     """The statements of a pixel: the normal comes before the material is prepared."""
     first = 1 if NORMAL.input in surface.inputs and surface.is_lit else 0
-    return [*writer.pixels[:first], PREPARE, *writer.pixels[first:]]
+    last = (PREMULTIPLY,) if _blending(surface) == "fade" else ()
+    return [*writer.pixels[:first], PREPARE, *writer.pixels[first:], *last]
 
 
 def _function(head: str, statements: list[str]) -> str:

@@ -7,13 +7,15 @@ from ..values import Between, Output, Tables
 PREPARE = "prepareMaterial(material);"
 """The statement behind that of the normal, and before all others."""
 
+PREMULTIPLY = "material.baseColor.rgb *= material.baseColor.a;"
+"""The statement behind all others where a surface is blended: Filament blends such colours."""
+
 NORMAL = Output("normal", "vec3", "material.normal = normalize({value} * getWorldTangentFrame());")
 COORDINATES = {"vec2": "getUV0()"}
 
 FROM_OBJECT = "getWorldFromModelMatrix()"
 OBJECT_NORMAL = f"normalize(material.worldNormal * mat3({FROM_OBJECT}))"
 FRAME = "getWorldTangentFrame()"
-TANGENT_SIGN = f"sign(dot(cross({FRAME}[2], {FRAME}[0]), {FRAME}[1]))"
 
 TABLES = Tables(
     title="Filament",

@@ -10,7 +10,7 @@ SURFACE: Mapping[str, str] = {
     "uv": "uv()",
     "position": "positionWorld",
     "normal": "varying(modelNormalMatrix.mul(normalLocal))",
-    "tangent": 'varying(modelWorldMatrix.mul(vec4(attribute("tangent", "vec4").xyz, 0)).xyz)',
+    "tangent": "varying(modelWorldMatrix.mul(vec4(tangentLocal, 0)).xyz)",
 }
 """Values of the surface at each pixel, by the library's word.
 

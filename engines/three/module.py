@@ -50,7 +50,8 @@ WORDS = (
     "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
     "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
     "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler",
-    "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec4", "vertexIndex",
+    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec4",
+    "vertexIndex",
 )  # fmt: skip
 """The names that modules may import from `three/tsl`."""
 

@@ -45,6 +45,7 @@ PHYSICAL = (
     NodeRow("clearcoat_normal", "clearcoatNormalNode", WORLD_TO_VIEW),
     NodeRow("sheen_color", "sheenNode"),
     NodeRow("sheen_roughness", "sheenRoughnessNode"),
+    NodeRow("anisotropy_strength", "anisotropyNode", "vec2(1, 0).mul({0})"),
     NodeRow(
         "anisotropy_strength", "anisotropyNode", "{anisotropy_direction}.mul({0})",
         ("anisotropy_direction",),
@@ -71,7 +72,8 @@ SHARED = (NodeRow("is_hidden", "maskNode", "{0}.not()"),)
 VERTICES = ("object_position", "object_normal", "position")
 """The words of slots for vertices, which ``positionNode`` and ``normalLocal`` take."""
 
-TAKEN = frozenset({row.word for row in (*PHYSICAL, *UNLIT, *SHARED)} | set(VERTICES))
+_ROWS = (*PHYSICAL, *UNLIT, *SHARED)
+TAKEN = frozenset({word for row in _ROWS for word in (row.word, *row.needs)} | set(VERTICES))
 """The values of a surface that materials of three.js take."""
 
 

@@ -62,6 +62,9 @@ def _node(surface: Surface, given: Given) -> Iterator[str]:
 
 def _argument(surface: Surface, argument: EmittedArgument) -> str:
     if argument.kind == "value":
+        given = surface.arguments[argument.given]
+        if "[" in given.representation:
+            raise UnfitError(given.name, f"it is a {given.type}, and nodes of Unity take no arrays")
         return f"{argument.type} {argument.name}"
     row = surface.textures[argument.given]
     if row.dimension not in STRUCTURES or row.sample != "float":

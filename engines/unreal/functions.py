@@ -41,6 +41,10 @@ def _node(surface: Surface, given: Given) -> Iterator[str]:
     for row in (surface.textures[name] for name in given.row.textures):
         if row.dimension not in DIMENSIONS or row.sample != "float":
             raise UnfitError(row.name, f"it is a {row.type}, and no input of a node is one")
+    for argument in given.signature.arguments:
+        if argument.kind == "value" and "[" in surface.arguments[argument.given].representation:
+            told = surface.arguments[argument.given]
+            raise UnfitError(told.name, f"it is a {told.type}, and nodes of Unreal take no arrays")
     values = ", ".join(map(_value, given.signature.arguments))
     yield f"// {given.slot}, of the type {given.signature.returns}. The code of the Custom node:"
     yield f"//     return {given.signature.part.name}({values});"

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from burnish.commands.compile import compile_
 from burnish.commands.compile_options import (
-    EMIT,
     OPTIONS,
     CompileRequest,
     Option,
@@ -62,7 +61,7 @@ def test_they_mean_the_same(line: list[str]) -> None:
 def test_each_option_can_be_plain(row: Option) -> None:
     for name in filter(None, (*row.names, row.off)):
         value = row.choices[0] if row.choices else "name=value"
-        value = "spirv" if row is EMIT else value
+        value = {"emit": "spirv", "prefix": "name"}.get(row.field, value)
         needed = NEEDED.get(row.field, [])
         line = ["m.burnish", "-o", "out", *needed, name, *([value] if row.metavar else [])]
         found = plain_request(["compile", *line])

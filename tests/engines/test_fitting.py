@@ -46,9 +46,9 @@ def compiled(tmp_path: Path, request: pytest.FixtureRequest) -> str:
 
 @pytest.mark.parametrize("compiled", [(GLASS, "godot")], indirect=True)
 def test_what_an_engine_lacks_is_told(compiled: str) -> None:
-    expected = "Godot 4 takes no `transmission`: the slot `transmission` of `Glass` is left out"
+    expected = "Burnish writes no `transmission` for Godot 4: the slot `transmission` of `Glass` is left out"
     assert f"warning[B0912]: {expected}" in compiled
-    assert "takes no `ior`" in compiled and "takes no `dispersion`" not in compiled
+    assert "writes no `ior`" in compiled and "writes no `dispersion`" not in compiled
     assert "CLEARCOAT = " in compiled and "CLEARCOAT_ROUGHNESS" not in compiled
 
 

@@ -131,7 +131,7 @@ FLOORS: dict[str, str] = {
     "engines.engine": "frozen diagnostics documents description emit",
     "engines.godot": ("frozen ir documents description registry emit engine surface values writer"),
     "engines.filament": (
-        "frozen ir documents description registry emit engine surface values writer"
+        "frozen ir documents description registry emit engine surface texts values writer"
     ),
     "engines.bevy": (
         "frozen ir diagnostics documents description registry emit engine surface values writer"

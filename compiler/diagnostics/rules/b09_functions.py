@@ -68,7 +68,7 @@ NO_SUCH_VALUE = error(
 )
 LEFT_TO_ENGINE = warning(
     "B0912",
-    "{engine} takes no `{value}`: the slot `{slot}` of `{name}` is left out",
+    "Burnish writes no `{value}` for {engine}: the slot `{slot}` of `{name}` is left out",
     "The engine lights the surface without it, so it looks different from the whole shader. A slot "
     "that is the library's own, as `clearcoat = 0`, is not told.",
 )

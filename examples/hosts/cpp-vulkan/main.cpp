@@ -288,7 +288,7 @@ static void draw(Engine& engine, const std::string& name, int size, const json& 
                 lamps[i].place = vector(lights["lamps"][i], "place");
                 lamps[i].diffuse_color = vector(lights["lamps"][i], "diffuse_color");
             }
-            rig.set_lamps(lamps, 2);
+            if (!rig.set_lamps(lamps, 2)) throw std::runtime_error("there are too many lamps");
             rig.torch_place = vector(lights["torch"], "place");
             rig.torch_axis = vector(lights["torch"], "axis");
             insist_on_no_fault(fault(rig));
