@@ -62,6 +62,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "roles": parts.roles,
         "has_webgpu": any(each.name == webgpu.PROFILE for each in profiles),
         "webgpu_profile": webgpu.profile_of,
+        "webgpu_blocks": webgpu.sized_blocks(binding.materials),
         "webgpu_groups": partial(webgpu.groups, spelling),
         "webgpu_buffers": webgpu.vertex_buffers,
         "webgpu_targets": webgpu.targets,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from ...compiler.documents.writing import to_json
@@ -27,6 +27,17 @@ def profile_of(material: Material) -> int | None:
     """The number of the profile that wgpu draws with; ``None`` without texts in WGSL."""
     names = [each.name for each in material.profiles]
     return names.index(PROFILE) if PROFILE in names else None
+
+
+def sized_blocks(materials: Iterable[Material]) -> frozenset[str]:
+    """The names of the blocks whose sizes are in layouts; those of shared groups name none."""
+    return frozenset(
+        row.name
+        for material in materials
+        for profile in material.profiles
+        for row in profile.bound
+        if profile.name == PROFILE and row.kind == "uniform" and not row.is_shared
+    )
 
 
 def groups(spelling: Spelling, material: Material) -> list[list[str]]:

@@ -49,6 +49,12 @@ ATTRIBUTES: Mapping[str, str] = {
 }
 """The names of a geometry's attributes, by those of vertex inputs; others keep their names."""
 
+
+def attribute_name(name: str) -> str:
+    """The name of a geometry's attribute; one for each column of a matrix, with its number."""
+    return ATTRIBUTES.get(name, name.replace(".", "_"))
+
+
 AS_PLACED: Mapping[str, str] = {"vertex_position": "positionLocal", "vertex_normal": "normalLocal"}
 """Vertex inputs where a vertex is placed: bones and instances of three.js have moved them."""
 

@@ -408,7 +408,7 @@ def _shared_value(row: ArgumentRow) -> str:
     """A value of the surface, or a vertex input."""
     if row.source == "surface":
         return inputs.SURFACE[row.given]
-    name = inputs.ATTRIBUTES.get(row.given, row.given)
+    name = inputs.attribute_name(row.given)
     return f'attribute("{name}", "{row.representation}")'
 
 

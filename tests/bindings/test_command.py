@@ -193,4 +193,4 @@ def test_a_file_that_is_no_rule_is_not_overwritten(folder: Path) -> None:
 def test_a_missing_language_is_told_with_those_that_there_are() -> None:
     found = _run(str(PLASTIC))
     assert found.exit_code == 2
-    assert "Missing option '--lang'. Choose from:\n\tcpp,\n\tpython,\n" in found.output
+    assert "Missing option '--lang'. Choose from:\n\tc,\n\tcpp,\n\tpython,\n" in found.output

@@ -23,7 +23,7 @@ from burnish.api.compiling_engines import functions_for
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.compiler.documents.functions import ArgumentRow, Functions
 from burnish.engines import known
-from burnish.engines.three.inputs import ATTRIBUTES, of_renderer
+from burnish.engines.three.inputs import attribute_name, of_renderer
 from burnish.targets.toolchain.tools import tool_named
 
 from ..cli.kit import invoke
@@ -81,7 +81,7 @@ def attributes_of(compiled: CompiledFunctions) -> list[dict[str, Any]]:
     """The attributes of a geometry that functions read."""
     return [
         {
-            "name": ATTRIBUTES.get(row.given, row.given),
+            "name": attribute_name(row.given),
             "lanes": LANES[row.representation],
             "whole": row.representation.startswith("u"),
         }
@@ -129,7 +129,7 @@ def given_for(case: Mapping[str, Any], golden: Path, document: Functions) -> dic
         "indices": f"golden/{draw['indices']}",
         "attributes": [
             {
-                "name": ATTRIBUTES.get(name, name), "file": f"golden/{file}",
+                "name": attribute_name(name), "file": f"golden/{file}",
                 "lanes": int(formats[name][-1]) if formats[name][-1].isdigit() and "x" in
                 formats[name] else 1,
                 "whole": "int" in formats[name],
