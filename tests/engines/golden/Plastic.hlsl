@@ -12,7 +12,7 @@ float3 plastic_tint(float2 uv, float3 base, Texture2D<float4> albedo, SamplerSta
 
 // The node's name is PlasticTint, and its precision Single.
 //   uv: the node UV
-//   base: a property of the type rgb, usually (0.4620769996544071, 0.1301364766903643, 0.012286488356915872) (Base colour)
+//   base: a property of the type rgb, usually (0.4621, 0.1301, 0.01229) (Base colour)
 //   albedo: a texture, usually white, sRGB
 void PlasticTint_float(float2 uv, float3 base, UnityTexture2D albedo, out float3 tint_out) {
     tint_out = plastic_tint(uv, base, albedo.tex, albedo.samplerstate);
