@@ -22,21 +22,19 @@ from ..frames.model import (
     Step,
     Use,
 )
-from ..frames.values import NUMBERS, PARAMETERS
+from ..frames.printing import FramePrinter
+from ..frames.values import PARAMETERS
 from ..printer import Printer
 from ..spelling import Spelling
-from ..statements import Place
 from ..writing import blocks_of
 
 
-class CppFrames:
+class CppFrames(FramePrinter):
     """Prints the tables of frames, and the statements that draw them."""
 
     def __init__(self, spelling: Spelling, printer: Printer, tables: Tables) -> None:
-        self._spelling, self._printer, self._tables = spelling, printer, tables
-        self._blocks, self._light, self._layer, self._is_first = (
-            spelling.local(name) for name in ("blocks", "light", "layer", "is_first")
-        )
+        super().__init__(spelling, printer)
+        self._tables = tables
 
     # -- tables ------------------------------------------------------------------------------------
 
@@ -120,9 +118,6 @@ class CppFrames:
         """The numbers of elements of all buffers."""
         return ", ".join(f"int({self._number(each.count)})" for each in frame.buffers)
 
-    def _number(self, field: Field) -> str:
-        return f"{self._spelling.local(NUMBERS)}.{self._spelling.member(field.word)}"
-
     def _lanes(self, field: Field, count: str) -> str:
         return f"burnish::detail::{count}({self._number(field)})"
 
@@ -199,10 +194,7 @@ class CppFrames:
         if drawn.light is None:
             yield from self._calls(drawn)
             return
-        count = str(drawn.light.capacity)
-        if drawn.light.count is not None:
-            word = self._spelling.member(drawn.light.count.word)
-            count = f"{self._spelling.local(PARAMETERS)}.{word}"
+        count = self._count(drawn.light)
         yield f"for (int {self._light} = 0; {self._light} < {count}; ++{self._light}) {{"
         yield from _indented(self._calls(drawn))
         yield "}"
@@ -274,15 +266,6 @@ class CppFrames:
             return ()
         block, field = use.layer
         return (f"{self._field(block.plain_name, field)} = {self._layer};",)
-
-    def _field(self, block: str, field: Field) -> str:
-        member = self._spelling.member
-        return f"{self._blocks}.{member(block)}.{member(field.word)}"
-
-    def _source(self, place: Place) -> str:
-        return self._printer.place(
-            place, [self._light if each is None else each for each in place.way]
-        )
 
 
 def _indented(lines: Iterator[str]) -> Iterator[str]:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from ...compiler.documents.writing import to_json
-from ..fields import Field
 from ..frames.model import (
     Attachment,
     Copy,
@@ -22,10 +21,9 @@ from ..frames.model import (
     Step,
     Use,
 )
-from ..frames.values import NUMBERS, PARAMETERS
+from ..frames.printing import FramePrinter
 from ..printer import Printer
 from ..spelling import Spelling
-from ..statements import Place
 from ..writing import blocks_of
 
 Literal = Callable[[Any], str]
@@ -48,14 +46,13 @@ def buffer_row(buffer: FrameBuffer, literal: Literal) -> str:
     return ", ".join(map(literal, (buffer.name, buffer.stride, buffer.initial)))
 
 
-class PythonDrawing:
+class PythonDrawing(FramePrinter):
     """Prints the statements that draw a frame."""
 
     def __init__(self, spelling: Spelling, printer: Printer, literal: Literal) -> None:
-        self._spelling, self._printer, self._literal = spelling, printer, literal
-        self._host, self._blocks, self._light, self._layer, self._is_first = (
-            spelling.local(name) for name in ("host", "blocks", "light", "layer", "is_first")
-        )
+        super().__init__(spelling, printer)
+        self._literal = literal
+        self._host = spelling.local("host")
         self._given = 0
         """The number of functions that give values so far, by which they are called."""
 
@@ -79,9 +76,6 @@ class PythonDrawing:
     def counts(self, frame: Frame) -> str:
         """The numbers of elements of all buffers."""
         return ", ".join(self._number(each.count) for each in frame.buffers)
-
-    def _number(self, field: Field) -> str:
-        return f"{self._spelling.local(NUMBERS)}.{self._spelling.member(field.word)}"
 
     def _step(self, step: Step) -> Iterator[str]:
         match step:
@@ -144,10 +138,7 @@ class PythonDrawing:
         if drawn.light is None:
             yield from self._calls(drawn)
             return
-        count = str(drawn.light.capacity)
-        if drawn.light.count is not None:
-            word = self._spelling.member(drawn.light.count.word)
-            count = f"{self._spelling.local(PARAMETERS)}.{word}"
+        count = self._count(drawn.light)
         yield f"for {self._light} in range({count}):"
         yield from indented(self._calls(drawn))
 
@@ -218,14 +209,6 @@ class PythonDrawing:
             return ()
         block, field = use.layer
         return (f"{self._field(block.plain_name, field)} = {self._layer}",)
-
-    def _field(self, block: str, field: Field) -> str:
-        member = self._spelling.member
-        return f"{self._blocks}.{member(block)}.{member(field.word)}"
-
-    def _source(self, place: Place) -> str:
-        way = [self._light if each is None else each for each in place.way]
-        return self._printer.place(place, way)
 
 
 def _gives(use: Use) -> bool:

@@ -22,21 +22,12 @@ from ..frames.model import (
     Step,
     Use,
 )
-from ..frames.values import NUMBERS, PARAMETERS
-from ..printer import Printer
-from ..spelling import Spelling
-from ..statements import Place
+from ..frames.printing import FramePrinter
 from ..writing import blocks_of
 
 
-class FrameDrawing:
+class FrameDrawing(FramePrinter):
     """Prints the tables of a frame, and the statements that draw it."""
-
-    def __init__(self, spelling: Spelling, printer: Printer) -> None:
-        self._spelling, self._printer = spelling, printer
-        self._blocks, self._light, self._layer, self._is_first = (
-            spelling.local(name) for name in ("blocks", "light", "layer", "is_first")
-        )
 
     # -- tables ------------------------------------------------------------------------------------
 
@@ -82,9 +73,6 @@ class FrameDrawing:
     def counts(self, frame: Frame) -> str:
         """The numbers of elements of all buffers."""
         return ", ".join(f"{self._number(each.count)} as usize" for each in frame.buffers)
-
-    def _number(self, field: Field) -> str:
-        return f"{self._spelling.local(NUMBERS)}.{self._spelling.member(field.word)}"
 
     def _whole(self, field: Field) -> str:
         """Lanes that are not negative."""
@@ -169,10 +157,7 @@ class FrameDrawing:
         if drawn.light is None:
             yield from self._calls(drawn)
             return
-        count = str(drawn.light.capacity)
-        if drawn.light.count is not None:
-            word = self._spelling.member(drawn.light.count.word)
-            count = f"{self._spelling.local(PARAMETERS)}.{word}"
+        count = self._count(drawn.light)
         yield f"for {self._light} in 0..{count} {{"
         yield from _indented(self._calls(drawn))
         yield "}"
@@ -243,14 +228,6 @@ class FrameDrawing:
         if use.layer is not None:
             block, field = use.layer
             yield f"{self._field(block.plain_name, field)} = {self._layer} as _;"
-
-    def _field(self, block: str, field: Field) -> str:
-        member = self._spelling.member
-        return f"{self._blocks}.{member(block)}.{member(field.word)}"
-
-    def _source(self, place: Place) -> str:
-        way = (self._light if each is None else each for each in place.way)
-        return self._printer.place(place, way)
 
 
 def _place(texture: int, layer: str, level: int) -> str:

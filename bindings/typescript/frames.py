@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from ...compiler.documents.writing import to_json
-from ..fields import Field
 from ..frames.model import (
     Attachment,
     Copy,
@@ -21,10 +20,9 @@ from ..frames.model import (
     Step,
     Use,
 )
-from ..frames.values import NUMBERS, PARAMETERS
+from ..frames.printing import FramePrinter
 from ..printer import Printer
 from ..spelling import Spelling
-from ..statements import Place
 from ..writing import blocks_of
 
 Literal = Callable[[Any], str]
@@ -53,14 +51,12 @@ def kept_rows(frame: Frame) -> list[Mapping[str, Any]]:
     ]
 
 
-class Drawing:
+class Drawing(FramePrinter):
     """Prints the statements that draw a frame."""
 
     def __init__(self, spelling: Spelling, printer: Printer, literal: Literal) -> None:
-        self._spelling, self._printer, self._literal = spelling, printer, literal
-        self._blocks, self._light, self._layer, self._is_first = (
-            spelling.local(name) for name in ("blocks", "light", "layer", "isFirst")
-        )
+        super().__init__(spelling, printer)
+        self._literal = literal
 
     def lines(self, frame: Frame) -> Iterator[str]:
         """The statements behind ``begin``."""
@@ -78,15 +74,11 @@ class Drawing:
 
     def sizes(self, frame: Frame) -> str:
         """The sizes of all textures."""
-        return ", ".join(self.number(each.size) for each in frame.textures)
+        return ", ".join(self._number(each.size) for each in frame.textures)
 
     def counts(self, frame: Frame) -> str:
         """The numbers of elements of all buffers."""
-        return ", ".join(self.number(each.count) for each in frame.buffers)
-
-    def number(self, field: Field) -> str:
-        """One of the frame's numbers."""
-        return f"{self._spelling.local(NUMBERS)}.{self._spelling.member(field.word)}"
+        return ", ".join(self._number(each.count) for each in frame.buffers)
 
     def _step(self, step: Step) -> Iterator[str]:
         match step:
@@ -128,7 +120,7 @@ class Drawing:
         }  # fmt: skip
         for name, field in settings.items():
             if field is not None:
-                yield f"{name}: {self.number(field)},"
+                yield f"{name}: {self._number(field)},"
 
     def _attachment(self, step: Pass, target: Attachment) -> str:
         row = to_json(target.row)
@@ -151,16 +143,13 @@ class Drawing:
     def _clear(self, target: Attachment, *, is_depth: bool) -> str:
         if target.clear is None:
             return "[1]" if is_depth else "[0, 0, 0, 0]"
-        return f"[{self.number(target.clear)}]" if is_depth else self.number(target.clear)
+        return f"[{self._number(target.clear)}]" if is_depth else self._number(target.clear)
 
     def _draws(self, drawn: Drawn) -> Iterator[str]:
         if drawn.light is None:
             yield from self._calls(drawn)
             return
-        count = str(drawn.light.capacity)
-        if drawn.light.count is not None:
-            word = self._spelling.member(drawn.light.count.word)
-            count = f"{self._spelling.local(PARAMETERS)}.{word}"
+        count = self._count(drawn.light)
         yield f"for (let {self._light} = 0; {self._light} < {count}; {self._light} += 1) {{"
         yield from indented(self._calls(drawn))
         yield "}"
@@ -171,7 +160,7 @@ class Drawing:
             assert drawn.vertices is not None
             yield "host.fill({"
             yield from indented(self._use(use))
-            yield f"}}, {self.number(drawn.vertices)});"
+            yield f"}}, {self._number(drawn.vertices)});"
             return
         yield f"host.drawModels({self._literal(drawn.models)}, ["
         for use in drawn.uses:
@@ -187,7 +176,7 @@ class Drawing:
         yield from indented(self._use(step.use))
         images = {name: texture.number for name, texture in step.images}
         buffers = {name: buffer.number for name, buffer in step.buffers}
-        groups = self.number(step.groups)
+        groups = self._number(step.groups)
         yield f"}}, {groups}, {self._literal(images)}, {self._literal(buffers)});"
 
     # -- uses --------------------------------------------------------------------------------------
@@ -231,15 +220,6 @@ class Drawing:
             return ()
         block, field = use.layer
         return (f"{self._field(block.plain_name, field)} = {self._layer};",)
-
-    def _field(self, block: str, field: Field) -> str:
-        member = self._spelling.member
-        return f"{self._blocks}.{member(block)}.{member(field.word)}"
-
-    def _source(self, place: Place) -> str:
-        return self._printer.place(
-            place, [self._light if each is None else each for each in place.way]
-        )
 
 
 def indented(lines: Iterator[str]) -> Iterator[str]:
