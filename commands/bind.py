@@ -47,7 +47,7 @@ class BindRequest(NamedTuple):
     files: tuple[Path, ...]
     languages: tuple[str, ...]
     output: str
-    """A file, or ``-``; a folder for several languages."""
+    """A file, a folder, or ``-``."""
     namespace: str
     embed: bool
     depfile: str | None
@@ -60,7 +60,8 @@ class BindRequest(NamedTuple):
     @property
     def is_folder(self) -> bool:
         """True if the output is a folder, with a file for each language."""
-        return len(self.languages) > 1
+        is_named_so = self.output.endswith(("/", os.sep)) or Path(self.output).is_dir()
+        return len(self.languages) > 1 or (self.output != STDOUT and is_named_so)
 
     @property
     def contradiction(self) -> str | None:
@@ -91,9 +92,9 @@ def _with_options(command: click.decorators.FC) -> click.decorators.FC:
     help="The language of the host; may be given several times.",
 )  # fmt: skip
 @click.option(
-    "-o", "--output", metavar="FILE", default=STDOUT, show_default=True,
-    help="The file to write, or `-` to print it; for several languages the folder, in which each "
-    "has a file. A file that has this content is left untouched.",
+    "-o", "--output", metavar="FILE|FOLDER", default=STDOUT, show_default=True,
+    help="The file to write, or `-` to print it; or a folder, in which each language has a file, "
+    "named like the first FILE. A file that has this content is left untouched.",
 )  # fmt: skip
 @_with_options
 @click.option(
@@ -255,4 +256,6 @@ def _tell(
     text = document(
         request.form, "bind", diagnostics, exit_code=code, written=written, found=found
     )  # fmt: skip
+    if request.form == "text" and request.is_folder and paths is not None:
+        text = "".join(f"{path}\n" for path in paths.values())
     print_output(text)

@@ -166,6 +166,16 @@ def test_several_languages_and_folders(folder: Path) -> None:
     assert "no file in `empty` declares a material, a kernel or a frame" in told.output
 
 
+def test_a_language_has_a_file_in_a_folder_that_is_named(folder: Path) -> None:
+    (folder / "m.burnish").write_text(PLAIN, "utf-8")
+    (folder / "there").mkdir()
+    for output in ("there", "not there yet/"):
+        found = _run("m.burnish", "-t", "wgsl", "--lang", "python", "-o", output)
+        assert (found.exit_code, found.output) == (0, f"{Path(output, 'm.py')}\n")
+        text = (folder / output / "m.py").read_text("utf-8")
+        assert text == burnish.bind("m.burnish", "python", "wgsl")
+
+
 def test_materials_of_one_name_are_told(folder: Path) -> None:
     for name in ("a", "b"):
         (folder / f"{name}.burnish").write_text(PLAIN, "utf-8")
