@@ -1,8 +1,6 @@
 """Makes the blocks of a material, with the code that computes derived ones.
 
-Blocks that are alike in several materials are one, by the name that they have in reflections:
-``View``. A material's own blocks, and those that differ from another material's, begin with the
-name of the material.
+They are called as in its reflection, until ``block_names`` has seen the blocks of all materials.
 """
 
 from __future__ import annotations
@@ -23,64 +21,26 @@ from .scheduling import Names, Schedule, roots_of
 from .statements import Each, Place, Set, Statement
 from .structures import Structures, derived_field, table
 
-SHARED = ("frame", "view", "rig", "draw")
-"""The groups that hosts update for several materials together."""
-
 
 class Blocks:
     """The blocks of one material."""
 
-    def __init__(
-        self,
-        material: str,
-        reflection: Reflection,
-        structures: Structures,
-        helpers: Helpers,
-        shared: dict[str, Block],
-    ) -> None:
-        """``shared`` has the blocks of the binding by name, and gets those of the material."""
-        self._material, self._reflection = material, reflection
-        self._structures, self._helpers, self._shared = structures, helpers, shared
+    def __init__(self, reflection: Reflection, structures: Structures, helpers: Helpers) -> None:
+        """``structures`` and ``helpers`` are those of the binding, and get the material's."""
+        self._reflection, self._structures, self._helpers = reflection, structures, helpers
         self._fields: dict[str, tuple[str, Field]] = {}
         """The plain name of the block and the field of each parameter."""
-        self._names: dict[str, str] = {}
-        """Names in the binding by plain names."""
 
     def all(self) -> Iterator[Block]:
         """The blocks that a host fills, then those that are computed from them."""
         rows = self._reflection.blocks
         for row in rows:
             if not row.derived:
-                yield self._shared_block(self._given(row))
-        for block in self._only_read():
-            yield self._shared_block(block)
+                yield self._given(row)
+        yield from self._only_read()
         for row in rows:
             if row.derived:
-                yield self._shared_block(self._derived(row))
-
-    def _shared_block(self, block: Block) -> Block:
-        """The block as it is called in the binding."""
-        if (known := self._known(block)) is not None:
-            self._names[block.plain_name] = known.name
-            return known
-        own = f"{self._material}.{block.plain_name}"
-        plain = block.plain_name
-        others = [name for name, each in self._shared.items() if each.plain_name == plain]
-        wishes = [plain, *others, own] if block.group in SHARED else [own]
-        wishes += [f"{own}.{number}" for number in range(2, len(self._shared) + 3)]
-        name = next(wish for wish in wishes if wish not in self._shared)
-        self._names[block.plain_name] = name
-        self._shared[name] = _called(block, name)
-        return self._shared[name]
-
-    def _known(self, block: Block) -> Block | None:
-        """The block of another material that is alike, if they are shared."""
-        if block.group not in SHARED:
-            return None
-        for name, known in self._shared.items():
-            if known.plain_name == block.plain_name and known.is_like(_called(block, name)):
-                return known
-        return None
+                yield self._derived(row)
 
     def _given(self, row: BlockRow) -> Block:
         """A block that a host fills."""
@@ -159,7 +119,7 @@ class Blocks:
                 tables.append((field, computed))
             fields.append(field)
         statements = computing(plain, tables, hints)
-        sources = tuple(Source(plain_name=each, name=self._names[each]) for each in values.sources)
+        sources = tuple(Source(plain_name=each, name=each) for each in values.sources)
         structure = Structure(name=row.name, size=row.size, fields=tuple(fields))
         return Block(
             structure=structure, plain_name=row.name, group=row.group, layout_id=row.layout_id,
@@ -191,10 +151,6 @@ class Blocks:
             for each, steps in zip(structure.fields, inside, strict=True)
         ]
         return field, places
-
-
-def _called(block: Block, name: str) -> Block:
-    return changed(block, structure=changed(block.structure, name=name))
 
 
 def _hint(hints: dict[int, str], field: Field, lanes: Value) -> None:

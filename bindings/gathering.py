@@ -10,10 +10,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection
 from ..support.frozen import frozen
+from .block_names import Owner, named
 from .blocks import Blocks
 from .frames.gathering import frame_of
 from .helpers import Helpers
-from .model import Binding, Block, Material
+from .model import Binding, Material
 from .profiles import profiles_of
 from .scheduling import Names
 from .structures import Structures
@@ -47,25 +48,29 @@ def gathered(
 ) -> Binding:
     """The binding of materials and frames."""
     helpers, structures = Helpers(), Structures()
-    shared: dict[str, Block] = {}
-    materials = []
+    owners, buffers = [], []
     for each, name in zip(compiled, _names(compiled), strict=True):
-        blocks = tuple(Blocks(name, each.reflection, structures, helpers, shared).all())
-        profiles = profiles_of(each.reflection, blocks, each.texts, each.stem or name)
-        materials.append(
-            Material(
-                name=name, reflection=each.reflection, blocks=blocks,
-                buffers=structures.buffers(each.reflection), profiles=profiles,
-            )
-        )  # fmt: skip
-    found = []
+        blocks = tuple(Blocks(each.reflection, structures, helpers).all())
+        owners.append(Owner(name=name, reflection=each.reflection, blocks=blocks))
+        buffers.append(structures.buffers(each.reflection))
+    blocks_of, every = named(owners)
+    materials = [
+        Material(
+            name=owner.name, reflection=owner.reflection, blocks=blocks, buffers=own,
+            profiles=profiles_of(
+                owner.reflection, blocks, each.texts, each.stem or owner.name
+            ),
+        )
+        for each, owner, blocks, own in zip(compiled, owners, blocks_of, buffers, strict=True)
+    ]  # fmt: skip
+    found, of_frames = [], []
     for frame, name in zip(frames, _told_apart(frames), strict=True):
         shaders = [materials[number] for number in frame.shaders]
         found.append(frame_of(name, frame.plan, shaders, structures, helpers))
-        shared |= {block.name: block for block in (found[-1].parameters, found[-1].numbers)}
+        of_frames += [found[-1].parameters, found[-1].numbers]
     return Binding(
         sources=sources, namespace=namespace, enumerations=structures.enumerations,
-        structures=structures.found, blocks=tuple(shared.values()), helpers=helpers.found,
+        structures=structures.found, blocks=(*every, *of_frames), helpers=helpers.found,
         materials=tuple(materials), frames=tuple(found),
     )  # fmt: skip
 

@@ -24,6 +24,8 @@ class Block:
     """How its fields are computed; ``None`` where a host sets them."""
     steps: tuple[tuple[StepRow, ...], ...] = ()
     """The steps from which the derivation was made."""
+    aliases: tuple[str, ...] = ()
+    """Further names of it in the binding: those of other materials that share it."""
     about: str = ""
     """A sentence about a block of a frame; empty for those of materials."""
 
@@ -36,13 +38,6 @@ class Block:
     def sources(self) -> tuple[Source, ...]:
         """The blocks from which it is computed; none where a host sets its fields."""
         return () if self.derivation is None else self.derivation.sources
-
-    def is_like(self, other: Block) -> bool:
-        """True if hosts can use one for the other: the same bytes for the same values."""
-        mine, others = (
-            (each.structure, each.layout_id, each.steps, each.sources) for each in (self, other)
-        )
-        return mine == others
 
 
 @frozen(kw_only=True)

@@ -95,7 +95,8 @@ def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
     for structure in binding.structures:
         spelling.type(structure.name)
     for block in binding.blocks:
-        spelling.type(block.name)
+        for name in (block.name, *block.aliases):
+            spelling.type(name)
         if block.derivation is not None:
             spelling.function(deriving(block))
     for enumeration in binding.enumerations:

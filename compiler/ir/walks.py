@@ -39,8 +39,12 @@ def visible(roots: Iterable[Node], *, into_bodies: bool = False) -> list[Node]:
     return found
 
 
-def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
-    """The nodes that roots need, each as late as its first use allows, as a person writes them."""
+def in_order_of_use(roots: Iterable[Node], *, of_all: bool = False) -> list[Node]:
+    """The nodes that roots need, each as late as its first use allows, as a person writes them.
+
+    The order follows from the roots alone. Those that a body does not compute itself are among them
+    only if the order is to be ``of_all``.
+    """
     order: dict[int, Node] = {}
     pending: list[tuple[Node, bool]] = [(root, False) for root in reversed(list(roots))]
     while pending:
@@ -48,7 +52,7 @@ def in_order_of_use(roots: Iterable[Node]) -> list[Node]:
         if ready:
             order.setdefault(node.id, node)
         elif node.id not in order:
-            operands = operands_of(node)
+            operands = node.operands if of_all else operands_of(node)
             if not operands:
                 order[node.id] = node
                 continue

@@ -12,15 +12,19 @@ from typing import Any
 from ..documents.steps import STEPS, StepRow
 from ..ir.host import KEYS, PLAIN
 from ..ir.leaves import Parameter, Texture
-from ..ir.node import Folding, Node, reachable
+from ..ir.node import Folding, Node
+from ..ir.walks import in_order_of_use
 
 
 def steps(value: Node) -> tuple[StepRow, ...]:
     """The steps that compute ``value``, which is the last of them.
 
+    Their order follows from the value alone, and not from what else the material computes: equal
+    values have equal steps, so that a host recognises blocks that it can share.
+
     Raises ``ValueError`` for an operation that no host computes.
     """
-    nodes = reachable([value])
+    nodes = in_order_of_use([value], of_all=True)
     numbers = {node.id: number for number, node in enumerate(nodes)}
     return tuple(_step(node, numbers) for node in nodes)
 

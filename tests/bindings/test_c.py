@@ -161,14 +161,14 @@ static void say(const char* told) { puts(told ? told : "fits"); }
 int main(void) {
     static char text[1 << 20];
     while (fgets(text, sizeof text, stdin)) say(burnish_stale(&plastic_plastic, text));
-    plastic_Rig rig = plastic_default_rig();
-    say(plastic_fault_rig(&rig));
+    plastic_StudioRig rig = plastic_default_studio_rig();
+    say(plastic_fault_studio_rig(&rig));
     rig.torch_axis[1] = 2.0f;
-    say(plastic_fault_rig(&rig));
+    say(plastic_fault_studio_rig(&rig));
     const plastic_Point lamps[9] = {plastic_default_point()};
-    printf("%d", plastic_set_rig_lamps(&rig, lamps, 9));
+    printf("%d", plastic_set_studio_rig_lamps(&rig, lamps, 9));
     printf(" %d\\n", rig.lamps_count);
-    printf("%d", plastic_set_rig_lamps(&rig, lamps, 2));
+    printf("%d", plastic_set_studio_rig_lamps(&rig, lamps, 2));
     printf(" %d\\n", rig.lamps_count);
     const burnish_Text* vertex = &plastic_plastic.profiles[0].texts[0];
     for (int i = 0; i < vertex->part_count; ++i) fputs(vertex->parts[i], stdout);

@@ -42,9 +42,9 @@ static void say(const char* told) { puts(told ? told : "fits"); }
 int main(void) {
     static char text[1 << 20];
     if (fgets(text, sizeof text, stdin)) say(burnish_stale(&odd_odd, text));
-    odd_Rig rig = odd_default_rig();
+    odd_LitRig rig = odd_default_lit_rig();
     rig.lamps_count = 1000000;
-    say(odd_fault_rig(&rig));
+    say(odd_fault_lit_rig(&rig));
     return 0;
 }
 """
@@ -57,7 +57,7 @@ int main() {
     std::string text;
     std::getline(std::cin, text);
     say(burnish::stale(burnish::odd::odd, text));
-    burnish::odd::Rig rig;
+    burnish::odd::LitRig rig;
     rig.lamps_count = 1000000;
     say(fault(rig));
 }

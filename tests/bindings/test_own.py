@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -62,16 +63,16 @@ def test_values_that_break_a_promise_are_refused(name: str, value: object, told:
 
 def test_lengths_counts_and_names_are_checked() -> None:
     module = _module(PLASTIC)
-    rig = module.Rig()
+    rig = module.StudioRig()
     with pytest.raises(ValueError, match=r"^`torch_axis` has to be of length 1, not 2$"):
         rig.torch_axis = (0.0, 2.0, 0.0)
     with pytest.raises(ValueError, match=r"^`lamps` takes at most 8 elements, not 9$"):
         rig.lamps = [module.Point()] * 9
     with pytest.raises(TypeError, match=r"unexpected keyword argument 'lamp'"):
-        module.Rig(lamp=1)
-    with pytest.raises(AttributeError, match=r"^'Rig' object has no attribute 'lamp'"):
+        module.StudioRig(lamp=1)
+    with pytest.raises(AttributeError, match=r"^'StudioRig' object has no attribute 'lamp'"):
         rig.lamp = 1
-    assert bytes(rig) == bytes(module.Rig())
+    assert bytes(rig) == bytes(module.StudioRig())
 
 
 def test_a_stale_binding_is_told() -> None:
@@ -135,8 +136,8 @@ def test_folds_are_loops() -> None:
         instance.set("lamps.count", count)
         instance.set("lamps", [{"place": (0.0, 0.0, 0.0)}] * count)
         instance.set("torch.place", (2.0, -1.0, 3.5))
-        block = module.Rig(lamps_count=count, torch_place=(2.0, -1.0, 3.5))
-        found = bytes(module.derive_rig(block))
+        block = module.StudioRig(lamps_count=count, torch_place=(2.0, -1.0, 3.5))
+        found = bytes(module.derive_studio_rig(block))
         assert not difference(instance.blocks()["DerivedFromRig"], found)
 
 
@@ -179,46 +180,86 @@ def test_images_of_kernels_are_bound_as_storage_textures() -> None:
 
 def test_a_block_shows_what_differs_from_its_defaults() -> None:
     module = _module(PLASTIC)
-    assert repr(module.Rig()) == "Rig()"
-    rig = module.Rig(torch_place=(0.0, 1.5, 2.0), lamps=[module.Point(place=(0.1, 0.0, 0.0))])
+    assert repr(module.StudioRig()) == "StudioRig()"
+    rig = module.StudioRig(torch_place=(0.0, 1.5, 2.0), lamps=[module.Point(place=(0.1, 0.0, 0.0))])
     assert repr(rig) == (
-        "Rig(lamps=[Point(place=(0.1, 0, 0)), Point(), …], lamps_count=1, torch_place=(0, 1.5, 2))"
+        "StudioRig(lamps=[Point(place=(0.1, 0, 0)), Point(), …], lamps_count=1, "
+        "torch_place=(0, 1.5, 2))"
     )
 
 
 def test_all_blocks_of_a_material() -> None:
     module = _module(PLASTIC)
-    rig = module.Rig(torch_place=(0.0, 1.5, 2.0))
+    rig = module.StudioRig(torch_place=(0.0, 1.5, 2.0))
     blocks = module.PlasticBlocks(rig=rig)
     blocks.set_roles({"eye": (1.0, 2.0, 3.0), "something else": 1})
     assert blocks.view.eye == (1.0, 2.0, 3.0)
     found = {type(each).__name__: each for each in blocks.all()}
-    assert found["Rig"] is rig
-    assert bytes(found["DerivedFromRig"]) == bytes(module.derive_rig(rig))
+    assert found["StudioRig"] is rig
+    assert bytes(found["StudioDerivedFromRig"]) == bytes(module.derive_studio_rig(rig))
     bound = {row.block for row in module.PLASTIC.profiles["wgsl:webgpu"].bound if row.block}
     assert bound <= {type(each) for each in blocks.all()}
 
 
+LAMPS = """
+    import std.lights.{Point, Directional}
+    import std.terms.{lambert, phong}
+    rig Lamps { lamps : Point[<= 2] }
+"""
+ONE = "material One : Surface { color = lambert(#808080) }"
+TWO = """
+    material Two : Surface {
+        param glow : rgb per draw = #101010
+        color = lambert(#808080) + glow
+    }
+"""
+THREE = """
+    material Three : Surface {
+        param glow : rgb per draw = #101010
+        color = lambert(#404040) + 2 * glow
+    }
+"""
+
+
 def test_materials_share_blocks_that_are_not_those_of_the_first() -> None:
-    text = """
-        import std.lights.{Point, Directional}
-        import std.terms.{lambert, phong}
-        rig Lamps { lamps : Point[<= 2] }
-        material One : Surface { color = lambert(#808080) }
-        material Two : Surface {
-            param glow : rgb per draw = #101010
-            color = lambert(#808080) + glow
-        }
-        material Three : Surface {
-            param glow : rgb per draw = #101010
-            color = lambert(#404040) + 2 * glow
-        }
-    """
-    module = _module(text)
+    module = _module(LAMPS + ONE + TWO + THREE)
     draws = [
         {row.block for row in each.profiles["wgsl:webgpu"].bound if row.block}
         for each in module.MATERIALS
     ]
     assert module.TwoDraw in draws[1] & draws[2]
     assert module.Draw in draws[0]
-    assert not hasattr(module, "ThreeDraw")
+    assert module.ThreeDraw is module.TwoDraw
+
+
+def test_names_do_not_depend_on_what_else_is_bound() -> None:
+    """What a host calls by a material's binding alone is there in each binding with it."""
+    for texts in itertools.permutations((ONE, TWO, THREE)):
+        module = _module(LAMPS + "".join(texts))
+        for text in texts:
+            alone = _module(LAMPS + text)
+            for name, block in vars(alone).items():
+                if isinstance(block, type) and getattr(block, "LAYOUT_ID", ""):
+                    assert getattr(module, name).LAYOUT_ID == block.LAYOUT_ID, name
+
+
+def test_rigs_of_one_name_that_differ_have_the_names_of_their_materials(tmp_path: Path) -> None:
+    (tmp_path / "one.burnish").write_text(LAMPS + ONE, "utf-8")
+    (tmp_path / "two.burnish").write_text(LAMPS.replace("<= 2", "<= 3") + TWO, "utf-8")
+    for names in (("one", "two"), ("two", "one")):
+        files = [tmp_path / f"{name}.burnish" for name in names]
+        module = ModuleType("bound")
+        exec(burnish.bind(files, "python", "wgsl"), vars(module))
+        assert module.OneRig.SIZE < module.TwoRig.SIZE
+        assert not hasattr(module, "LampsRig")
+
+
+def test_a_material_of_two_rigs_has_its_block_once() -> None:
+    module = _module(
+        LAMPS
+        + "rig Sun { sun : Directional }"
+        + "material Wall { param tint : rgb = #808080\n color = lambert(tint) }"
+    )
+    blocks = {name for name, each in vars(module).items() if isinstance(each, type)}
+    assert {name for name in blocks if name.endswith("Material")} == {"Material", "WallMaterial"}
+    assert {"LampsRig", "SunRig"} <= blocks

@@ -68,8 +68,8 @@ fn tell(bytes: Vec<u8>) {
 """
 _PLASTIC = """\
 fn checked() {
-    use plastic::{Point, Rig, PLASTIC};
-    let mut rig = Rig::default();
+    use plastic::{Point, StudioRig, PLASTIC};
+    let mut rig = StudioRig::default();
     let before = rig;
     assert_eq!(rig.set_lamps(&[Point::DEFAULT; 9]), Err("`lamps` takes at most 8 elements"));
     assert_eq!(rig, before);
@@ -79,7 +79,7 @@ fn checked() {
     assert_eq!(rig.check(), Ok(()));
     rig.torch_inner = f32::NAN;
     assert_eq!(rig.check(), Err("`torch.inner` is declared in 0 to 1.5708"));
-    rig = Rig { torch_axis: [0.0, 2.0, 0.0], ..before };
+    rig = StudioRig { torch_axis: [0.0, 2.0, 0.0], ..before };
     assert_eq!(rig.check(), Err("`torch.axis` has to be of length 1"));
 
     let reflection = include_str!("Plastic.json");

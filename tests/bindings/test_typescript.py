@@ -164,9 +164,9 @@ export function answer({ turns, refused, reflections, drawings }: Given): unknow
 /** What a host of WebGPU writes: the descriptors fit as they are. */
 export async function host(device: GPUDevice, module: GPUShaderModule): Promise<GPURenderPipeline> {
   const { webgpu } = plastic.plastic;
-  const rig = new plastic.Rig({ torchPlace: [0, 3, 0] });
+  const rig = new plastic.StudioRig({ torchPlace: [0, 3, 0] });
   rig.lamps = [{ place: [0, 2, 1] }, new plastic.Point({ place: new Float64Array(3) })];
-  const buffer = device.createBuffer({ size: plastic.Rig.SIZE, usage: 0x48 });
+  const buffer = device.createBuffer({ size: plastic.StudioRig.SIZE, usage: 0x48 });
   device.queue.writeBuffer(buffer, 0, rig.bytes);
   const sampler = plastic.plastic.textures.albedo.sampler;
   device.createSampler(sampler);
@@ -300,13 +300,14 @@ REFUSED: tuple[tuple[str, str, Any, str], ...] = (
     ("PlasticMaterial", "power", 600, "`power` is declared in 1..512: 600 is not"),
     ("PlasticMaterial", "base", [1, 2], "`base` takes 3 numbers, not 2"),
     ("PlasticMaterial", "shine", [1, "NaN", 0], "`shine` takes finite numbers: NaN is not"),
-    ("Rig", "torchAxis", [0, 2, 0], "`torchAxis` has to be of length 1, not 2"),
-    ("Rig", "lampsCount", 1.5, "`lampsCount` takes whole numbers: 1.5 is not"),
-    ("Rig", "lampsCount", 9, "`lampsCount` is declared in 0..8: 9 is not"),
-    ("Rig", "lamps", [{}], "`lamps` needs `place`, which is not given"),
-    ("Rig", "lamps", [{"place": [0, 0, 0], "plaice": 1}], "Point has no `plaice`"),
-    ("Rig", "lamps", [{}] * 9, "`lamps` takes at most 8 elements, not 9"),
-    ("Rig", "lamps", [{"place": [0, 0, 0]}, {"place": [1]}], "`place` takes 3 numbers, not 1"),
+    ("StudioRig", "torchAxis", [0, 2, 0], "`torchAxis` has to be of length 1, not 2"),
+    ("StudioRig", "lampsCount", 1.5, "`lampsCount` takes whole numbers: 1.5 is not"),
+    ("StudioRig", "lampsCount", 9, "`lampsCount` is declared in 0..8: 9 is not"),
+    ("StudioRig", "lamps", [{}], "`lamps` needs `place`, which is not given"),
+    ("StudioRig", "lamps", [{"place": [0, 0, 0], "plaice": 1}], "Point has no `plaice`"),
+    ("StudioRig", "lamps", [{}] * 9, "`lamps` takes at most 8 elements, not 9"),
+    ("StudioRig", "lamps", [{"place": [0, 0, 0]}, {"place": [1]}],
+     "`place` takes 3 numbers, not 1"),
 )  # fmt: skip
 
 

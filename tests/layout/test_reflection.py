@@ -14,7 +14,7 @@ from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.documents.writing import to_json
 from burnish.compiler.ir.build import constant
 from burnish.compiler.ir.leaves import Attribute
-from burnish.compiler.ir.node import Folding, Graph
+from burnish.compiler.ir.node import Folding, Graph, Node
 from burnish.compiler.ir.types import FLOAT, INT
 from burnish.compiler.reflection import reflect
 from burnish.compiler.reflection.values import steps
@@ -94,6 +94,32 @@ def test_shared_operands_of_a_derived_value_are_one_step() -> None:
         "function": "mul",
         "args": [199, 199],
     }
+
+
+def test_equal_values_have_equal_steps_whatever_was_made_before() -> None:
+    def value(graph: Graph, *, right_first: bool) -> Node:
+        numbers = (3.0, 2.0) if right_first else (2.0, 3.0)
+        made = {number: constant(graph, FLOAT, number) for number in numbers}
+        product = graph.node("call", FLOAT, (made[2.0], made[3.0]), "mul")
+        return graph.node("call", FLOAT, (product, made[2.0]), "sub")
+
+    assert steps(value(Graph(), right_first=True)) == steps(value(Graph(), right_first=False))
+
+
+def test_equal_blocks_of_derived_values_are_shared() -> None:
+    source = """
+        import std.terms.{lambert}
+        material One { color = lambert(#808080) }
+        material Two { first = inverse(object_to_world)[0].xyz color = first.x * lambert(#808080) }
+        material Three { color = lambert(#808080) * determinant(object_to_world) }
+    """
+    found = burnish.compile(source, ("wgsl",))
+    normals = [
+        [row.steps for row in each.reflection.derived if row.role == "normal_matrix"]
+        for each in found
+    ]
+    assert len(normals[0]) == 1
+    assert normals[1:] == normals[:1] * 2
 
 
 def test_a_fold_can_be_derived() -> None:

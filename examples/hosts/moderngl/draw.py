@@ -51,7 +51,7 @@ def plastic(context: moderngl.Context) -> None:
     """A ball with lights of all kinds and a texture."""
     scene = SCENE["scenes"]["plastic"]
     lights, (model,) = scene["lights"], scene["models"]
-    rig = shaders.Rig(
+    rig = shaders.StudioRig(
         sun_direction=lights["sun"]["direction"],
         lamps=[shaders.Point(**lamp) for lamp in lights["lamps"]],
         torch_place=lights["torch"]["place"],
@@ -67,7 +67,7 @@ def banner(context: moderngl.Context) -> None:
     """A cloth that bones bend, with a normal map."""
     scene = SCENE["scenes"]["banner"]
     (model,) = scene["models"]
-    rig = shaders.BannerRig(sun_direction=scene["lights"]["sun"]["direction"])
+    rig = shaders.DaylightRig(sun_direction=scene["lights"]["sun"]["direction"])
     draw = shaders.BannerDraw(
         object_to_world=matrix(model["object_to_world"]), bones=list(map(matrix, SCENE["bones"]))
     )
