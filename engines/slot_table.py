@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from ..compiler.documents.functions import FunctionRow, SlotRow
 from ..compiler.ir.functions import Offer
 from ..compiler.reflection.roles import scene_names
-from ..support.frozen import frozen
+from ..support.frozen import changed, frozen
 
 
 @frozen
@@ -37,6 +37,9 @@ class Input:
     ``scene.toml`` lists these slots, which move the points of a mesh.
     """
 
+    blended: bool = False
+    """True if it counts only where the pass blends to which the material is tied, if it is."""
+
     @property
     def is_needed(self) -> bool:
         """True if a surface looks wrong all over where an engine does not take it."""
@@ -56,7 +59,7 @@ class Input:
         for full, word in words.items():
             if word == self.name:
                 owner, _, name = full.rpartition(".")
-                yield Offer(name, self.at_vertices, owner, self.changed, made_of)
+                yield Offer(name, self.at_vertices, owner, self.changed, made_of, self.blended)
         for name in self.own:
             yield Offer(name, self.at_vertices)
 
@@ -102,7 +105,7 @@ INPUTS: tuple[Input, ...] = (
     Input("emissive_strength", changed=True),
     Input("occlusion", ("occlusion", "ambient_occlusion")),
     Input("normal", changed=True, moves=True),
-    Input("alpha", changed=True),
+    Input("alpha", changed=True, blended=True),
     Input("is_hidden", changed=True),
     Input(COLOR, changed=True),
     Input("position", at_vertices=True, changed=True, moves=True),
@@ -152,7 +155,7 @@ def offers(
     """
     scene = scene_names()
     offered = [
-        offer
+        changed(offer, blended=False) if only else offer
         for row in INPUTS
         for offer in row.offers(scene["slots"], _moving(row.name, taken))
         if (offer.owner or row.name in taken) and (not only or offer.name in only)

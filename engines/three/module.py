@@ -24,12 +24,15 @@ from ...compiler.documents.functions import (
 from ...support.frozen import frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
+from ..drawing import covers, culled
 from . import inputs
 from .sampling import NAMES, listed, sampling
 from .slots import VERTICES, rows_for
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
+SIDES = {"none": "DoubleSide", "back": "FrontSide", "front": "BackSide"}
+"""The sides that are drawn, by the faces that are not."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
 NO_NODE = (
     "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
@@ -43,7 +46,7 @@ CLASSES = (
     "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
     "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
     "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
-    *sorted(NAMES - {"LinearFilter"}),
+    *sorted(NAMES - {"LinearFilter"}), *sorted(SIDES.values()),
 )  # fmt: skip
 """The names that modules may import from `three/webgpu`."""
 WORDS = (
@@ -114,7 +117,7 @@ class Module:
     calls: tuple[Entry, ...]
     slots: tuple[Entry, ...]
     nodes: tuple[Entry, ...]
-    is_transparent: bool
+    settings: tuple[Entry, ...]
 
 
 def write(
@@ -213,8 +216,9 @@ class _Writer:
         helpers, functions = tuple(self._helpers()), tuple(map(self._function, document.functions))
         nodes = tuple(self._nodes())
         calls = tuple(self._calls())
+        settings = tuple(self._settings(nodes))
         base = self._base(nodes)
-        code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes))
+        code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes, *settings))
         words = set(re.findall(r"(?<![\w.])[A-Za-z]\w*", code))
         texts = [text for name, text in TEXTURE_HELPERS.items() if name in words]
         used = words | set(re.findall(r"[A-Za-z]\w*", "\n".join(texts)))
@@ -243,8 +247,16 @@ class _Writer:
             calls=calls,
             slots=tuple(self._slots()),
             nodes=nodes,
-            is_transparent=any(node.name == "opacityNode" for node in nodes),
+            settings=settings,
         )
+
+    def _settings(self, nodes: Sequence[Entry]) -> Iterator[Entry]:
+        """How the material is drawn: blended or not, and which of its sides."""
+        if any(node.name == "opacityNode" for node in nodes):
+            yield Entry("alphaToCoverage" if covers(self._document) else "transparent", "true")
+        cull = culled(self._document)
+        if cull is not None:
+            yield Entry("side", SIDES[cull])
 
     def _base(self, nodes: Sequence[Entry]) -> str:
         named = {node.name for node in nodes}

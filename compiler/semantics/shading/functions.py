@@ -13,10 +13,19 @@ from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label
 from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
-from ...ir.functions import FunctionsAsked, FunctionsShader, Offer, SlotInfo, SurfaceInfo
+from ...ir.blending import REPLACES
+from ...ir.functions import (
+    FunctionsAsked,
+    FunctionsShader,
+    Offer,
+    OwnPass,
+    SlotInfo,
+    SurfaceInfo,
+)
 from ...ir.leaves import Buffer, Leaf, Parameter, Texture
 from ...ir.node import Node, bare, reachable
 from ...ir.operations import CROSS
+from ...ir.render_state import Cull
 from ...ir.shader import Result, Shader, TextureInfo
 from ...ir.stages import (
     FRAGMENT,
@@ -43,6 +52,8 @@ TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
 """What the function is called that returns all slots of a stage."""
 HIDDEN = "is_hidden"
 """The engines' word for the slot that says where nothing is drawn."""
+UNTIED = "std.prelude.Forward"
+"""The pass of a material that is tied to none."""
 OF_RIG = "rig"
 """The group of parameters and textures that belong to lights."""
 
@@ -81,7 +92,8 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
     if setting.surface.steps:
         ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
         return None
-    values = list(_values(setting, _wanted(setting, asked), asked))
+    own = _own_pass(setting, shader)
+    values = list(_values(setting, _wanted(setting, own, asked), asked))
     ctx.deferred.report()
     if ctx.report.failed:
         return None
@@ -106,18 +118,30 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
         chain=RASTERISED,
     )
     slots = tuple(_slot_info(setting, value, asked) for value, _ in kept)
-    return FunctionsShader(made_of, slots, tuple(known.values()))
+    return FunctionsShader(made_of, slots, tuple(known.values()), own)
+
+
+def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
+    """How the material's own pass draws it; ``None`` if it is tied to none."""
+    drawn = setting.passing.record
+    if library_name(drawn.symbol) == UNTIED:
+        return None
+    state = shader.render_state
+    turned: dict[Cull, Cull] = {"none": "none", "back": "front", "front": "back"}
+    cull = state.cull if state.front == "counter_clockwise" else turned[state.cull]
+    blends = any(target.blend != REPLACES for target in shader.targets)
+    return OwnPass(drawn.name, cull, blends, state.alpha_to_coverage)
 
 
 # --- which slots ---------------------------------------------------------------------------------
 
 
-def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
+def _wanted(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The slots that are asked for; else those that an engine takes, or the usual ones."""
     record, report = setting.surface.record, setting.ctx.report
     span = record.symbol.declaration.name.span
     if asked.offers:
-        yield from _offered(setting, asked)
+        yield from _offered(setting, own, asked)
     elif not asked.slots:
         for name in dict.fromkeys(_usual(setting, asked)):
             stage = _usual_stage(record, name, asked)
@@ -147,10 +171,13 @@ def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
             yield name
 
 
-def _offered(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
+def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The offered slots that the material has."""
     record = setting.surface.record
+    is_opaque = own is not None and not (own.blends or own.covers)
     for offer in asked.offers:
+        if offer.blended and is_opaque:
+            continue
         found = record.definitions.get(offer.name)
         if found is not None and _is_taken(setting, asked, offer, found[0]):
             stage = VERTEX if offer.at_vertices else FRAGMENT
@@ -202,7 +229,7 @@ def _moved(record: Record, asked: FunctionsAsked, *, only_parts: bool = False) -
 def _hides(setting: Setting) -> bool:
     """True if the pass that the material is tied to draws nothing at some pixels."""
     drawn = setting.passing.record.every(ast.Discard)
-    return any(not owner.module.is_standard for _, owner, _ in drawn)
+    return any(library_name(owner) != UNTIED for _, owner, _ in drawn)
 
 
 def _slots_of(record: Record) -> Sequence[str]:
