@@ -10,7 +10,7 @@ from ..drawing import culled
 from ..surface import Surface, UnfitError
 from ..texts import usual
 from ..writer import Writer
-from .values import FRAME, NORMAL, PREMULTIPLY, PREPARE, REQUIRED, TABLES, VARIABLES
+from .values import FRAME, HELPERS, NORMAL, PREMULTIPLY, PREPARE, REQUIRED, TABLES, VARIABLES
 
 TYPES = {
     **{f"{of}vec{lanes}": f"{kind}{lanes}" for of, kind in
@@ -51,7 +51,7 @@ def definition(surface: Surface) -> str:
         )
     blocks = [_header(surface, writer), _material(surface, writer)]
     if writer.vertices:
-        functions = _functions(writer, "vertex")
+        functions = [*_helpers(writer), *_functions(writer, "vertex")]
         body = _function("materialVertex(inout MaterialVertexInputs material)", writer.vertices)
         blocks.append(_block("vertex", [*functions, body]))
     functions = _functions(writer, "fragment")
@@ -173,6 +173,11 @@ def _sampler(name: str, row: FunctionTextureRow) -> str:
     comment = "; ".join(told)
     type_ = SAMPLERS[row.dimension]
     return f"        // {comment}\n        {{ type : {type_}, name : {_quoted(name)}{kind} }}"
+
+
+def _helpers(writer: Writer) -> list[str]:
+    """What vertices compute of values of Filament, for functions or for pixels."""
+    return [text for call, text in HELPERS.items() if call in writer.reads]
 
 
 def _functions(writer: Writer, stage: str) -> list[str]:

@@ -88,6 +88,7 @@ impl Painted {
         let base = StandardMaterial {
             alpha_mode: if self.is_opaque { AlphaMode::Mask(0.5) } else { AlphaMode::Blend },
             cull_mode: None,
+            double_sided: true,
             ..default()
         };
         ExtendedMaterial { base, extension: self }
