@@ -21,7 +21,7 @@ from ...compiler.documents.functions import (
     FunctionTextRow,
     FunctionTextureRow,
 )
-from ...support.frozen import frozen
+from ...support.frozen import cached_property, frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
 from ..drawing import covers, culled
@@ -115,6 +115,8 @@ class Module:
     sampling: tuple[Entry, ...]
     settable: tuple[Entry, ...]
     calls: tuple[Entry, ...]
+    placed: tuple[str, ...]
+    """What is kept of a vertex before the material moves it."""
     slots: tuple[Entry, ...]
     nodes: tuple[Entry, ...]
     settings: tuple[Entry, ...]
@@ -217,6 +219,7 @@ class _Writer:
         nodes = tuple(self._nodes())
         calls = tuple(self._calls())
         settings = tuple(self._settings(nodes))
+        moves = any(node.name == "positionNode" for node in nodes)
         base = self._base(nodes)
         code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes, *settings))
         words = set(re.findall(r"(?<![\w.])[A-Za-z]\w*", code))
@@ -245,6 +248,7 @@ class _Writer:
             sampling=sampled,
             settable=(*uniforms, *textures),
             calls=calls,
+            placed=tuple(map(_placed_name, self._placed)) if moves else (),
             slots=tuple(self._slots()),
             nodes=nodes,
             settings=settings,
@@ -324,12 +328,15 @@ class _Writer:
 
         Those for vertices, which others interpolate, come first.
         """
-        shared = [row for row in self._document.arguments if row.source in _SHARED]
+        shared = [row for row in self._document.arguments if self._is_shared(row)]
         interpolated = [row for row in self._document.arguments if row.source == "varying"]
         names = {row.given for row in interpolated}
         rows = sorted(self._document.functions, key=lambda row: row.name not in names)
         for argument in shared:
             yield Entry("", _shared_value(argument), variable=_given_name(argument))
+        for argument in self._placed:
+            code = f"{inputs.AS_PLACED[argument.given]}.toVar()"
+            yield Entry("", code, variable=_placed_name(argument))
         for row in rows[: len(names)]:
             yield Entry("", self._call(row), variable=_variable(row.name))
         for argument in interpolated:
@@ -338,6 +345,27 @@ class _Writer:
             yield Entry("", code, variable=_given_name(argument))
         for row in rows[len(names) :]:
             yield Entry("", self._call(row), variable=_variable(row.name))
+
+    def _readers(self, row: ArgumentRow, stage: str) -> bool:
+        """True if a function of a stage has an argument."""
+        functions = self._document.functions
+        return any(each.stage == stage and row.name in each.arguments for each in functions)
+
+    def _is_shared(self, row: ArgumentRow) -> bool:
+        """True for a value that is the same node for all functions that have it."""
+        is_read = row.given not in inputs.AS_PLACED or self._readers(row, "fragment")
+        return row.source in _SHARED and is_read
+
+    @cached_property
+    def _placed(self) -> Sequence[ArgumentRow]:
+        """What functions for vertices read of a vertex as three.js has placed it.
+
+        It has to be kept before the material moves the vertex.
+        """
+        rows = (row for row in self._document.arguments if row.source == "attribute")
+        return [
+            row for row in rows if row.given in inputs.AS_PLACED and self._readers(row, "vertex")
+        ]
 
     def _call(self, row: FunctionRow) -> str:
         given: dict[str, str] = {}
@@ -360,9 +388,8 @@ class _Writer:
                 yield each.identifier, f"sampler(textures.{each.given})"
 
     def _value(self, row: ArgumentRow, function: FunctionRow) -> str:
-        is_placed = bool({slot.role for slot in function.slots} & set(VERTICES))
-        if row.source == "attribute" and is_placed and row.given in inputs.AS_PLACED:
-            return inputs.AS_PLACED[row.given]
+        if function.stage == "vertex" and row in self._placed:
+            return _placed_name(row)
         if row.source in (*_SHARED, "varying"):
             return _given_name(row)
         if row.source == "pipeline":
@@ -402,13 +429,23 @@ class _Writer:
         if moved is not None:  # A place in the world, as the material itself has it.
             position = moved
             placed = f"modelWorldMatrixInverse.mul(vec4(slots.{moved}, 1)).xyz"
+        lines = ["placed.forEach((node) => node.toStack());"] if self._placed else []
         if normal is not None:  # The place may be computed from the normal that the mesh has.
-            lines = (
-                f"const place = {placed}.toVar(); normalLocal.assign(slots.{normal}); return place;"
-            )
-            yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")
-        elif position is not None:
-            yield Entry("positionNode", placed)
+            lines += [f"const place = {placed}.toVar();", f"normalLocal.assign(slots.{normal});"]
+            placed = "place"
+        if position is not None or normal is not None:
+            yield Entry("positionNode", _function(lines, placed) if lines else placed)
+
+
+def _function(lines: Sequence[str], result: str) -> str:
+    """A function of three.js that runs some statements before it gives a result."""
+    inner = "".join(f"\n      {line}" for line in (*lines, f"return {result};"))
+    return f"Fn(() => {{{inner}\n    }})()"
+
+
+def _placed_name(row: ArgumentRow) -> str:
+    """The variable for a value of a vertex as three.js has placed it."""
+    return f"placed_{row.name}"
 
 
 def _given_name(row: ArgumentRow) -> str:
