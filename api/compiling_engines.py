@@ -50,7 +50,7 @@ def functions_for(
     if languages:
         _check_places(engine, only)
     if engine.is_offered and (languages or not only):
-        offered = offers(named, only, engine.taken)
+        offered = offers(engine.name, named, only, engine.taken)
     elif only:  # Functions in a target may be of any slots, for users' own nodes.
         slots = (*only, *named.values())
     asked = AskedFunctions(

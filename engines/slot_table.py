@@ -40,6 +40,9 @@ class Input:
     blended: bool = False
     """True if it counts only where the pass blends to which the material is tied, if it is."""
 
+    beside: tuple[str, ...] = ()
+    """The rows without which it has no effect."""
+
     @property
     def is_needed(self) -> bool:
         """True if a surface looks wrong all over where an engine does not take it."""
@@ -50,16 +53,22 @@ class Input:
         """The stage for which it is computed."""
         return "vertex" if self.at_vertices else "fragment"
 
-    def offers(self, words: Mapping[str, str], moving: Sequence[str]) -> Iterator[Offer]:
+    def offers(
+        self, words: Mapping[str, str], moving: Sequence[str], usual: float | str | None
+    ) -> Iterator[Offer]:
         """What the core is asked for; ``words`` are the roles of slots of the library.
 
-        ``moving`` are the slots that move meshes and that the engine is not given themselves.
+        ``moving`` are the slots that move meshes and that the engine is not given themselves,
+        and ``usual`` is what the engine has itself.
         """
         made_of = tuple(moving) if self.moves else ()
         for full, word in words.items():
             if word == self.name:
                 owner, _, name = full.rpartition(".")
-                yield Offer(name, self.at_vertices, owner, self.changed, made_of, self.blended)
+                yield Offer(
+                    name, self.at_vertices, owner, self.changed, made_of, self.blended, usual,
+                    self.beside,
+                )  # fmt: skip
         for name in self.own:
             yield Offer(name, self.at_vertices)
 
@@ -87,17 +96,19 @@ INPUTS: tuple[Input, ...] = (
     Input("specular", changed=True),
     Input("specular_color", changed=True),
     Input("clearcoat", ("clearcoat",), changed=True),
-    Input("clearcoat_roughness", ("clearcoat_roughness",), changed=True),
-    Input("clearcoat_normal", changed=True),
+    Input("clearcoat_roughness", ("clearcoat_roughness",), changed=True, beside=("clearcoat",)),
+    Input("clearcoat_normal", changed=True, beside=("clearcoat", "normal")),
     Input("sheen_color", ("sheen_color",), changed=True),
-    Input("sheen_roughness", ("sheen_roughness",), changed=True),
+    Input("sheen_roughness", ("sheen_roughness",), changed=True, beside=("sheen_color",)),
     Input("anisotropy_strength", changed=True),
-    Input("anisotropy_direction", changed=True),
+    Input("anisotropy_direction", changed=True, beside=("anisotropy_strength",)),
     Input("iridescence", ("iridescence",), changed=True),
-    Input("iridescence_ior", ("iridescence_ior",), changed=True),
-    Input("iridescence_thickness", ("iridescence_thickness",), changed=True),
+    Input("iridescence_ior", ("iridescence_ior",), changed=True, beside=("iridescence",)),
+    Input(
+        "iridescence_thickness", ("iridescence_thickness",), changed=True, beside=("iridescence",)
+    ),
     Input("transmission", ("transmission",), changed=True),
-    Input("thickness", ("thickness",), changed=True),
+    Input("thickness", ("thickness",), changed=True, beside=("transmission",)),
     Input("attenuation_color", changed=True),
     Input("attenuation_distance", changed=True),
     Input("dispersion", changed=True),
@@ -113,6 +124,21 @@ INPUTS: tuple[Input, ...] = (
     Input("object_position", at_vertices=True, changed=True),
     Input("object_normal", at_vertices=True, changed=True),
 )
+
+USUAL: Mapping[str, Mapping[str, float | str]] = {
+    "bevy": {"ior": 1.5, "clearcoat_roughness": 0.5, "thickness": 0},
+    "filament": {"clearcoat_roughness": 0},
+    "godot": {"clearcoat_roughness": 0},
+    "three": {
+        "ior": 1.5, "specular": 1, "clearcoat_roughness": 0, "clearcoat_normal": "normal",
+        "sheen_roughness": 1, "iridescence_ior": 1.3, "iridescence_thickness": 400, "thickness": 0,
+    },
+}  # fmt: skip
+"""What engines have themselves where a material gives no such slot, by the names of engines.
+
+It is a number, or the slot that stands in its place. A slot that the library declares as something
+else is given, even if the material says nothing of it.
+"""
 
 LIT = frozenset({
     "base_color", "metallic", "roughness", "squared_roughness", "clearcoat", "emissive",
@@ -146,18 +172,18 @@ def found(functions: Iterable[FunctionRow]) -> Mapping[str, FunctionRow]:
 
 
 def offers(
-    named: Mapping[str, str], only: Collection[str], taken: Collection[str]
+    engine: str, named: Mapping[str, str], only: Collection[str], taken: Collection[str]
 ) -> tuple[Offer, ...]:
     """All slots that engines can use, or ``only`` some of them, if it has any.
 
     ``named`` are slots that a user has named for a value, such as ``stain`` for ``base_color``, and
     ``taken`` the values that the engine takes: of a user's own names, there are none for others.
     """
-    scene = scene_names()
+    scene, usual = scene_names(), USUAL.get(engine, {})
     offered = [
         changed(offer, blended=False) if only else offer
         for row in INPUTS
-        for offer in row.offers(scene["slots"], _moving(row.name, taken))
+        for offer in row.offers(scene["slots"], _moving(row.name, taken), usual.get(row.name))
         if (offer.owner or row.name in taken) and (not only or offer.name in only)
     ]
     places = {row.name: row.at_vertices for row in INPUTS}

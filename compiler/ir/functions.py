@@ -31,6 +31,13 @@ class Offer:
     """Slots of which the declaration makes it: what is said of these counts as well."""
     blended: bool = False
     """True if it is left out where the material is tied to a pass that does not blend."""
+    usual: float | str | None = None
+    """What the engine has itself, if that is known: a number, or the word of another slot.
+
+    Where the declaration says something else, the slot is given even if it is as declared.
+    """
+    beside: tuple[str, ...] = ()
+    """The words of the slots without which such a value has no effect."""
 
 
 @frozen

@@ -54,6 +54,8 @@ HIDDEN = "is_hidden"
 """The engines' word for the slot that says where nothing is drawn."""
 UNTIED = "std.prelude.Forward"
 """The pass of a material that is tied to none."""
+_SAME = 1e-6
+"""The difference of two numbers that are meant to be the same."""
 OF_RIG = "rig"
 """The group of parameters and textures that belong to lights."""
 
@@ -71,6 +73,8 @@ class _Slot:
     """
     is_changed: bool = False
     """True if it is left out where it is the constant that it is as it was declared."""
+    beside: tuple[str, ...] = ()
+    """The engines' words for the slots without which it is left out as well."""
 
 
 @frozen
@@ -93,7 +97,8 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
         ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
         return None
     own = _own_pass(setting, shader)
-    values = list(_values(setting, _wanted(setting, own, asked), asked))
+    given = list(_values(setting, _wanted(setting, own, asked), asked))
+    values = list(_beside(given, record, asked))
     ctx.deferred.report()
     if ctx.report.failed:
         return None
@@ -179,14 +184,40 @@ def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> It
         if offer.blended and is_opaque:
             continue
         found = record.definitions.get(offer.name)
-        if found is not None and _is_taken(setting, asked, offer, found[0]):
+        differs = found is not None and _differs(setting, offer)
+        if found is not None and _is_taken(setting, asked, offer, found[0], differs):
             stage = VERTEX if offer.at_vertices else FRAGMENT
             is_needed = _is_needed(record, offer.name, asked)
-            yield _Slot(offer.name, stage, is_needed, offer.changed)
+            beside = offer.beside if differs else ()
+            yield _Slot(offer.name, stage, is_needed, offer.changed and not differs, beside)
 
 
-def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition) -> bool:
+def _differs(setting: Setting, offer: Offer) -> bool:
+    """True if the engine itself has another value than the one of the declaration."""
+    if offer.usual is None or isinstance(offer.usual, str):
+        return offer.usual is not None
+    declared = setting.surface.record.declaration(offer.name)
+    span = declared.member.name.span
+    usual = slot(setting.ctx, setting.surface, offer.name, span, declared.level)
+    if not isinstance(usual, Node) or bare(usual).op != "constant":
+        return True
+    return abs(float(bare(usual).data) - offer.usual) > _SAME
+
+
+def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
+    """The values without those that have no effect without others."""
+    words = {_word(record, value.slot.name, asked) for value in values}
+    for value in values:
+        if words.issuperset(value.slot.beside):
+            yield value
+
+
+def _is_taken(
+    setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition, differs: bool
+) -> bool:
     """True if a slot is an offered one, or a parameter that stands in the place of one.
+
+    ``differs`` says that the engine would have something else.
 
     A parameter of the library is no slot: the library's slots say what it is for.
     """
@@ -200,7 +231,7 @@ def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: De
     names = (offer.name, *offer.made_of)
     is_changed = any(_changes(record, name) for name in names)
     hides = _word(record, offer.name, asked) == HIDDEN and _hides(setting)
-    return is_slot and is_meant and (is_changed or hides or not offer.changed)
+    return is_slot and is_meant and (is_changed or hides or differs or not offer.changed)
 
 
 def _changes(record: Record, name: str) -> bool:
