@@ -58,7 +58,7 @@ def taken(engine: Engine, document: Functions) -> Functions:
 
 
 def _lacking(engine: Engine, document: Functions) -> Iterator[Input]:
-    """The values that the material gives and the engine does not take.
+    """The values that the material gives and the engine does not take, if they have an effect.
 
     A slot that moves the mesh is no such value where others follow from it that the engine takes.
     """
@@ -67,5 +67,6 @@ def _lacking(engine: Engine, document: Functions) -> Iterator[Input]:
     for row in INPUTS:
         followed = moving.get(row.name, "").split()
         is_served = any(word in given and word in engine.taken for word in followed)
-        if row.name in given and row.name not in engine.taken and not is_served:
+        has_effect = all(word in given for word in row.beside)
+        if row.name in given and row.name not in engine.taken and has_effect and not is_served:
             yield row

@@ -87,6 +87,17 @@ NEEDED = ("alpha", "is_hidden", "normal", COLOR)
 
 BASE_COLOR = ("base_color", "albedo", "tint", "diffuse", "diffuse_color", "kd", "base")
 
+OF_MODELS: Mapping[str, tuple[str, ...]] = {
+    "specular_level": (), "specular_weight": (), "specular_tint": (), "edge_color": (),
+    "diffuse_roughness": (), "anisotropic": (), "subsurface": (),
+    "subsurface_color": ("subsurface",), "sheen": (), "sheen_tint": ("sheen",), "fuzz": (),
+    "fuzz_color": ("fuzz",), "fuzz_roughness": ("fuzz",), "thin_film": (),
+    "thin_film_thickness": ("thin_film",), "thin_film_ior": ("thin_film",),
+    "clearcoat_gloss": ("clearcoat",), "clearcoat_color": ("clearcoat",),
+    "clearcoat_ior": ("clearcoat",), "clearcoat_darkening": ("clearcoat",),
+}  # fmt: skip
+"""Values of single models of the library, each with those without which it has no effect."""
+
 INPUTS: tuple[Input, ...] = (
     Input("base_color", BASE_COLOR),
     Input("metallic", ("metallic", "metalness")),
@@ -112,7 +123,10 @@ INPUTS: tuple[Input, ...] = (
     Input("attenuation_color", changed=True),
     Input("attenuation_distance", changed=True),
     Input("dispersion", changed=True),
-    Input("emissive", ("emissive", "emission", "glow"), changed=True),
+    *(Input(name, changed=True, beside=beside) for name, beside in OF_MODELS.items()),
+    Input(
+        "emissive", ("emissive", "emission", "glow"), changed=True, beside=("emissive_strength",)
+    ),
     Input("emissive_strength", changed=True),
     Input("occlusion", ("occlusion", "ambient_occlusion")),
     Input("normal", changed=True, moves=True),
@@ -126,12 +140,13 @@ INPUTS: tuple[Input, ...] = (
 )
 
 USUAL: Mapping[str, Mapping[str, float | str]] = {
-    "bevy": {"ior": 1.5, "clearcoat_roughness": 0.5, "thickness": 0},
-    "filament": {"clearcoat_roughness": 0},
-    "godot": {"clearcoat_roughness": 0},
+    "bevy": {"emissive": 0, "ior": 1.5, "clearcoat_roughness": 0.5, "thickness": 0},
+    "filament": {"emissive": 0, "clearcoat_roughness": 0},
+    "godot": {"emissive": 0, "clearcoat_roughness": 0},
     "three": {
         "ior": 1.5, "specular": 1, "clearcoat_roughness": 0, "clearcoat_normal": "normal",
         "sheen_roughness": 1, "iridescence_ior": 1.3, "iridescence_thickness": 400, "thickness": 0,
+        "emissive": 0,
     },
 }  # fmt: skip
 """What engines have themselves where a material gives no such slot, by the names of engines.

@@ -201,7 +201,18 @@ def _differs(setting: Setting, offer: Offer) -> bool:
     usual = slot(setting.ctx, setting.surface, offer.name, span, declared.level)
     if not isinstance(usual, Node) or bare(usual).op != "constant":
         return True
-    return abs(float(bare(usual).data) - offer.usual) > _SAME
+    lanes = _lanes(bare(usual).data)
+    return any(abs(lane - offer.usual) > _SAME for lane in lanes)
+
+
+def _lanes(value: object) -> Iterator[float]:
+    """All numbers of a constant."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _lanes(each)
+    else:
+        assert isinstance(value, int | float)
+        yield value
 
 
 def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
