@@ -21,8 +21,9 @@ def files(
 ) -> Mapping[str, str]:
     """The engine's files of one material, by their names; none if something is wrong."""
     before = report.count
+    _check_named(engine, document, report)
     for row in _lacking(engine, document):
-        slot = found(document.functions)[row.name].slots[0].name
+        slot = found(document)[row.name].slots[0].name
         if row.is_needed:
             report.add(
                 rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot,
@@ -41,15 +42,29 @@ def files(
     return written
 
 
+def _check_named(engine: Engine, document: Functions, report: Report) -> None:
+    """Report slots that somebody has named for a value which they cannot be."""
+    given = found(document)
+    for row in INPUTS:
+        if row.name in document.named and row.name in given:
+            (slot,) = given[row.name].slots
+            if not row.kind.takes(slot):
+                reason = f"it is a {slot.type}, and `{row.name}` is {row.kind.told}"
+                report.add(
+                    rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot.name,
+                    reason=reason,
+                )  # fmt: skip
+
+
 def _is_white(document: Functions) -> bool:
     """True if an engine lights a surface that says no colour of it, but something else."""
-    given = found(document.functions)
+    given = found(document)
     return is_lit(given) and bool(LIT & given.keys()) and "base_color" not in given
 
 
 def taken(engine: Engine, document: Functions) -> Functions:
     """The document without the functions that the engine's files do not have."""
-    given = found(document.functions)
+    given = found(document)
     others = {given[row.name].name for row in INPUTS if row.name in given} - {
         given[name].name for name in engine.taken if name in given
     }
@@ -62,7 +77,7 @@ def _lacking(engine: Engine, document: Functions) -> Iterator[Input]:
 
     A slot that moves the mesh is no such value where others follow from it that the engine takes.
     """
-    given = found(document.functions)
+    given = found(document)
     moving = {full.rpartition(".")[2]: words for full, words in scene_names()["moving"].items()}
     for row in INPUTS:
         followed = moving.get(row.name, "").split()

@@ -58,10 +58,7 @@ class Surface:
     @cached_property
     def inputs(self) -> Mapping[str, Given]:
         """The function for each value that the material gives."""
-        return {
-            word: self._all[row.name]
-            for word, row in slot_table.found(self.document.functions).items()
-        }
+        return {word: self._all[row.name] for word, row in slot_table.found(self.document).items()}
 
     @property
     def is_lit(self) -> bool:

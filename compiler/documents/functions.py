@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar, Literal
 
-from ...support.frozen import frozen
+from ...support.frozen import EMPTY, frozen
 from ..constraints import Lanes
 from ..ir.render_state import Cull
 from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
@@ -213,6 +213,8 @@ class Functions:
     """The rig whose lights are arguments; null where no function needs any."""
     own_pass: OwnPassRow | None = None
     """How it is drawn; left out for a material that is tied to no pass."""
+    named: Mapping[str, str] = EMPTY
+    """Slots that somebody has named for values of the engine, by these; left out without any."""
     functions: tuple[FunctionRow, ...]
     """The functions: those asked for, then those whose results are interpolated for them."""
     arguments: tuple[ArgumentRow, ...]

@@ -20,8 +20,11 @@ class Offer:
     name: str
     at_vertices: bool = False
     """True if it is computed for vertices, and not for pixels."""
-    owner: str = ""
-    """The record of the library that has to declare it; empty where a user's has to."""
+    owner: str | None = ""
+    """The record of the library that has to declare it; empty where a user's has to.
+
+    ``None`` if it does not matter, as somebody asks for this slot.
+    """
     changed: bool = False
     """True if it counts only where something else is said than where it is declared.
 

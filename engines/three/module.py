@@ -33,6 +33,8 @@ WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
 SIDES = {"none": "DoubleSide", "back": "FrontSide", "front": "BackSide"}
 """The sides that are drawn, by the faces that are not."""
+COLOR_FORMS = {"float": "vec3({0})", "vec3": "{0}", "vec4": "{0}.rgb"}
+"""A colour as nodes take it, by the type of the slot."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
 NO_NODE = (
     "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
@@ -53,8 +55,8 @@ WORDS = (
     "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
     "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
     "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler",
-    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec4",
-    "vertexIndex",
+    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec3",
+    "vec4", "vertexIndex",
 )  # fmt: skip
 """The names that modules may import from `three/tsl`."""
 
@@ -200,7 +202,7 @@ class _Writer:
         self._document, self._emissions = document, emissions
         self._arguments = {row.name: row for row in document.arguments}
         self._functions = {row.name: row for row in document.functions}
-        given = slot_table.found(document.functions)
+        given = slot_table.found(document)
         self._words = {word: row.slots[0].name for word, row in given.items()}
         self._texts = {
             name: {
@@ -413,15 +415,15 @@ class _Writer:
         for row in rows_for(self._words):
             others = {word: f"slots.{self._words[word]}" for word in row.needs}
             form = row.form
-            if form == "{0}.rgb" and self._width(row.word) == 3:
-                form = "{0}"
+            if form == "{0}.rgb":
+                form = COLOR_FORMS[self._type(row.word)]
             yield Entry(row.node, form.format(f"slots.{self._words[row.word]}", **others))
         yield from self._placing()
 
-    def _width(self, word: str) -> int:
+    def _type(self, word: str) -> str:
         name = self._words[word]
         (slot,) = (s for row in self._document.functions for s in row.slots if s.name == name)
-        return 4 if slot.representation == "vec4" else 3
+        return slot.representation
 
     def _placing(self) -> Iterator[Entry]:
         position, normal, moved = (self._words.get(word) for word in VERTICES)

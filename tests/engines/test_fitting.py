@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
 from burnish.engines import known
-from burnish.engines.slot_table import INPUTS
+from burnish.engines.slot_table import INPUTS, USUAL
 
 from ..cli.kit import invoke
 
@@ -118,6 +119,71 @@ def test_others_have_a_colour_or_nothing_to_do_with_it(compiled: str) -> None:
 def test_constants_of_the_library_are_the_engines(compiled: str) -> None:
     """A surface with an alpha would be drawn as a transparent one, even if that is 1."""
     assert "ALPHA" not in compiled and "CLEARCOAT = " in compiled
+
+
+LAYERED = """\
+import std.models.{GltfSurface}
+material Layered : GltfSurface {
+    clearcoat = 0.5   clearcoat_roughness = 0   sheen_color = rgb(uv, 1)
+    normal = normalize(inherited.normal + vec3(uv, 0))
+}
+material Bare : GltfSurface { ior = 1.5   sheen_roughness = 0   clearcoat_roughness = 0 }
+"""
+OTHERS = {"three": ["clearcoat_normal", "sheen_roughness"], "bevy": ["clearcoat_roughness"]}
+"""The slots whose constants of the library these engines have not themselves."""
+PARTNERS = ("ior", "clearcoat_roughness", "clearcoat_normal", "sheen_roughness")
+
+
+@pytest.mark.parametrize("engine", ["three", "bevy", "godot", "filament"])
+def test_constants_that_are_not_the_engines_are_given(engine: str, tmp_path: Path) -> None:
+    """three.js has a sheen of the roughness 1, and the library one of 0."""
+    file = tmp_path / "m.burnish"
+    file.write_text(LAYERED, encoding="utf-8")
+    result = invoke("compile", str(file), "--engine", engine, "-o", str(tmp_path))
+    assert result.exit_code == 0, result.stderr
+
+    def given(name: str) -> list[str]:
+        document = json.loads((tmp_path / f"{name}.functions.json").read_text("utf-8"))
+        names = [row["name"] for row in document["functions"]]
+        return [name for name in PARTNERS if name in names]
+
+    assert given("Layered") == OTHERS.get(engine, [])
+    assert given("Bare") == []
+
+
+def test_what_engines_have_themselves_are_values_that_they_take() -> None:
+    for name, values in USUAL.items():
+        assert values.keys() <= known.load(name).taken
+
+
+LIBRARY = (Path(__file__).parents[2] / "stdlib" / "models.burnish").read_text("utf-8")
+MODELS = dict(
+    re.findall(r"^abstract material (\w+) : Surface.*?\{\n(.*?)\n\n", LIBRARY, re.M | re.S)
+)
+"""What the models of the library declare first: the slots that people set."""
+DECLARED = re.compile(r"^    (\w+) +: (float|rgb) +=", re.M)
+PARTS = {"OpenPbr": {"base_weight", "base_color"}}
+"""Slots that reach engines by another one, which is made of them."""
+
+
+@pytest.mark.parametrize("engine", ["three", "bevy", "godot", "filament"])
+@pytest.mark.parametrize("model", MODELS)
+def test_no_slot_of_a_model_is_lost(model: str, engine: str, tmp_path: Path) -> None:
+    slots = dict(DECLARED.findall(MODELS[model]))
+    assert len(slots) > 8
+    values = {"float": "0.3 + 0.5 * uv.x", "rgb": "rgb(uv, 1)"}
+    lines = "\n".join(f"    {name} = {values[type_]}" for name, type_ in slots.items())
+    file = tmp_path / "m.burnish"
+    file.write_text(
+        f"import std.models.{{{model}}}\nmaterial M : {model} {{\n{lines}\n}}\n", encoding="utf-8"
+    )
+    result = invoke("compile", str(file), "--engine", engine, "-o", str(tmp_path))
+    assert result.exit_code == 0, result.stderr
+    document = json.loads((tmp_path / "M.functions.json").read_text("utf-8"))
+    written = {row["name"] for row in document["functions"]}
+    told = set(re.findall(r"the slot `(\w+)` of `M` is left out", result.stderr))
+    assert not slots.keys() - written - told - PARTS.get(model, set())
+    assert not written & told
 
 
 def test_engines_take_values_of_the_table() -> None:

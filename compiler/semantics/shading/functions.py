@@ -180,14 +180,17 @@ def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> It
     """The offered slots that the material has."""
     record = setting.surface.record
     is_opaque = own is not None and not (own.blends or own.covers)
+    seen = set[tuple[str, bool]]()
     for offer in asked.offers:
-        if offer.blended and is_opaque:
+        place = offer.name, offer.at_vertices
+        if (offer.blended and is_opaque) or place in seen:
             continue
         found = record.definitions.get(offer.name)
         differs = found is not None and _differs(setting, offer)
         if found is not None and _is_taken(setting, asked, offer, found[0], differs):
+            seen.add(place)
             stage = VERTEX if offer.at_vertices else FRAGMENT
-            is_needed = _is_needed(record, offer.name, asked)
+            is_needed = offer.owner is None or _is_needed(record, offer.name, asked)
             beside = offer.beside if differs else ()
             yield _Slot(offer.name, stage, is_needed, offer.changed and not differs, beside)
 
@@ -238,7 +241,7 @@ def _is_taken(
         is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
     else:
         is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
-    is_meant = offer.owner == library_name(declared.owner)
+    is_meant = offer.owner is None or offer.owner == library_name(declared.owner)
     names = (offer.name, *offer.made_of)
     is_changed = any(_changes(record, name) for name in names)
     hides = _word(record, offer.name, asked) == HIDDEN and _hides(setting)
