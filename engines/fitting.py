@@ -13,7 +13,11 @@ from ..compiler.documents.functions import Functions
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import changed
 from .engine import Emissions, Engine
-from .slot_table import INPUTS, LIT, Input, found, is_lit
+from .slot_table import INPUTS, Input, found, is_lit
+
+NOTHING_TAKEN = (
+    "none of its slots is a value that the engine takes; name one, as in `--slots base_color=…`"
+)
 
 
 def files(
@@ -34,6 +38,11 @@ def files(
                 rules.LEFT_TO_ENGINE, None, engine=engine.title, value=row.name, slot=slot,
                 name=document.material,
             )  # fmt: skip
+    if not engine.by_hand and not engine.taken & found(document).keys():
+        report.add(
+            rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=document.material,
+            reason=NOTHING_TAKEN,
+        )  # fmt: skip
     if any(each.severity == "error" for each in report.since(before)):
         return {}
     written = engine.write(document, emissions, report)
@@ -57,9 +66,9 @@ def _check_named(engine: Engine, document: Functions, report: Report) -> None:
 
 
 def _is_white(document: Functions) -> bool:
-    """True if an engine lights a surface that says no colour of it, but something else."""
+    """True if an engine lights a surface that says no colour of it."""
     given = found(document)
-    return is_lit(given) and bool(LIT & given.keys()) and "base_color" not in given
+    return is_lit(given) and "base_color" not in given
 
 
 def taken(engine: Engine, document: Functions) -> Functions:

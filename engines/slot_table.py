@@ -197,12 +197,6 @@ It is a number, or the slot that stands in its place. A slot that the library de
 else is given, even if the material says nothing of it.
 """
 
-LIT = frozenset({
-    "base_color", "metallic", "roughness", "squared_roughness", "clearcoat", "emissive",
-    "occlusion", "normal",
-})  # fmt: skip
-"""A surface that gives one of these is lit by an engine; what it leaves out is the engine's own."""
-
 
 def is_lit(words: Collection[str]) -> bool:
     """True if an engine lights a surface that gives these values; else it sends out its own."""

@@ -214,7 +214,7 @@ class Functions:
     own_pass: OwnPassRow | None = None
     """How it is drawn; left out for a material that is tied to no pass."""
     named: Mapping[str, str] = EMPTY
-    """Slots that somebody has named for values of the engine, by these; left out without any."""
+    """Slots that somebody has named for values of the engine, by these; empty without any."""
     functions: tuple[FunctionRow, ...]
     """The functions: those asked for, then those whose results are interpolated for them."""
     arguments: tuple[ArgumentRow, ...]

@@ -36,10 +36,6 @@ SIDES = {"none": "DoubleSide", "back": "FrontSide", "front": "BackSide"}
 COLOR_FORMS = {"float": "vec3({0})", "vec3": "{0}", "vec4": "{0}.rgb"}
 """A colour as nodes take it, by the type of the slot."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
-NO_NODE = (
-    "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
-    "`--slots base_color=…`, or take it with its lights, by `--engine three-webgl`"
-)
 _HERE = Path(__file__).parent
 _SHARED = ("surface", "attribute")
 """The sources of arguments that are the same nodes for all functions."""
@@ -131,11 +127,6 @@ def write(
     if not _fits(document, report):
         return {}
     module = _Writer(document, emissions).module()
-    if not module.nodes:
-        report.add(
-            rules.UNFIT_FOR_ENGINE, None, slot=document.material, engine="three.js", reason=NO_NODE
-        )
-        return {}
     name = f"{document.material}.three"
     return {
         f"{name}.js": _filled("module.js.j2", module),

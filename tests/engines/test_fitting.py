@@ -110,6 +110,50 @@ def test_a_surface_without_a_colour_is_told(compiled: str) -> None:
     assert "draws `Bent` white: no slot of it is known as its base colour" in compiled
 
 
+HOLED = """\
+import std.terms.{lambert}
+material Holed {
+    color = lambert(rgb(1, 1, 1))
+    is_hidden = uv.x < 0.5
+}
+"""
+
+
+@pytest.mark.parametrize("engine", ["bevy", "filament", "godot", "three"])
+def test_all_engines_draw_what_has_no_colour_white(engine: str, tmp_path: Path) -> None:
+    """That the material lights itself is no reason why one engine draws it and another does not."""
+    file = tmp_path / "m.burnish"
+    file.write_text(HOLED, encoding="utf-8")
+    result = invoke("compile", str(file), "--engine", engine, "-o", str(tmp_path))
+    assert result.exit_code == 0 and "B0909" not in result.stderr
+    assert "draws `Holed` white: no slot of it is known as its base colour" in result.stderr
+
+
+READ = """\
+import std.terms.{lambert}
+material Read {
+    tint = rgb(wear, 1, 1)
+    wear = uv.x
+    occlusion = uv.x
+    color = lambert(rgb(1, 1, 1))
+}
+"""
+
+
+@pytest.mark.parametrize("engine", ["bevy", "filament", "godot", "three"])
+def test_nobody_is_told_that_nothing_reads_what_an_engine_reads(
+    engine: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A build is up to date then, as there is nothing to tell."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("BURNISH_CACHE", str(tmp_path / "cache"))
+    Path("m.burnish").write_text(READ, encoding="utf-8")
+    assert "warning[B0210]: nothing reads `occlusion`" in invoke("check", "m.burnish").stderr
+    first, second = (invoke("build", ".", "--engine", engine) for _ in range(2))
+    assert (first.exit_code, first.stderr, second.stderr) == (0, "", "")
+    assert "0 actions run, 1 up to date" in second.stdout
+
+
 @pytest.mark.parametrize("compiled", [(BENT, "unity"), (COATED, "godot")], indirect=True)
 def test_others_have_a_colour_or_nothing_to_do_with_it(compiled: str) -> None:
     assert "white" not in compiled.partition("warning")[2]

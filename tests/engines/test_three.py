@@ -219,7 +219,7 @@ material Stained {
 """
 
 
-def test_a_material_that_gives_no_node_is_told(tmp_path: Path) -> None:
+def test_a_material_that_gives_nothing_is_told(tmp_path: Path) -> None:
     source = tmp_path / "stained.burnish"
     source.write_text(STAINED, encoding="utf-8")
     result = invoke(
@@ -227,8 +227,8 @@ def test_a_material_that_gives_no_node_is_told(tmp_path: Path) -> None:
     )
     assert result.exit_code == 1
     assert (
-        "error[B0909]: three.js cannot draw `Stained`: it says itself how it is lit, and none of "
-        "its slots becomes a node" in result.stderr
+        "error[B0909]: three.js cannot draw `Stained`: none of its slots is a value that the "
+        "engine takes; name one, as in `--slots base_color=…`" in result.stderr
     )
     assert not (tmp_path / "out").exists()
 

@@ -126,6 +126,14 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
     return FunctionsShader(made_of, slots, tuple(known.values()), own)
 
 
+def read_slots(setting: Setting, asked: FunctionsAsked) -> None:
+    """Read the slots that functions return: nobody is told then that nothing reads them."""
+    surface = setting.surface
+    for each in _wanted(setting, None, asked):
+        span = surface.record.definitions[each.name][0].member.name.span
+        slot(setting.ctx, surface, each.name, span)
+
+
 def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
     """How the material's own pass draws it; ``None`` if it is tied to none."""
     drawn = setting.passing.record
