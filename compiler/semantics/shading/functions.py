@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
-from ...diagnostics.diagnostic import Label
+from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
 from ...ir.blending import REPLACES
@@ -42,6 +42,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.parameters import library_name, of_kind
 from ..inheritance.records import Definition, Record
+from ..inheritance.ties import tie_of
 from ..lowering.outlining import lowered
 from ..state.scope import OUTERMOST, Failure
 from .assembly import Setting
@@ -52,8 +53,6 @@ TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
 """What the function is called that returns all slots of a stage."""
 HIDDEN = "is_hidden"
 """The engines' word for the slot that says where nothing is drawn."""
-UNTIED = "std.prelude.Forward"
-"""The pass of a material that is tied to none."""
 _SAME = 1e-6
 """The difference of two numbers that are meant to be the same."""
 OF_RIG = "rig"
@@ -137,7 +136,7 @@ def read_slots(setting: Setting, asked: FunctionsAsked) -> None:
 def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
     """How the material's own pass draws it; ``None`` if it is tied to none."""
     drawn = setting.passing.record
-    if library_name(drawn.symbol) == UNTIED:
+    if tie_of(setting.parts.material, setting.ctx.records, Report()) is None:
         return None
     state = shader.render_state
     turned: dict[Cull, Cull] = {"none": "none", "back": "front", "front": "back"}
@@ -282,7 +281,8 @@ def _moved(record: Record, asked: FunctionsAsked, *, only_parts: bool = False) -
 def _hides(setting: Setting) -> bool:
     """True if the pass that the material is tied to draws nothing at some pixels."""
     drawn = setting.passing.record.every(ast.Discard)
-    return any(library_name(owner) != UNTIED for _, owner, _ in drawn)
+    root = setting.passing.record.root
+    return any(owner is not root or not owner.module.is_standard for _, owner, _ in drawn)
 
 
 def _slots_of(record: Record) -> Sequence[str]:
