@@ -12,7 +12,7 @@ from pathlib import Path
 from ..compiler.diagnostics import rules
 from ..compiler.diagnostics.diagnostic import CompileError, Report
 from ..compiler.diagnostics.nearest import suggestion
-from ..compiler.documents.functions import FunctionRow, Functions
+from ..compiler.documents.functions import FunctionRow, Functions, SlotRow
 from ..compiler.ir.functions import Offer
 from ..compiler.passes.pipeline import Options
 from ..engines.engine import Engine
@@ -50,7 +50,7 @@ def functions_for(
     if languages:
         _check_places(engine, only)
     if engine.is_offered and (languages or not only):
-        offered = offers(named, only, engine.taken)
+        offered = offers(engine.name, named, only, engine.taken)
     elif only:  # Functions in a target may be of any slots, for users' own nodes.
         slots = (*only, *named.values())
     asked = AskedFunctions(
@@ -60,8 +60,7 @@ def functions_for(
     )  # fmt: skip
     found = functions_of(asked)
     _check_slots(found, (*named.values(), *(each.partition("@")[0] for each in only)))
-    roles = {slot: word for word, slot in named.items()}
-    return changed(found, materials=tuple(_with_roles(each, roles) for each in found))
+    return changed(found, materials=tuple(_with_roles(each, named) for each in found))
 
 
 def _check_places(engine: Engine, only: Sequence[str]) -> None:
@@ -101,21 +100,25 @@ def _check_slots(found: FunctionsResult, wanted: Collection[str]) -> None:
         raise CompileError(report.diagnostics)
 
 
-def _with_roles(material: CompiledFunctions, roles: Mapping[str, str]) -> CompiledFunctions:
+def _with_roles(material: CompiledFunctions, named: Mapping[str, str]) -> CompiledFunctions:
     """A material whose slots have the roles that a user gives them; no others have these."""
-    if not roles:
+    if not named:
         return material
 
+    def role(slot: SlotRow) -> str | None:
+        given = [word for word, name in named.items() if name == slot.name]
+        own = None if slot.role in named else slot.role
+        return slot.role if slot.role in given else own or next(iter(given), None)
+
     def row(function: FunctionRow) -> FunctionRow:
-        slots = []
-        for slot in function.slots:
-            role = None if slot.role in roles.values() else slot.role
-            slots.append(changed(slot, role=roles.get(slot.name, role)))
+        slots = (changed(slot, role=role(slot)) for slot in function.slots)
         return changed(function, slots=tuple(slots))
 
     def document() -> Functions:
         made = material.document
-        return changed(made, functions=tuple(map(row, made.functions)))
+        known = {slot.name for each in made.functions for slot in each.slots}
+        own = {word: slot for word, slot in named.items() if slot in known}
+        return changed(made, functions=tuple(map(row, made.functions)), named=own)
 
     return CompiledFunctions(material.name, material.files, document)
 

@@ -112,7 +112,7 @@ def _compiled(
         full_name(language, profile): function_backend_row(language, emission, file.name)
         for (language, profile, emission), file in zip(emissions, files, strict=True)
     }
-    document = partial(functions_document, staged.program, staged.slots, backends)
+    document = partial(functions_document, staged.program, staged.slots, made.own_pass, backends)
     return CompiledFunctions(made.shader.name, files, document)
 
 

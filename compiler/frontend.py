@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -140,14 +140,17 @@ class Frontend:
 
         Errors are in the report. Without a name of a rig, lights are those of any.
         """
-        from .semantics.shading.functions import functions_of
+        from .semantics.shading.functions import functions_of, read_slots
+
+        def read(setting: Setting) -> None:
+            read_slots(setting, asked)
 
         materials = self._materials(module, material)
         lights = self._rigs_of(module)[0] if rig is None else self._rig(module, rig)
         if lights is None:
             return []
         made, without = [], []
-        for setting, shader in self._elaborated(module, lights, None, materials, set()):
+        for setting, shader in self._elaborated(module, lights, None, materials, set(), read):
             if shader is None:
                 continue
             before = setting.ctx.report.count
@@ -184,8 +187,11 @@ class Frontend:
         named: Symbol | None,
         materials: Iterable[Symbol],
         reached: set[Symbol],
+        first: Callable[[Setting], None] | None = None,
     ) -> Iterator[tuple[Setting, Shader | None]]:
         """Yields materials put together, each with its shader; ``None`` where errors are found.
+
+        ``first`` is called with each before anything of it is checked.
 
         Without a ``named`` pass, each is drawn by the one that it is tied to, or by the library's.
         """
@@ -201,6 +207,8 @@ class Frontend:
                 )  # fmt: skip
             parts = Parts(material, rig, named or own, module)
             setting = set_up(parts, self._report.apart(), self._records)
+            if first is not None:
+                first(setting)
             shader = elaborate(setting, reached)
             self._report.extend(setting.ctx.report.since(0))
             yield setting, shader

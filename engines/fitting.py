@@ -13,7 +13,11 @@ from ..compiler.documents.functions import Functions
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import changed
 from .engine import Emissions, Engine
-from .slot_table import INPUTS, LIT, Input, found, is_lit
+from .slot_table import INPUTS, Input, found, is_lit
+
+NOTHING_TAKEN = (
+    "none of its slots is a value that the engine takes; name one, as in `--slots base_color=…`"
+)
 
 
 def files(
@@ -21,8 +25,9 @@ def files(
 ) -> Mapping[str, str]:
     """The engine's files of one material, by their names; none if something is wrong."""
     before = report.count
+    _check_named(engine, document, report)
     for row in _lacking(engine, document):
-        slot = found(document.functions)[row.name].slots[0].name
+        slot = found(document)[row.name].slots[0].name
         if row.is_needed:
             report.add(
                 rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot,
@@ -33,6 +38,11 @@ def files(
                 rules.LEFT_TO_ENGINE, None, engine=engine.title, value=row.name, slot=slot,
                 name=document.material,
             )  # fmt: skip
+    if not engine.by_hand and not engine.taken & found(document).keys():
+        report.add(
+            rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=document.material,
+            reason=NOTHING_TAKEN,
+        )  # fmt: skip
     if any(each.severity == "error" for each in report.since(before)):
         return {}
     written = engine.write(document, emissions, report)
@@ -41,15 +51,29 @@ def files(
     return written
 
 
+def _check_named(engine: Engine, document: Functions, report: Report) -> None:
+    """Report slots that somebody has named for a value which they cannot be."""
+    given = found(document)
+    for row in INPUTS:
+        if row.name in document.named and row.name in given:
+            (slot,) = given[row.name].slots
+            if not row.kind.takes(slot):
+                reason = f"it is a {slot.type}, and `{row.name}` is {row.kind.told}"
+                report.add(
+                    rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot.name,
+                    reason=reason,
+                )  # fmt: skip
+
+
 def _is_white(document: Functions) -> bool:
-    """True if an engine lights a surface that says no colour of it, but something else."""
-    given = found(document.functions)
-    return is_lit(given) and bool(LIT & given.keys()) and "base_color" not in given
+    """True if an engine lights a surface that says no colour of it."""
+    given = found(document)
+    return is_lit(given) and "base_color" not in given
 
 
 def taken(engine: Engine, document: Functions) -> Functions:
     """The document without the functions that the engine's files do not have."""
-    given = found(document.functions)
+    given = found(document)
     others = {given[row.name].name for row in INPUTS if row.name in given} - {
         given[name].name for name in engine.taken if name in given
     }
@@ -58,14 +82,15 @@ def taken(engine: Engine, document: Functions) -> Functions:
 
 
 def _lacking(engine: Engine, document: Functions) -> Iterator[Input]:
-    """The values that the material gives and the engine does not take.
+    """The values that the material gives and the engine does not take, if they have an effect.
 
     A slot that moves the mesh is no such value where others follow from it that the engine takes.
     """
-    given = found(document.functions)
+    given = found(document)
     moving = {full.rpartition(".")[2]: words for full, words in scene_names()["moving"].items()}
     for row in INPUTS:
         followed = moving.get(row.name, "").split()
         is_served = any(word in given and word in engine.taken for word in followed)
-        if row.name in given and row.name not in engine.taken and not is_served:
+        has_effect = all(word in given for word in row.beside)
+        if row.name in given and row.name not in engine.taken and has_effect and not is_served:
             yield row

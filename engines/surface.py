@@ -58,26 +58,12 @@ class Surface:
     @cached_property
     def inputs(self) -> Mapping[str, Given]:
         """The function for each value that the material gives."""
-        return {
-            word: self._all[row.name]
-            for word, row in slot_table.found(self.document.functions).items()
-        }
+        return {word: self._all[row.name] for word, row in slot_table.found(self.document).items()}
 
     @property
     def is_lit(self) -> bool:
-        """True if the engine lights it; else it sends out light of its own.
-
-        Raises ``UnfitError`` for a surface that gives neither.
-        """
-        if not slot_table.is_lit(self.inputs):
-            return False
-        if slot_table.LIT & self.inputs.keys():
-            return True
-        raise UnfitError(
-            self.name,
-            "it says itself how it is lit, and none of its slots is one by which an engine lights; "
-            "name one, as in `--slots base_color=…`",
-        )
+        """True if the engine lights it; else it sends out light of its own."""
+        return slot_table.is_lit(self.inputs)
 
     @cached_property
     def arguments(self) -> Mapping[str, ArgumentRow]:

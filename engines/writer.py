@@ -130,6 +130,7 @@ class Writer:
     def _parameter(self, identifier: str, row: ArgumentRow, at_vertices: bool) -> str:
         roles = self._tables.vertex_roles if at_vertices else self._tables.pixel_roles
         if row.role is not None and row.role in roles:
+            self.reads.add(roles[row.role])
             return roles[row.role]
         self.parameters[identifier] = row
         return self._tables.parameter.format(name=identifier)

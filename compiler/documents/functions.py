@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar, Literal
 
-from ...support.frozen import frozen
+from ...support.frozen import EMPTY, frozen
 from ..constraints import Lanes
+from ..ir.render_state import Cull
 from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .drawing import SamplerState
 from .values import ChoiceRow
@@ -183,6 +184,20 @@ class FunctionsBackendRow:
 
 
 @frozen(kw_only=True)
+class OwnPassRow:
+    """How the pass draws a material that is tied to it, as far as engines can do so."""
+
+    name: str
+    """The pass."""
+    cull: Cull
+    """Faces that are not drawn, a GPUCullMode: front faces run counter-clockwise."""
+    blends: bool
+    """True if what is drawn is blended with what is there."""
+    covers: bool
+    """True if the alpha is the share of a pixel's samples that are covered."""
+
+
+@frozen(kw_only=True)
 class Functions:
     """Everything that an engine has to know to call the slots of one material."""
 
@@ -196,6 +211,10 @@ class Functions:
     """The material's doc comment; empty where there is none."""
     rig: str | None
     """The rig whose lights are arguments; null where no function needs any."""
+    own_pass: OwnPassRow | None = None
+    """How it is drawn; left out for a material that is tied to no pass."""
+    named: Mapping[str, str] = EMPTY
+    """Slots that somebody has named for values of the engine, by these; empty without any."""
     functions: tuple[FunctionRow, ...]
     """The functions: those asked for, then those whose results are interpolated for them."""
     arguments: tuple[ArgumentRow, ...]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...support.frozen import EMPTY, frozen
+from .render_state import Cull
 from .shader import Shader
 
 
@@ -19,8 +20,11 @@ class Offer:
     name: str
     at_vertices: bool = False
     """True if it is computed for vertices, and not for pixels."""
-    owner: str = ""
-    """The record of the library that has to declare it; empty where a user's has to."""
+    owner: str | None = ""
+    """The record of the library that has to declare it; empty where a user's has to.
+
+    ``None`` if it does not matter, as somebody asks for this slot.
+    """
     changed: bool = False
     """True if it counts only where something else is said than where it is declared.
 
@@ -28,6 +32,15 @@ class Offer:
     """
     made_of: tuple[str, ...] = ()
     """Slots of which the declaration makes it: what is said of these counts as well."""
+    blended: bool = False
+    """True if it is left out where the material is tied to a pass that does not blend."""
+    usual: float | str | None = None
+    """What the engine has itself, if that is known: a number, or the word of another slot.
+
+    Where the declaration says something else, the slot is given even if it is as declared.
+    """
+    beside: tuple[str, ...] = ()
+    """The words of the slots without which such a value has no effect."""
 
 
 @frozen
@@ -83,6 +96,19 @@ class SurfaceInfo:
 
 
 @frozen
+class OwnPass:
+    """How the pass draws a material that is tied to it."""
+
+    name: str
+    cull: Cull
+    """The faces that are not drawn: of those whose vertices run counter-clockwise in front."""
+    blends: bool
+    """True if what is drawn is blended with what is in the targets."""
+    covers: bool
+    """True if the alpha is the share of a pixel's samples that are covered."""
+
+
+@frozen
 class FunctionsShader:
     """The values of a material's slots as a shader, with what hosts are told of them."""
 
@@ -92,3 +118,5 @@ class FunctionsShader:
     """The slots in the order of the results of the kind ``VALUE``."""
     surface: tuple[SurfaceInfo, ...]
     """The values that engines have, in the order of the results of the kind ``SURFACE``."""
+    own_pass: OwnPass | None = None
+    """How it is drawn, if it is tied to a pass."""

@@ -12,10 +12,11 @@ from ..documents.functions import (
     Functions,
     FunctionsBackendRow,
     FunctionTextureRow,
+    OwnPassRow,
     SlotRow,
 )
 from ..ir.default_textures import OF_SAMPLES
-from ..ir.functions import SlotInfo
+from ..ir.functions import OwnPass, SlotInfo
 from ..ir.program import Program, Stage
 from ..ir.shader import ArgumentInfo, ParameterInfo, TextureInfo
 from ..ir.types import TextureType
@@ -27,7 +28,10 @@ LIGHTS = "rig"
 
 
 def functions_document(
-    program: Program, slots: Sequence[SlotInfo], backends: Mapping[str, FunctionsBackendRow]
+    program: Program,
+    slots: Sequence[SlotInfo],
+    own_pass: OwnPass | None,
+    backends: Mapping[str, FunctionsBackendRow],
 ) -> Functions:
     """Everything that an engine has to know; ``slots`` are those of all results, in order."""
     shader = program.shader
@@ -43,6 +47,7 @@ def functions_document(
         material=shader.name,
         doc=shader.doc,
         rig=shader.rig_name if is_lit else None,
+        own_pass=None if own_pass is None else _own_pass(own_pass),
         functions=functions,
         arguments=arguments,
         textures=tuple(
@@ -50,6 +55,10 @@ def functions_document(
         ),
         backends=backends,
     )
+
+
+def _own_pass(given: OwnPass) -> OwnPassRow:
+    return OwnPassRow(name=given.name, cull=given.cull, blends=given.blends, covers=given.covers)
 
 
 def _function(stage: Stage, slots: Sequence[SlotInfo]) -> FunctionRow:

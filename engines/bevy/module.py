@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...support.frozen import frozen
+from ..drawing import covers, culled
 from ..surface import Surface, UnfitError
 from .fields import TYPES, Choice, Field, choice, identifier, parameter
 from .images import Loading, Texel, field, loading, texel
@@ -15,6 +16,12 @@ from .values import ATTRIBUTES
 
 PREPASS_LOCATIONS = {"normal": 3, "tangent": 4}
 """The locations of vertex inputs, where pixels are drawn before they are lit."""
+SIDES: Mapping[str | None, tuple[str, ...]] = {
+    "none": ("cull_mode: None", "double_sided: true"),
+    "back": ("cull_mode: Some(Face::Back)",),
+    "front": ("cull_mode: Some(Face::Front)",),
+}
+"""Settings for the faces that are not drawn."""
 MARKS = {"clearcoat": "clearcoat: 1.0", "transmission": "specular_transmission: 1.0"}
 """Settings without which Bevy leaves the code of a slot out, by the slots."""
 TAKEN = frozenset({
@@ -134,8 +141,7 @@ def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
     alpha = _alpha_mode(surface, statements)
     if alpha is not None:
         yield f"alpha_mode: {alpha}"
-    if "front_facing" in statements.reads:
-        yield "cull_mode: None"
+    yield from SIDES.get(culled(surface.document), ())
     for name, setting in MARKS.items():
         if name in surface.inputs:
             yield setting
@@ -144,6 +150,8 @@ def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
 def _alpha_mode(surface: Surface, statements: Statements) -> str | None:
     """How pixels are blended; only those of a mask may be absent where depths are drawn."""
     opaque = "AlphaMode::Mask(0.5)" if "is_hidden" in surface.inputs else "AlphaMode::Opaque"
+    if "alpha" in surface.inputs and covers(surface.document):
+        return "AlphaMode::AlphaToCoverage"
     if "alpha" in surface.inputs:
         for row in statements.parameters.values():
             if row.role == "is_opaque":

@@ -120,7 +120,7 @@ TABLES = Tables(
         ("pipeline", "frag_coord"): "pixel.position",
         ("pipeline", "front_facing"): "front_facing",
     },
-    vertex_roles={"object_to_world": "object_to_world", "eye": EYE, "size": SIZE},
+    vertex_roles={"object_to_world": "world_from_local", "eye": EYE, "size": SIZE},
     pixel_roles={
         "object_to_world": "mesh_functions::get_world_from_local(pixel.instance_index)",
         "eye": EYE,

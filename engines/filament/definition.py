@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from ...compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ...targets.emit.wrapping import wrapped
+from ..drawing import culled
 from ..surface import Surface, UnfitError
 from ..texts import usual
 from ..writer import Writer
-from .values import NORMAL, PREMULTIPLY, PREPARE, REQUIRED, TABLES, VARIABLES
+from .values import FRAME, HELPERS, NORMAL, PREMULTIPLY, PREPARE, REQUIRED, TABLES, VARIABLES
 
 TYPES = {
     **{f"{of}vec{lanes}": f"{kind}{lanes}" for of, kind in
@@ -50,7 +51,7 @@ def definition(surface: Surface) -> str:
         )
     blocks = [_header(surface, writer), _material(surface, writer)]
     if writer.vertices:
-        functions = _functions(writer, "vertex")
+        functions = [*_helpers(writer), *_functions(writer, "vertex")]
         body = _function("materialVertex(inout MaterialVertexInputs material)", writer.vertices)
         blocks.append(_block("vertex", [*functions, body]))
     functions = _functions(writer, "fragment")
@@ -88,6 +89,7 @@ def _material(surface: Surface, writer: Writer) -> str:
     if parameters:
         settings.append("parameters : [\n" + ",\n".join(parameters) + "\n    ]")
     settings.append(f"blending : {_blending(surface)}")
+    settings += _sides(surface, writer)
     settings.append("flipUV : false")
     lines = ",\n".join(f"    {setting}" for setting in settings)
     return f"material {{\n{lines}\n}}\n"
@@ -106,6 +108,18 @@ def _blending(surface: Surface) -> str:
     if "alpha" in surface.inputs:
         return "fade"
     return "masked" if "is_hidden" in surface.inputs else "opaque"
+
+
+def _sides(surface: Surface, writer: Writer) -> Iterator[str]:
+    """Which faces are drawn. Where both are, Filament turns the normal to the one that is seen.
+
+    It would turn what the functions read as well, which then have to turn normals themselves.
+    """
+    cull = culled(surface.document)
+    if cull == "none" and surface.is_lit and not any(FRAME in read for read in writer.reads):
+        yield "doubleSided : true"
+    elif cull is not None:
+        yield f"culling : {cull}"
 
 
 def _parameters(writer: Writer) -> Iterator[str]:
@@ -159,6 +173,11 @@ def _sampler(name: str, row: FunctionTextureRow) -> str:
     comment = "; ".join(told)
     type_ = SAMPLERS[row.dimension]
     return f"        // {comment}\n        {{ type : {type_}, name : {_quoted(name)}{kind} }}"
+
+
+def _helpers(writer: Writer) -> list[str]:
+    """What vertices compute of values of Filament, for functions or for pixels."""
+    return [text for call, text in HELPERS.items() if call in writer.reads]
 
 
 def _functions(writer: Writer, stage: str) -> list[str]:

@@ -10,12 +10,14 @@ from ...targets import registry
 from ...targets.description.profile import Profile
 from ...targets.description.reserved import Reserved
 from ...targets.description.shading_language import Language
-from .values import TABLES
+from .values import HELPERS, TABLES
 
 MACROS = frozenset(
     f"{kind}{lanes}" for kind in ("bool", "int", "uint", "float") for lanes in (2, 3, 4)
 ) | {"float3x3", "float4x4", "saturate", "saturateMediump", "atan2", "sq"}
 """What Filament's own text defines as macros, or would be hidden from it."""
+OWN = frozenset(call.partition("(")[0] for call in HELPERS)
+"""The functions of definitions that are not the material's."""
 
 
 @cache
@@ -42,4 +44,4 @@ def _reserved() -> Reserved:
     import re
 
     glsl, _profile = registry.select("glsl:es300")
-    return Reserved(glsl.reserved().words | MACROS, re.compile("[A-Z][A-Z0-9_]*$|gl_|__"))
+    return Reserved(glsl.reserved().words | MACROS | OWN, re.compile("[A-Z][A-Z0-9_]*$|gl_|__"))

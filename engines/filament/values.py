@@ -1,4 +1,9 @@
-"""Where Filament has the values that functions take, and which it takes itself: its tables."""
+"""Where Filament has the values that functions take, and which it takes itself: its tables.
+
+Filament moves its world to the camera, so that numbers stay small. Functions take places of the
+user's world, from which it is shifted: ``getWorldOffset()`` leads back there, in old versions of
+Filament as well.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +18,11 @@ PREMULTIPLY = "material.baseColor.rgb *= material.baseColor.a;"
 NORMAL = Output("normal", "vec3", "material.normal = normalize({value} * getWorldTangentFrame());")
 COORDINATES = {"vec2": "getUV0()"}
 
+OFFSET = "getWorldOffset()"
+EYE = f"(getWorldCameraPosition() + {OFFSET})"
+USER_FROM_OBJECT = "object_to_user_world()"
+TANGENT = "object_tangent()"
+"""The tangent of the mesh, which Filament has as a part of a quaternion."""
 FROM_OBJECT = "getWorldFromModelMatrix()"
 OBJECT_NORMAL = f"normalize(material.worldNormal * mat3({FROM_OBJECT}))"
 FRAME = "getWorldTangentFrame()"
@@ -48,14 +58,15 @@ TABLES = Tables(
             "vec3",
             f"material.worldPosition = {FROM_OBJECT} * vec4({{value}}, 1.0);",
         ),
-        Output("position", "vec3", "material.worldPosition.xyz = {value};"),
+        Output("position", "vec3", f"material.worldPosition.xyz = {{value}} - {OFFSET};"),
     ),
     at_vertices={
         ("surface", "uv"): "material.uv0",
-        ("surface", "position"): "material.worldPosition.xyz",
+        ("surface", "position"): f"(material.worldPosition.xyz + {OFFSET})",
         ("surface", "normal"): "material.worldNormal",
         ("attribute", "vertex_position"): "getPosition().xyz",
         ("attribute", "vertex_normal"): OBJECT_NORMAL,
+        ("attribute", "vertex_tangent"): TANGENT,
         ("attribute", "vertex_uv"): "material.uv0",
         ("attribute", "vertex_uv2"): "material.uv1",
         ("attribute", "vertex_color"): "material.color",
@@ -64,19 +75,20 @@ TABLES = Tables(
     },
     at_pixels={
         ("surface", "uv"): "getUV0()",
-        ("surface", "position"): "getWorldPosition()",
+        ("surface", "position"): f"(getWorldPosition() + {OFFSET})",
         ("surface", "normal"): f"{FRAME}[2]",
         ("surface", "tangent"): f"{FRAME}[0]",
         ("attribute", "vertex_position"): Between("vec3", "object_position", "getPosition().xyz"),
         ("attribute", "vertex_normal"): Between("vec3", "object_normal", OBJECT_NORMAL),
+        ("attribute", "vertex_tangent"): Between("vec4", "object_tangent", TANGENT),
         ("attribute", "vertex_uv"): "getUV0()",
         ("attribute", "vertex_uv2"): "getUV1()",
         ("attribute", "vertex_color"): "getColor()",
         ("pipeline", "frag_coord"): "gl_FragCoord",
         ("pipeline", "front_facing"): "gl_FrontFacing",
     },
-    vertex_roles={"object_to_world": FROM_OBJECT, "eye": "getWorldCameraPosition()"},
-    pixel_roles={"eye": "getWorldCameraPosition()"},
+    vertex_roles={"object_to_world": USER_FROM_OBJECT, "eye": EYE},
+    pixel_roles={"eye": EYE},
     own_inputs=tuple(f"getCustom{number}()" for number in range(8)),
     interpolated=frozenset({"float", "vec2", "vec3", "vec4"}),
     lanes={"float": ".x", "vec2": ".xy", "vec3": ".xyz", "vec4": ""},
@@ -86,10 +98,27 @@ TABLES = Tables(
     hand_over="material.{name}{lanes} = {value};",
 )
 
+HELPERS = {
+    USER_FROM_OBJECT: f"""\
+mat4 {USER_FROM_OBJECT} {{
+    mat4 found = {FROM_OBJECT};
+    found[3].xyz += {OFFSET};
+    return found;
+}}""",
+    TANGENT: f"""\
+/// The sign of a mesh's quaternion is that of the bitangent.
+vec4 {TANGENT} {{
+    vec3 normal, tangent;
+    toTangentFrame(mesh_tangents, normal, tangent);
+    return vec4(tangent, mesh_tangents.w < 0.0 ? -1.0 : 1.0);
+}}""",
+}
+"""Functions of a vertex shader, by the calls for which it has them."""
+
 REQUIRED = {
     "getUV0()": "uv0", "material.uv0": "uv0", "getUV1()": "uv1", "material.uv1": "uv1",
     "getColor()": "color", "material.color": "color",
-    "getWorldTangentFrame()": "tangents", "material.worldNormal": "tangents",
+    "getWorldTangentFrame()": "tangents", TANGENT: "tangents", "material.worldNormal": "tangents",
     "getPosition()": "position",
     **{f"getCustom{number}()": f"custom{number}" for number in range(8)},
 }  # fmt: skip

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...targets.emit.wrapping import wrapped
+from ..drawing import culled
 from ..surface import Surface
 from ..writer import Writer
 from .uniforms import sampler, uniform
 from .values import TABLES
+
+CULLED = {"none": "cull_disabled", "back": "cull_back", "front": "cull_front"}
+"""The modes of faces that are not drawn."""
 
 
 def shader(surface: Surface) -> str:
@@ -35,17 +39,19 @@ def _header(surface: Surface, writer: Writer) -> Iterator[str]:
         yield f"// The mesh has `{name}` in {place}."
     yield ""
     yield "shader_type spatial;"
-    modes = list(_modes(surface, writer))
+    modes = list(_modes(surface))
     if modes:
         yield f"render_mode {', '.join(modes)};"
 
 
-def _modes(surface: Surface, writer: Writer) -> Iterator[str]:
+def _modes(surface: Surface) -> Iterator[str]:
     if not surface.is_lit:
         yield "unshaded"
-    # What tells its sides apart is drawn from both, and what covers the screen has no sides.
-    if "FRONT_FACING" in writer.reads or "clip_position" in surface.inputs:
-        yield "cull_disabled"
+    cull = culled(surface.document)
+    if cull is not None:
+        yield CULLED[cull]
+    elif "clip_position" in surface.inputs:  # What covers the screen has no sides.
+        yield CULLED["none"]
 
 
 def _uniforms(writer: Writer) -> Iterator[str]:

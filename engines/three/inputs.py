@@ -55,8 +55,12 @@ def attribute_name(name: str) -> str:
     return ATTRIBUTES.get(name, name.replace(".", "_"))
 
 
-AS_PLACED: Mapping[str, str] = {"vertex_position": "positionLocal", "vertex_normal": "normalLocal"}
-"""Vertex inputs where a vertex is placed: bones and instances of three.js have moved them."""
+AS_PLACED: Mapping[str, str] = {
+    "vertex_position": "positionLocal",
+    "vertex_normal": "normalLocal",
+    "vertex_tangent": 'vec4(tangentLocal, attribute("tangent", "vec4").w)',
+}
+"""Vertex inputs as functions for vertices read them: bones and instances have moved them."""
 
 VALUES: Mapping[str, str] = {
     "float": "uniform({0})",

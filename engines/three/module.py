@@ -21,20 +21,21 @@ from ...compiler.documents.functions import (
     FunctionTextRow,
     FunctionTextureRow,
 )
-from ...support.frozen import frozen
+from ...support.frozen import cached_property, frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
+from ..drawing import covers, culled
 from . import inputs
 from .sampling import NAMES, listed, sampling
 from .slots import VERTICES, rows_for
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
+SIDES = {"none": "DoubleSide", "back": "FrontSide", "front": "BackSide"}
+"""The sides that are drawn, by the faces that are not."""
+COLOR_FORMS = {"float": "vec3({0})", "vec3": "{0}", "vec4": "{0}.rgb"}
+"""A colour as nodes take it, by the type of the slot."""
 LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
-NO_NODE = (
-    "it says itself how it is lit, and none of its slots becomes a node; name one, as in "
-    "`--slots base_color=…`, or take it with its lights, by `--engine three-webgl`"
-)
 _HERE = Path(__file__).parent
 _SHARED = ("surface", "attribute")
 """The sources of arguments that are the same nodes for all functions."""
@@ -43,15 +44,15 @@ CLASSES = (
     "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
     "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
     "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
-    *sorted(NAMES - {"LinearFilter"}),
+    *sorted(NAMES - {"LinearFilter"}), *sorted(SIDES.values()),
 )  # fmt: skip
 """The names that modules may import from `three/webgpu`."""
 WORDS = (
     "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
     "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
     "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler",
-    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec4",
-    "vertexIndex",
+    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec3",
+    "vec4", "vertexIndex",
 )  # fmt: skip
 """The names that modules may import from `three/tsl`."""
 
@@ -112,9 +113,11 @@ class Module:
     sampling: tuple[Entry, ...]
     settable: tuple[Entry, ...]
     calls: tuple[Entry, ...]
+    placed: tuple[str, ...]
+    """What is kept of a vertex before the material moves it."""
     slots: tuple[Entry, ...]
     nodes: tuple[Entry, ...]
-    is_transparent: bool
+    settings: tuple[Entry, ...]
 
 
 def write(
@@ -124,11 +127,6 @@ def write(
     if not _fits(document, report):
         return {}
     module = _Writer(document, emissions).module()
-    if not module.nodes:
-        report.add(
-            rules.UNFIT_FOR_ENGINE, None, slot=document.material, engine="three.js", reason=NO_NODE
-        )
-        return {}
     name = f"{document.material}.three"
     return {
         f"{name}.js": _filled("module.js.j2", module),
@@ -195,7 +193,7 @@ class _Writer:
         self._document, self._emissions = document, emissions
         self._arguments = {row.name: row for row in document.arguments}
         self._functions = {row.name: row for row in document.functions}
-        given = slot_table.found(document.functions)
+        given = slot_table.found(document)
         self._words = {word: row.slots[0].name for word, row in given.items()}
         self._texts = {
             name: {
@@ -213,8 +211,10 @@ class _Writer:
         helpers, functions = tuple(self._helpers()), tuple(map(self._function, document.functions))
         nodes = tuple(self._nodes())
         calls = tuple(self._calls())
+        settings = tuple(self._settings(nodes))
+        moves = any(node.name == "positionNode" for node in nodes)
         base = self._base(nodes)
-        code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes))
+        code = "\n".join(each.code for each in (*uniforms, *textures, *calls, *nodes, *settings))
         words = set(re.findall(r"(?<![\w.])[A-Za-z]\w*", code))
         texts = [text for name, text in TEXTURE_HELPERS.items() if name in words]
         used = words | set(re.findall(r"[A-Za-z]\w*", "\n".join(texts)))
@@ -241,10 +241,19 @@ class _Writer:
             sampling=sampled,
             settable=(*uniforms, *textures),
             calls=calls,
+            placed=tuple(map(_placed_name, self._placed)) if moves else (),
             slots=tuple(self._slots()),
             nodes=nodes,
-            is_transparent=any(node.name == "opacityNode" for node in nodes),
+            settings=settings,
         )
+
+    def _settings(self, nodes: Sequence[Entry]) -> Iterator[Entry]:
+        """How the material is drawn: blended or not, and which of its sides."""
+        if any(node.name == "opacityNode" for node in nodes):
+            yield Entry("alphaToCoverage" if covers(self._document) else "transparent", "true")
+        cull = culled(self._document)
+        if cull is not None:
+            yield Entry("side", SIDES[cull])
 
     def _base(self, nodes: Sequence[Entry]) -> str:
         named = {node.name for node in nodes}
@@ -312,12 +321,15 @@ class _Writer:
 
         Those for vertices, which others interpolate, come first.
         """
-        shared = [row for row in self._document.arguments if row.source in _SHARED]
+        shared = [row for row in self._document.arguments if self._is_shared(row)]
         interpolated = [row for row in self._document.arguments if row.source == "varying"]
         names = {row.given for row in interpolated}
         rows = sorted(self._document.functions, key=lambda row: row.name not in names)
         for argument in shared:
             yield Entry("", _shared_value(argument), variable=_given_name(argument))
+        for argument in self._placed:
+            code = f"{inputs.AS_PLACED[argument.given]}.toVar()"
+            yield Entry("", code, variable=_placed_name(argument))
         for row in rows[: len(names)]:
             yield Entry("", self._call(row), variable=_variable(row.name))
         for argument in interpolated:
@@ -326,6 +338,27 @@ class _Writer:
             yield Entry("", code, variable=_given_name(argument))
         for row in rows[len(names) :]:
             yield Entry("", self._call(row), variable=_variable(row.name))
+
+    def _readers(self, row: ArgumentRow, stage: str) -> bool:
+        """True if a function of a stage has an argument."""
+        functions = self._document.functions
+        return any(each.stage == stage and row.name in each.arguments for each in functions)
+
+    def _is_shared(self, row: ArgumentRow) -> bool:
+        """True for a value that is the same node for all functions that have it."""
+        is_read = row.given not in inputs.AS_PLACED or self._readers(row, "fragment")
+        return row.source in _SHARED and is_read
+
+    @cached_property
+    def _placed(self) -> Sequence[ArgumentRow]:
+        """What functions for vertices read of a vertex as three.js has placed it.
+
+        It has to be kept before the material moves the vertex.
+        """
+        rows = (row for row in self._document.arguments if row.source == "attribute")
+        return [
+            row for row in rows if row.given in inputs.AS_PLACED and self._readers(row, "vertex")
+        ]
 
     def _call(self, row: FunctionRow) -> str:
         given: dict[str, str] = {}
@@ -348,9 +381,8 @@ class _Writer:
                 yield each.identifier, f"sampler(textures.{each.given})"
 
     def _value(self, row: ArgumentRow, function: FunctionRow) -> str:
-        is_placed = bool({slot.role for slot in function.slots} & set(VERTICES))
-        if row.source == "attribute" and is_placed and row.given in inputs.AS_PLACED:
-            return inputs.AS_PLACED[row.given]
+        if function.stage == "vertex" and row in self._placed:
+            return _placed_name(row)
         if row.source in (*_SHARED, "varying"):
             return _given_name(row)
         if row.source == "pipeline":
@@ -374,15 +406,15 @@ class _Writer:
         for row in rows_for(self._words):
             others = {word: f"slots.{self._words[word]}" for word in row.needs}
             form = row.form
-            if form == "{0}.rgb" and self._width(row.word) == 3:
-                form = "{0}"
+            if form == "{0}.rgb":
+                form = COLOR_FORMS[self._type(row.word)]
             yield Entry(row.node, form.format(f"slots.{self._words[row.word]}", **others))
         yield from self._placing()
 
-    def _width(self, word: str) -> int:
+    def _type(self, word: str) -> str:
         name = self._words[word]
         (slot,) = (s for row in self._document.functions for s in row.slots if s.name == name)
-        return 4 if slot.representation == "vec4" else 3
+        return slot.representation
 
     def _placing(self) -> Iterator[Entry]:
         position, normal, moved = (self._words.get(word) for word in VERTICES)
@@ -390,13 +422,23 @@ class _Writer:
         if moved is not None:  # A place in the world, as the material itself has it.
             position = moved
             placed = f"modelWorldMatrixInverse.mul(vec4(slots.{moved}, 1)).xyz"
+        lines = ["placed.forEach((node) => node.toStack());"] if self._placed else []
         if normal is not None:  # The place may be computed from the normal that the mesh has.
-            lines = (
-                f"const place = {placed}.toVar(); normalLocal.assign(slots.{normal}); return place;"
-            )
-            yield Entry("positionNode", f"Fn(() => {{ {lines} }})()")
-        elif position is not None:
-            yield Entry("positionNode", placed)
+            lines += [f"const place = {placed}.toVar();", f"normalLocal.assign(slots.{normal});"]
+            placed = "place"
+        if position is not None or normal is not None:
+            yield Entry("positionNode", _function(lines, placed) if lines else placed)
+
+
+def _function(lines: Sequence[str], result: str) -> str:
+    """A function of three.js that runs some statements before it gives a result."""
+    inner = "".join(f"\n      {line}" for line in (*lines, f"return {result};"))
+    return f"Fn(() => {{{inner}\n    }})()"
+
+
+def _placed_name(row: ArgumentRow) -> str:
+    """The variable for a value of a vertex as three.js has placed it."""
+    return f"placed_{row.name}"
 
 
 def _given_name(row: ArgumentRow) -> str:

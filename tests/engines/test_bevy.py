@@ -98,3 +98,26 @@ def test_a_vertex_is_moved_by_what_the_mesh_has() -> None:
         "vertex.position = swollen_object_position(given.position, given.normal, parameters.by);",
         "vertex.normal = swollen_object_normal(given.position, given.normal, parameters.by);",
     ]
+
+
+BENT = """\
+import std.motion.{MeshPoint}
+material Bent {
+    rest = inherited.object_shape
+    object_shape = MeshPoint(-rest.position, -rest.normal, rest.tangent, rest.handedness, mat4(1))
+    tint = abs(normal)
+}
+"""
+
+
+def test_a_skin_of_bevy_moves_what_the_material_bends(tmp_path: Path) -> None:
+    """The object's transform is that of the vertex, which the bones make where there are any."""
+    files = files_of("bevy", BENT, "Bent")
+    lines = [line.strip() for line in files["Bent.wgsl"].splitlines()]
+    skinned = lines.index("let world_from_local = skinning::skin_model(")
+    place = "world_position = vec4<f32>(bent_position(given.position, world_from_local), 1.0);"
+    normal = next(line for line in lines if "bent_normal_2(given.normal, " in line)
+    assert skinned < lines.index(place) and skinned < lines.index(normal)
+    assert "bent_normal_2(given.normal, world_from_local)" in normal
+    said = composed({"bent": files}, tmp_path)
+    assert set(said.values()) == {""} and "bent, forward, skinned" in said

@@ -63,6 +63,39 @@ def test_the_compiler_takes_it_for_vulkan_and_metal(tmp_path: Path) -> None:
     assert not said(text, tmp_path, "--platform", "all", "--api", "all")
 
 
+MOVED = """\
+import std.tangents.{Tangents, Bumped}
+import std.motion.{MeshPoint}
+material Moved : Surface + Tangents + Bumped {
+    rest = inherited.object_shape
+    object_shape = MeshPoint(2 * rest.position, rest.normal, rest.tangent, rest.handedness, mat4(1))
+    position = @vertex (inherited.position + 0.1 * (eye - inherited.position))
+    tint = abs(inherited.position)
+    rough = distance(eye, inherited.position)
+}
+"""
+
+
+def test_places_are_those_of_the_users_world(tmp_path: Path) -> None:
+    """Filament's own world is moved to the camera."""
+    (text,) = files_of("filament", MOVED, "Moved").values()
+    eye = "getWorldCameraPosition()"
+    assert eye not in text.replace(f"({eye} + getWorldOffset())", "") and eye in text
+    assert "found[3].xyz += getWorldOffset();" in text and ") - getWorldOffset();" in text
+    (plain,) = files_of("filament", "material Plain { tint = abs(position) }", "Plain").values()
+    assert "plain_tint((getWorldPosition() + getWorldOffset()))" in plain
+    assert not said(text, tmp_path, "--platform", "all", "--api", "opengl")
+
+
+def test_tangents_are_those_of_the_frame(tmp_path: Path) -> None:
+    """No mesh has to bring along its tangents twice."""
+    (text,) = files_of("filament", MOVED, "Moved").values()
+    assert "custom0" not in text and "vec4 object_tangent() {" in text
+    text = text_of("normal_map", "TangentSpaceBumps")
+    assert "material.object_tangent = object_tangent();" in text
+    assert not said(text, tmp_path, "--platform", "all", "--api", "opengl")
+
+
 def test_the_compiler_tells_mistakes(tmp_path: Path) -> None:
     text = text_of("plastic", "Plastic").replace("return base *", "return bass *")
     assert "'bass' : undeclared identifier" in said(text, tmp_path, "--platform", "desktop")

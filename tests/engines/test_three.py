@@ -219,7 +219,7 @@ material Stained {
 """
 
 
-def test_a_material_that_gives_no_node_is_told(tmp_path: Path) -> None:
+def test_a_material_that_gives_nothing_is_told(tmp_path: Path) -> None:
     source = tmp_path / "stained.burnish"
     source.write_text(STAINED, encoding="utf-8")
     result = invoke(
@@ -227,8 +227,8 @@ def test_a_material_that_gives_no_node_is_told(tmp_path: Path) -> None:
     )
     assert result.exit_code == 1
     assert (
-        "error[B0909]: three.js cannot draw `Stained`: it says itself how it is lit, and none of "
-        "its slots becomes a node" in result.stderr
+        "error[B0909]: three.js cannot draw `Stained`: none of its slots is a value that the "
+        "engine takes; name one, as in `--slots base_color=…`" in result.stderr
     )
     assert not (tmp_path / "out").exists()
 
@@ -253,8 +253,61 @@ def test_vertices_bring_their_normals(tmp_path: Path) -> None:
     result = invoke("compile", source, "--engine", "three", "-o", tmp_path)
     assert result.exit_code == 0, result.stderr
     text = (tmp_path / "Waving.three.js").read_text(encoding="utf-8")
-    place, normal = "const place = slots.object_position.toVar()", "slots.object_normal"
-    assert f"{place}; normalLocal.assign({normal}); return place;" in text
+    place, normal = "const place = slots.object_position.toVar();", "slots.object_normal"
+    lines = " ".join(text.split())
+    assert f"{place} normalLocal.assign({normal}); return place;" in lines
+
+
+BENT = """\
+import std.motion.{MeshPoint}
+
+material Bent {
+    rest = inherited.object_shape
+    object_shape = MeshPoint(
+        rest.position + vec3(0, 0.3 * sin(3 * rest.position.x), 0), rest.normal.zyx, rest.tangent,
+        rest.handedness, mat4(1)
+    )
+    tint = 0.5 + 0.5 * normal
+    glow = 0.2 * abs(position)
+}
+"""
+PUSHED = """\
+material Pushed {
+    object_position = vertex_position + 0.2 * vertex_normal.zxy
+    object_normal = vertex_normal.yzx
+    tint = 0.5 + 0.5 * normal
+    glow = 0.2 * abs(position)
+}
+"""
+WAYS = ("instance", "bone", "target")
+"""How three.js moves a mesh before the material does."""
+
+
+@pytest.mark.xdist_group("three")
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("source", [BENT, PUSHED], ids=["shape", "position"])
+def test_what_three_moves_the_material_moves_on(
+    source: str, backend: str, page: Page, site: Path, tmp_path: Path
+) -> None:
+    """The picture is that of a mesh that has been moved before it is drawn."""
+    file = tmp_path / "moved.burnish"
+    file.write_text(source, encoding="utf-8")
+    (compiled,) = functions(file)
+    given = {
+        "module": f"./{module_of(compiled, site)}", "material": f"{compiled.name}Material",
+        "size": SIZE,
+    }  # fmt: skip
+
+    def drawn(way: str) -> np.ndarray:
+        pixels = page.evaluate(
+            "([given, backend]) => placed(given, backend)", [{**given, "way": way}, backend]
+        )
+        return np.array(pixels, float)
+
+    before = drawn("geometry")
+    assert len(np.unique(before.reshape(-1, 4), axis=0)) > SIZE
+    for way in WAYS:
+        assert np.abs(drawn(way) - before).max() <= 2, way
 
 
 def test_each_row_of_the_table_is_a_property_of_three(site: Path) -> None:

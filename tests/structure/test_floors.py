@@ -124,23 +124,27 @@ FLOORS: dict[str, str] = {
     "bindings": "frozen ir packing documents reference tracing javascript",
     # Engines.
     "engines.slot_table": "frozen ir documents reflection",
+    "engines.drawing": "ir documents",
     "engines.values": "frozen",
     "engines.surface": "frozen diagnostics documents emit slot_table",
     "engines.writer": "documents reflection emit surface values",
     "engines.texts": "surface",
     "engines.engine": "frozen diagnostics documents description emit",
-    "engines.godot": ("frozen ir documents description registry emit engine surface values writer"),
+    "engines.godot": (
+        "frozen ir documents description registry emit engine drawing surface values writer"
+    ),
     "engines.filament": (
-        "frozen ir documents description registry emit engine surface texts values writer"
+        "frozen ir documents description registry emit engine drawing surface texts values writer"
     ),
     "engines.bevy": (
-        "frozen ir diagnostics documents description registry emit engine surface values writer"
+        "frozen ir diagnostics documents description registry emit engine drawing surface values "
+        "writer"
     ),
     "engines.unity": "emit engine surface texts slot_table",
     "engines.unreal": "emit engine surface texts slot_table",
     "engines.known": "engine",
     "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
-    "engines.three": "frozen diagnostics documents emit engine slot_table",
+    "engines.three": "frozen diagnostics documents emit engine drawing slot_table",
     "engines.three_webgl": (
         "frozen diagnostics documents ir tracing bindings description registry engine three"
     ),

@@ -10,13 +10,22 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
-from ...diagnostics.diagnostic import Label
+from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
-from ...ir.functions import FunctionsAsked, FunctionsShader, Offer, SlotInfo, SurfaceInfo
+from ...ir.blending import REPLACES
+from ...ir.functions import (
+    FunctionsAsked,
+    FunctionsShader,
+    Offer,
+    OwnPass,
+    SlotInfo,
+    SurfaceInfo,
+)
 from ...ir.leaves import Buffer, Leaf, Parameter, Texture
 from ...ir.node import Node, bare, reachable
 from ...ir.operations import CROSS
+from ...ir.render_state import Cull
 from ...ir.shader import Result, Shader, TextureInfo
 from ...ir.stages import (
     FRAGMENT,
@@ -33,6 +42,7 @@ from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.parameters import library_name, of_kind
 from ..inheritance.records import Definition, Record
+from ..inheritance.ties import tie_of
 from ..lowering.outlining import lowered
 from ..state.scope import OUTERMOST, Failure
 from .assembly import Setting
@@ -43,6 +53,8 @@ TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
 """What the function is called that returns all slots of a stage."""
 HIDDEN = "is_hidden"
 """The engines' word for the slot that says where nothing is drawn."""
+_SAME = 1e-6
+"""The difference of two numbers that are meant to be the same."""
 OF_RIG = "rig"
 """The group of parameters and textures that belong to lights."""
 
@@ -60,6 +72,8 @@ class _Slot:
     """
     is_changed: bool = False
     """True if it is left out where it is the constant that it is as it was declared."""
+    beside: tuple[str, ...] = ()
+    """The engines' words for the slots without which it is left out as well."""
 
 
 @frozen
@@ -81,7 +95,9 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
     if setting.surface.steps:
         ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
         return None
-    values = list(_values(setting, _wanted(setting, asked), asked))
+    own = _own_pass(setting, shader)
+    given = list(_values(setting, _wanted(setting, own, asked), asked))
+    values = list(_beside(given, record, asked))
     ctx.deferred.report()
     if ctx.report.failed:
         return None
@@ -106,18 +122,38 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
         chain=RASTERISED,
     )
     slots = tuple(_slot_info(setting, value, asked) for value, _ in kept)
-    return FunctionsShader(made_of, slots, tuple(known.values()))
+    return FunctionsShader(made_of, slots, tuple(known.values()), own)
+
+
+def read_slots(setting: Setting, asked: FunctionsAsked) -> None:
+    """Read the slots that functions return: nobody is told then that nothing reads them."""
+    surface = setting.surface
+    for each in _wanted(setting, None, asked):
+        span = surface.record.definitions[each.name][0].member.name.span
+        slot(setting.ctx, surface, each.name, span)
+
+
+def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
+    """How the material's own pass draws it; ``None`` if it is tied to none."""
+    drawn = setting.passing.record
+    if tie_of(setting.parts.material, setting.ctx.records, Report()) is None:
+        return None
+    state = shader.render_state
+    turned: dict[Cull, Cull] = {"none": "none", "back": "front", "front": "back"}
+    cull = state.cull if state.front == "counter_clockwise" else turned[state.cull]
+    blends = any(target.blend != REPLACES for target in shader.targets)
+    return OwnPass(drawn.name, cull, blends, state.alpha_to_coverage)
 
 
 # --- which slots ---------------------------------------------------------------------------------
 
 
-def _wanted(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
+def _wanted(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The slots that are asked for; else those that an engine takes, or the usual ones."""
     record, report = setting.surface.record, setting.ctx.report
     span = record.symbol.declaration.name.span
     if asked.offers:
-        yield from _offered(setting, asked)
+        yield from _offered(setting, own, asked)
     elif not asked.slots:
         for name in dict.fromkeys(_usual(setting, asked)):
             stage = _usual_stage(record, name, asked)
@@ -147,19 +183,62 @@ def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
             yield name
 
 
-def _offered(setting: Setting, asked: FunctionsAsked) -> Iterator[_Slot]:
+def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
     """The offered slots that the material has."""
     record = setting.surface.record
+    is_opaque = own is not None and not (own.blends or own.covers)
+    seen = set[tuple[str, bool]]()
     for offer in asked.offers:
+        place = offer.name, offer.at_vertices
+        if (offer.blended and is_opaque) or place in seen:
+            continue
         found = record.definitions.get(offer.name)
-        if found is not None and _is_taken(setting, asked, offer, found[0]):
+        differs = found is not None and _differs(setting, offer)
+        if found is not None and _is_taken(setting, asked, offer, found[0], differs):
+            seen.add(place)
             stage = VERTEX if offer.at_vertices else FRAGMENT
-            is_needed = _is_needed(record, offer.name, asked)
-            yield _Slot(offer.name, stage, is_needed, offer.changed)
+            is_needed = offer.owner is None or _is_needed(record, offer.name, asked)
+            beside = offer.beside if differs else ()
+            yield _Slot(offer.name, stage, is_needed, offer.changed and not differs, beside)
 
 
-def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition) -> bool:
+def _differs(setting: Setting, offer: Offer) -> bool:
+    """True if the engine itself has another value than the one of the declaration."""
+    if offer.usual is None or isinstance(offer.usual, str):
+        return offer.usual is not None
+    declared = setting.surface.record.declaration(offer.name)
+    span = declared.member.name.span
+    usual = slot(setting.ctx, setting.surface, offer.name, span, declared.level)
+    if not isinstance(usual, Node) or bare(usual).op != "constant":
+        return True
+    lanes = _lanes(bare(usual).data)
+    return any(abs(lane - offer.usual) > _SAME for lane in lanes)
+
+
+def _lanes(value: object) -> Iterator[float]:
+    """All numbers of a constant."""
+    if isinstance(value, tuple):
+        for each in value:
+            yield from _lanes(each)
+    else:
+        assert isinstance(value, int | float)
+        yield value
+
+
+def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
+    """The values without those that have no effect without others."""
+    words = {_word(record, value.slot.name, asked) for value in values}
+    for value in values:
+        if words.issuperset(value.slot.beside):
+            yield value
+
+
+def _is_taken(
+    setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition, differs: bool
+) -> bool:
     """True if a slot is an offered one, or a parameter that stands in the place of one.
+
+    ``differs`` says that the engine would have something else.
 
     A parameter of the library is no slot: the library's slots say what it is for.
     """
@@ -169,11 +248,11 @@ def _is_taken(setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: De
         is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
     else:
         is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
-    is_meant = offer.owner == library_name(declared.owner)
+    is_meant = offer.owner is None or offer.owner == library_name(declared.owner)
     names = (offer.name, *offer.made_of)
     is_changed = any(_changes(record, name) for name in names)
     hides = _word(record, offer.name, asked) == HIDDEN and _hides(setting)
-    return is_slot and is_meant and (is_changed or hides or not offer.changed)
+    return is_slot and is_meant and (is_changed or hides or differs or not offer.changed)
 
 
 def _changes(record: Record, name: str) -> bool:
@@ -202,7 +281,8 @@ def _moved(record: Record, asked: FunctionsAsked, *, only_parts: bool = False) -
 def _hides(setting: Setting) -> bool:
     """True if the pass that the material is tied to draws nothing at some pixels."""
     drawn = setting.passing.record.every(ast.Discard)
-    return any(not owner.module.is_standard for _, owner, _ in drawn)
+    root = setting.passing.record.root
+    return any(owner is not root or not owner.module.is_standard for _, owner, _ in drawn)
 
 
 def _slots_of(record: Record) -> Sequence[str]:

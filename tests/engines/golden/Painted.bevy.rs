@@ -19,7 +19,7 @@ use bevy::render::render_resource::*;
 use bevy::shader::{ShaderDefVal, ShaderRef};
 
 /// The shader, which is in a file beside this one.
-const SHADER: Handle<Shader> = uuid_handle!("fc3299b9-6933-5d1e-a55c-e57d1aab2ac8");
+const SHADER: Handle<Shader> = uuid_handle!("d427e23b-2165-511c-b608-22ce28437413");
 /// The texture until another one is set: white.
 const WHITE_2D: Handle<Image> = uuid_handle!("a9de7408-5abb-59af-8138-5c562c7feb29");
 /// The texture until another one is set: flat normal.
@@ -88,6 +88,7 @@ impl Painted {
         let base = StandardMaterial {
             alpha_mode: if self.is_opaque { AlphaMode::Mask(0.5) } else { AlphaMode::Blend },
             cull_mode: None,
+            double_sided: true,
             ..default()
         };
         ExtendedMaterial { base, extension: self }

@@ -216,8 +216,8 @@ fn vertex(given: Vertex) -> PaintedVertexOutput {
     );
 #endif
 #endif
-    out.is_front = painted_is_front(given.tangent, object_to_world);
-    out.tangent_handedness = painted_tangent_handedness(given.tangent, object_to_world);
+    out.is_front = painted_is_front(given.tangent, world_from_local);
+    out.tangent_handedness = painted_tangent_handedness(given.tangent, world_from_local);
     out.world_position = world_position;
     out.position = view_transformations::position_world_to_clip(world_position.xyz);
     out.instance_index = vertex.instance_index;

@@ -13,7 +13,7 @@ use bevy::render::render_resource::*;
 use bevy::shader::ShaderRef;
 
 /// The shader, which is in a file beside this one.
-const SHADER: Handle<Shader> = uuid_handle!("33e5c24e-9f79-5ded-9c63-99dd6b8c131c");
+const SHADER: Handle<Shader> = uuid_handle!("e4860bd4-558e-507a-b1ed-65431d74c723");
 
 /// Bevy's standard material, whose surface is what `Water` says.
 pub type WaterMaterial = ExtendedMaterial<StandardMaterial, Water>;

@@ -144,9 +144,9 @@ fn vertex(given: Vertex) -> WaterVertexOutput {
     );
 #endif
 #endif
-    out.normal_2 = water_normal_2(given.position, object_to_world, parameters.time);
+    out.normal_2 = water_normal_2(given.position, world_from_local, parameters.time);
     let unmoved = world_position;
-    world_position = vec4<f32>(water_position(given.position, object_to_world, parameters.time), 1.0);
+    world_position = vec4<f32>(water_position(given.position, world_from_local, parameters.time), 1.0);
     out.world_position = world_position;
     out.position = view_transformations::position_world_to_clip(world_position.xyz);
     out.instance_index = vertex.instance_index;
