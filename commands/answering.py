@@ -1,9 +1,9 @@
-"""Collects what a command says, and prints it as one JSON document: ``--format json``.
+"""Collects what a command says, and prints it as one document: ``--format json``, and ``sarif``.
 
 Commands print by ``console.py`` and write by ``output.py`` in any case. Once a command line has
-asked for JSON, these hand everything over to the collector of this module, and ``group.py`` prints
-it at the end, with the exit code. So a command need not know of it, unless it has found something
-that is more than lines for people: it gives that to ``find``.
+asked for a document, these hand everything over to the collector of this module, and ``group.py``
+prints it at the end, with the exit code. So a command need not know of it, unless it has found
+something that is more than lines for people: it gives that to ``find``.
 """
 
 from __future__ import annotations
@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 class Collected:
     """What a command has said so far."""
 
-    def __init__(self, command: str) -> None:
+    def __init__(self, command: str, form: str = "json") -> None:
         self._command = command
+        self._form = form
         self._diagnostics: dict[Any, Diagnostic] = {}
         self._remarks: list[tuple[Severity, str]] = []
         self._lines: list[str] = []
@@ -52,6 +53,10 @@ class Collected:
 
     def text(self, exit_code: int) -> str:
         """The document."""
+        if self._form == "sarif":
+            from .sarif import sarif
+
+            return sarif(tuple(self._diagnostics.values()), exit_code, self._remarks)
         from ..compiler.documents.answer import Answer, RemarkRow
         from ..compiler.documents.writing import to_text
         from .diagnostic_rows import diagnostic_row
@@ -72,17 +77,17 @@ class Collected:
 
 
 _collectors: list[Collected] = []
-"""The collector of the running command, if it has been asked for JSON."""
+"""The collector of the running command, if it has been asked for a document."""
 
 
 def collector() -> Collected | None:
-    """What takes everything that is said, if JSON is asked for."""
+    """What takes everything that is said, if a document is asked for."""
     return _collectors[-1] if _collectors else None
 
 
-def begin(command: str) -> None:
-    """Collect all that is said from now on."""
-    _collectors.append(Collected(command))
+def begin(command: str, form: str = "json") -> None:
+    """Collect all that is said from now on, for a document of this form."""
+    _collectors.append(Collected(command, form))
 
 
 def answer(exit_code: int) -> None:

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from .answering import collector
+from .answering import begin, collector
 from .building.variants import OF_VARIANTS, asked_for, variants_of, with_options
-from .console import remark, say, show
+from .console import remark, say
 from .failures import fail
-from .options import answer_option, each_once, search_option
+from .message_forms import DOCUMENTS, show_in
+from .options import each_once, messages_option, search_option
 from .single_output import STDOUT, deliver, insist_on_own
 from .terminal import FAILED
 
@@ -41,6 +42,8 @@ class BuildRequest(NamedTuple):
     jobs: int | None
     program: str
     search_path: tuple[Path, ...]
+    form: str
+    """The form of messages."""
     options: dict[str, Any]
     """The options of every compile."""
 
@@ -85,7 +88,7 @@ class BuildRequest(NamedTuple):
     help="The words by which --ninja and --actions call Burnish, such as `python3 -m burnish`.",
 )  # fmt: skip
 @search_option
-@answer_option
+@messages_option
 @with_options
 def build(**chosen: Any) -> None:
     """Compile all FILEs that have changed, or of which something that they import has.
@@ -111,16 +114,20 @@ def build(**chosen: Any) -> None:
     each_once(chosen["values"])
     options = {name: chosen.pop(name) for name in names}
     request = BuildRequest(**chosen, options=options)
+    if request.form in DOCUMENTS:
+        begin("build", request.form)
     _check_options(request)
     from ..compiler.diagnostics.diagnostic import CompileError
     from .building.actions import BuildError
-    from .building.planning import actions_of
+    from .building.planning import Demand, actions_of
 
     try:
         _check_folder(request.output)
         variants = variants_of(request.output, request.search_path, options, request.variants)
-        readable = request.actions or request.ninja
-        actions = actions_of(request.files, request.search_path, variants, readable=readable)
+        demand = Demand.NOTHING
+        if request.actions or request.ninja:
+            demand = Demand.READABLE if request.actions else Demand.THERE
+        actions = actions_of(request.files, request.search_path, variants, demand)
         if request.actions:
             _write_actions(request, actions)
         elif request.ninja:
@@ -130,7 +137,7 @@ def build(**chosen: Any) -> None:
     except BuildError as error:
         fail(str(error))
     except CompileError as error:
-        show(error.diagnostics)
+        show_in(request.form, error.diagnostics)
         click.get_current_context().exit(FAILED)
 
 
@@ -186,10 +193,17 @@ def _write_ninja(request: BuildRequest, actions: Sequence[Action]) -> None:
     insist_on_own(path, "Written by `burnish build --ninja`", "burnish build --ninja")
     batches = batches_of(actions, request.batch)
     again = _again(request, path)
-    text = written(batches, request.output, path, _called(request), again, jobs)
-    deliver(path, text)
+    found = written(batches, request.output, path, _called(request), again, jobs)
+    deliver(path, found.text)
+    show_in(request.form, found.diagnostics)
     if path != STDOUT:
-        say(f"{path}: {_counted(len(batches), 'action')}")
+        say(f"{path}: {_counted(len(batches), 'action')}{_of_failing(found.failing)}")
+
+
+def _of_failing(names: Sequence[str]) -> str:
+    """The end of a line about a graph, which names what cannot be built until it is mended."""
+    listed = ", ".join(f"`{name}`" for name in names)
+    return f"; {listed} will fail, and tell the mistake" if names else ""
 
 
 def _again(request: BuildRequest, path: str) -> list[str]:
@@ -216,7 +230,7 @@ def _run(request: BuildRequest, actions: Sequence[Action]) -> None:
         found = run_part(actions, told)
     else:
         found = run(request.output, actions, _jobs(request), told)
-    show(found.diagnostics)
+    show_in(request.form, found.diagnostics)
     if found.removed:
         say(f"{_counted(len(found.removed), 'former output')} removed, as nothing makes them now")
     _find(found)

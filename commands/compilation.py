@@ -98,7 +98,7 @@ def _output(
     warnings = _warnings(request, diagnostics)
     if request.prints:
         depfile = _depfile(request, (), inputs)
-        return Output(STDOUT, {}, None, depfile, _printed(found), warnings)
+        return Output(STDOUT, {}, {}, depfile, _printed(found), warnings)
     contents = written_of(request.files, found)
     paths = [os.path.join(request.output, name) for name in contents]  # noqa: PTH118
     lines = [line for each in found for line in each.lines]
@@ -109,10 +109,10 @@ def _output(
     if request.form not in ("text", "line"):
         printed = _document(request, found, inputs, diagnostics, lines)
     if request.list_outputs:
-        return Output(STDOUT, {}, printed=printed, warnings=warnings)
-    owners = None if request.force else owners_of(request.files, found)
+        return Output(STDOUT, {}, {}, printed=printed, warnings=warnings)
+    owners = owners_of(request.files, found)
     depfile = _depfile(request, paths, inputs)
-    return Output(request.output, contents, owners, depfile, printed, warnings)
+    return Output(request.output, contents, owners, depfile, printed, warnings, request.force)
 
 
 def _document(

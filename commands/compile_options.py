@@ -182,7 +182,10 @@ FORMAT = Option(
     choices=("text", "line", "json", "sarif", "github"),
 )
 FORCE = Option(
-    "force", ("--force",), "Overwrite files that another source, or another program, has made."
+    "force",
+    ("--force",),
+    "Overwrite files that another source, or another program, has made, and outputs that were "
+    "changed by hand.",
 )
 CACHE = Option(
     "cache",

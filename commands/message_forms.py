@@ -1,4 +1,4 @@
-"""The forms in which ``burnish check`` and ``compile`` tell diagnostics: ``--format``.
+"""The forms in which ``burnish check``, ``compile`` and ``build`` tell diagnostics: ``--format``.
 
 People read texts, on standard error. Editors and other programs read one line for each, also there
 (GitHub's runner in a form of its own), or a document on standard output: the answer in JSON
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from .console import distinct, print_rendered, rendered
+from .console import distinct, print_rendered, rendered, show
 from .terminal import FAILED, print_output
 
 if TYPE_CHECKING:
@@ -44,19 +44,23 @@ def document(
     ``found`` is the record of what the command has found, besides the files that it has
     ``written``.
     """
-    if form == "sarif":
-        from .sarif import sarif
-
-        return sarif(distinct(diagnostics), exit_code)
-    if form != "json":
+    if form not in DOCUMENTS:
         return ""
     from .answering import Collected
 
-    answer = Collected(command)
+    answer = Collected(command, form)
     answer.diagnose(diagnostics)
     answer.write(written)
     answer.find(found)
     return answer.text(exit_code)
+
+
+def show_in(form: str, diagnostics: Iterable[Diagnostic]) -> None:
+    """Print diagnostics in a form, or leave them to the collector of a form that is a document."""
+    if form in DOCUMENTS:
+        show(diagnostics)
+    else:
+        print_rendered(messages(form, diagnostics))
 
 
 def tell(form: str, command: str, diagnostics: Sequence[Diagnostic]) -> bool:

@@ -1,9 +1,10 @@
-"""Of which sources the files in output folders are: ``compile`` overwrites nothing of another one.
+"""Of which sources the files in output folders are, and with which contents they were written.
 
-Two builds may write into one folder, one behind the other or both at once, and two sources may
-declare materials of one name. Which source has made a file, its text does not say. So it is kept in
-the user's cache folder, where nobody else can write: nothing that lies in an output folder is
-believed. A file that no entry tells of, as in a folder that was checked out, is replaced if it
+``compile`` and ``build`` overwrite nothing of another source, and nothing that somebody has changed
+by hand. Two builds may write into one folder, one behind the other or both at once, and two sources
+may declare materials of one name. Which source has made a file, its text does not say. So it is
+kept in the user's cache folder, where nobody else can write: nothing that lies in an output folder
+is believed. A file that no entry tells of, as in a folder that was checked out, is replaced if it
 looks like one that Burnish has written, and never if it looks like anything else.
 """
 
@@ -17,9 +18,14 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-_NAME = "outputs"
+    Noted = dict[str, dict[str, str]]
+    """The digests of the files of each source, by their names without capital letters."""
+
+_NAME = "written"
 _OWN = (b"by Burnish.", b'{\n  "format": ', b'{\n  "plan": ', b'{\n  "signatures": ')
 """What is among the first bytes of each text, reflection and plan."""
+HEAD = 4096
+"""The bytes at the beginning of a file by which it is recognised, if nothing is known of it."""
 _MODULES = (b"\x03\x02\x23\x07", b"DXBC")
 """The first bytes of SPIR-V and of DXIL, which nobody writes by hand."""
 
@@ -27,47 +33,62 @@ _MODULES = (b"\x03\x02\x23\x07", b"DXBC")
 class Ownership:
     """Guards one folder while files are written into it; ``replacing.py`` asks it."""
 
-    def __init__(self, folder: str, sources: Mapping[str, Sequence[str]]) -> None:
-        """``sources`` has the names of the new files, by the path of the source of each."""
-        self._sources = {os.path.realpath(path): names for path, names in sources.items()}
+    def __init__(
+        self, folder: str, sources: Mapping[str, Sequence[str]], *, force: bool = False
+    ) -> None:
+        """``sources`` has the names of the new files, by the path of the source of each.
+
+        With ``force`` it objects to nothing, and only notes whose the files are.
+        """
         self._source_of = {
-            name: path for path, names in self._sources.items() for name in names
-        }  # fmt: skip
+            name: os.path.realpath(path) for path, names in sources.items() for name in names
+        }
+        self._force = force
         self._key = digest(os.fsencode(os.path.realpath(folder)))
 
-    def objection(self, name: str, head: bytes) -> str | None:
-        """The reason why a file with other contents must not be replaced; else ``None``."""
+    def objection(self, name: str, content: bytes) -> str | None:
+        """The reason why a file with this content must not be replaced; else ``None``."""
+        if self._force:
+            return None
         source = self._source_of[name]
-        for other, names in self._noted().items():
-            if name.casefold() in names:
-                if other == source or not os.path.lexists(other):
-                    return None  # A source that is gone, or has been renamed, has no outputs.
+        for other, digests in self._noted().items():
+            written = digests.get(name.casefold())
+            if written is None:
+                continue
+            if other != source and os.path.lexists(other):
                 return f"`{_shown(other)}` was compiled to it, not `{_shown(source)}`"
+            # A source that is gone, or has been renamed, has no outputs.
+            as_written = not content or written == digest(content)
+            return None if as_written else "it was changed since Burnish wrote it"
+        head = content[:HEAD]
         is_own = not head or head.startswith(_MODULES) or any(mark in head for mark in _OWN)
         return None if is_own else "it is no file that Burnish has written"
 
-    def settle(self) -> None:
-        """Note of which sources the new files are."""
+    def settle(self, contents: Mapping[str, bytes]) -> None:
+        """Note of which sources the new files are, and what is in them."""
         import json
 
         noted = self._noted()
-        new = {name.casefold() for name in self._source_of}
-        after = {path: [each for each in names if each not in new] for path, names in noted.items()}
-        for path, names in self._sources.items():
-            after[path] = sorted({*after.get(path, ()), *map(str.casefold, names)})
-        after = {path: names for path, names in after.items() if names}
+        new = {name.casefold(): name for name in self._source_of}
+        after = {
+            path: {name: each for name, each in digests.items() if name not in new}
+            for path, digests in noted.items()
+        }
+        for key, name in sorted(new.items()):
+            after.setdefault(self._source_of[name], {})[key] = digest(contents[name])
+        after = {path: digests for path, digests in after.items() if digests}
         if after != noted:
             store(_NAME, self._key, json.dumps(after).encode())
 
-    def _noted(self) -> dict[str, list[str]]:
-        """The names of the files of each source, as far as they are known."""
+    def _noted(self) -> Noted:
+        """The files of each source, as far as they are known."""
         stored = load(_NAME, self._key)
         if stored is None:
             return {}
         import json
 
         try:
-            found: dict[str, list[str]] = json.loads(stored)
+            found: Noted = json.loads(stored)
         except ValueError:
             return {}
         return found

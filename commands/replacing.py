@@ -42,8 +42,8 @@ PATIENCE = 10.0
 """The seconds to wait for another process, which needs far less to rename its files."""
 TEMPORARY = ".burnish-"
 """The beginning of random names."""
-HEAD = 4096
-"""The bytes at the beginning of a file by which a guard recognises it."""
+LARGEST = 64 << 20
+"""The bytes of a file that a guard sees: more than any output has."""
 
 _ANCHORED = os.open in os.supports_dir_fd
 """True if names can be relative to an open folder, as everywhere but on Windows."""
@@ -93,7 +93,7 @@ def replace_tree(
         _put_in_place(files)
         tree.keep()
         if guard is not None:
-            guard.settle()
+            guard.settle({"/".join(names): content for names, content in contents.items()})
 
 
 def _insist_on_name(name: str) -> None:
@@ -306,8 +306,8 @@ class _File:
             raise IsADirectoryError(errno.EISDIR, "it is a folder")
         if status is None or self._guard is None or not S_ISREG(status.st_mode):
             return
-        head = self._folder.content(self.name, HEAD) or b""
-        objection = self._guard.objection(self.name, head)
+        content = self._folder.content(self.name, LARGEST) or b""
+        objection = self._guard.objection(self.name, content)
         if objection is not None:
             raise ForeignFileError(errno.EEXIST, objection)
 

@@ -38,7 +38,7 @@ LARGEST = 4 << 20
 _NEVER = frozenset({"--no-cache", "--validate", "--watch", "--emit"})
 """Words of command lines that ask for more than texts."""
 
-_FIELDS = ("folder", "texts", "owners", "depfile", "printed", "warnings")
+_FIELDS = ("folder", "texts", "owners", "depfile", "printed", "warnings", "force")
 """What is kept of an output, in the order of its initialiser."""
 
 _ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # noqa: PTH120
@@ -68,33 +68,35 @@ class Question:
 class Output:
     """Everything that a compile hands to its user."""
 
-    __slots__ = ("depfile", "folder", "owners", "printed", "texts", "warnings")
+    __slots__ = ("depfile", "folder", "force", "owners", "printed", "texts", "warnings")
 
     def __init__(
         self,
         folder: str,
         texts: Mapping[str, str | bytes],
-        owners: Mapping[str, Sequence[str]] | None = None,
+        owners: Mapping[str, Sequence[str]],
         depfile: Sequence[str] = (),
         printed: str = "",
         warnings: str = "",
+        force: bool = False,
     ) -> None:
         self.folder = folder
         self.texts = texts
         """Files to write into the folder, by name; what is kept has no bytes among them."""
         self.owners = owners
-        """The names of these files by the path of the source of each; ``None`` if they may replace
-        files of any other source."""
+        """The names of these files by the path of the source of each."""
         self.depfile = depfile
         """The path and the text of the file that names what was read; empty if there is none."""
         self.printed = printed
         """The text for standard output."""
         self.warnings = warnings
         """The text for standard error."""
+        self.force = force
+        """True if they may replace any file."""
 
-    def guard(self) -> Ownership | None:
-        """What keeps files of other sources from being replaced."""
-        return None if self.owners is None else Ownership(self.folder, self.owners)
+    def guard(self) -> Ownership:
+        """What keeps files of other sources, and changed ones, from being replaced."""
+        return Ownership(self.folder, self.owners, force=self.force)
 
 
 def ask(arguments: Sequence[str]) -> Question | None:

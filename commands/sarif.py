@@ -7,7 +7,7 @@ calls ``sarif``. Tests hold its logs against the schema of the standard.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
@@ -15,7 +15,7 @@ from urllib.parse import quote
 from .. import __version__
 
 if TYPE_CHECKING:
-    from ..compiler.diagnostics.diagnostic import Diagnostic, Rule
+    from ..compiler.diagnostics.diagnostic import Diagnostic, Rule, Severity
     from ..compiler.diagnostics.fixes import Edit, Fix
     from ..compiler.diagnostics.source import Span
 
@@ -25,8 +25,12 @@ SCHEMA = (
 _PLACEHOLDER = re.compile(r"\{\w+\}")
 
 
-def sarif(diagnostics: Sequence[Diagnostic], exit_code: int) -> str:
-    """The log of one run."""
+def sarif(
+    diagnostics: Sequence[Diagnostic],
+    exit_code: int,
+    remarks: Iterable[tuple[Severity, str]] = (),
+) -> str:
+    """The log of one run; ``remarks`` are about the run itself, and no place in a file."""
     import json
 
     rules = {each.rule.code: each.rule for each in diagnostics}
@@ -40,11 +44,18 @@ def sarif(diagnostics: Sequence[Diagnostic], exit_code: int) -> str:
             }
         },
         "columnKind": "unicodeCodePoints",
-        "invocations": [{"executionSuccessful": exit_code == 0, "exitCode": exit_code}],
+        "invocations": [_invocation(exit_code, remarks)],
         "results": [_result(each, numbers[each.rule.code]) for each in diagnostics],
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return json.dumps(log, indent=2, ensure_ascii=False) + "\n"
+
+
+def _invocation(exit_code: int, remarks: Iterable[tuple[Severity, str]]) -> dict[str, Any]:
+    found: dict[str, Any] = {"executionSuccessful": exit_code == 0, "exitCode": exit_code}
+    if said := [{"level": level, "message": _message(text)} for level, text in remarks]:
+        found["toolExecutionNotifications"] = said
+    return found
 
 
 def _rule(rule: Rule) -> dict[str, Any]:

@@ -369,7 +369,7 @@ class Frontend:
             return concrete
         named = [symbol for symbol in _materials_of(module) if symbol.name == wanted]
         if not named:
-            self._unknown("material", wanted, [symbol.name for symbol in concrete])
+            self._unknown(module, "material", wanted, [symbol.name for symbol in concrete])
         return [symbol for symbol in named if self._is_concrete(symbol)]
 
     def _rig(self, module: Module, wanted: str | None) -> Symbol | None:
@@ -377,7 +377,7 @@ class Frontend:
         if wanted is not None:
             found = [s for s in module.find(wanted) if isinstance(s.declaration, ast.Rig)]
             if not found:
-                self._unknown("rig", wanted, [symbol.name for symbol in own])
+                self._unknown(module, "rig", wanted, [symbol.name for symbol in own])
             return found[0] if found else None
         if len(own) > 1:
             known = ", ".join(f"`{symbol.name}`" for symbol in own)
@@ -399,7 +399,7 @@ class Frontend:
         ]
         if not found:
             known = records_of(module, "pass", abstract=False)
-            self._unknown("pass", wanted, [symbol.name for symbol in known])
+            self._unknown(module, "pass", wanted, [symbol.name for symbol in known])
             return None
         return found[0] if self._is_concrete(found[0]) else None
 
@@ -416,10 +416,11 @@ class Frontend:
         (forward,) = records_of(self._library.prelude, "pass", abstract=False)
         return forward
 
-    def _unknown(self, kind: str, name: str, known: list[str]) -> None:
+    def _unknown(self, module: Module, kind: str, name: str, known: list[str]) -> None:
+        """Report a name that was asked for, and that a file does not declare."""
         own = f"there is {', '.join(known)}" if known else _NOT_OWN.get(kind, "")
         hint = suggestion(name, known) or own
-        self._report.add(rules.UNKNOWN_NAME, None, kind=kind, name=name, hint=hint)
+        self._report.add(rules.UNKNOWN_NAME, _whole(module), kind=kind, name=name, hint=hint)
 
 
 def _rigs(module: Module) -> list[Symbol]:

@@ -44,6 +44,12 @@ rule burnish_build
   restat = 1
 """
 
+_MISTAKES = """\
+# A source has a mistake. What mends it need not be among the inputs, such as a file that is
+# missing: until then, this graph is written again each time.
+build {name}: phony
+"""
+
 
 @frozen
 class NinjaGraph:
@@ -59,6 +65,8 @@ class NinjaGraph:
     """A file that changes whenever Burnish itself does."""
     depth: int
     """The number of actions that may run at once."""
+    mistakes: tuple[str, ...]
+    """A name that no file has, if an action has errors: then the graph is always out of date."""
 
 
 def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about: NinjaGraph) -> str:
@@ -69,10 +77,12 @@ def graph(batches: Sequence[Batch], outputs: Mapping[str, Iterable[str]], about:
     again = _command([*about.called, *about.again])
     head = _HEAD.format(pool=POOL, depth=about.depth, again=again)
     sources = sorted({path for batch in batches for path in batch.inputs})
+    inputs = _implicit([*sources, about.program, *about.mistakes])
     return "\n".join([
         head,
         *(_statement(batch, outputs, about) for batch in batches),
-        f"build {_path(about.path)}: burnish_build{_implicit([*sources, about.program])}\n",
+        f"build {_path(about.path)}: burnish_build{inputs}\n",
+        *(_MISTAKES.format(name=_path(each)) for each in about.mistakes),
         "# A source may be deleted or renamed: then this graph is written again without it.",
         *(f"build {_path(source)}: phony" for source in sources),
         "",

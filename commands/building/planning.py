@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from enum import Enum
 from pathlib import Path
 
 from ...compiler.diagnostics.diagnostic import CompileError, Report
@@ -19,6 +20,18 @@ from ...support.frozen import changed, frozen
 from ..results import LIBRARY
 from ..source_folders import KINDS, SUFFIX, files_in
 from .actions import Action, BuildError, Variant, digest_of
+
+
+class Demand(Enum):
+    """What all files must be before there are any actions.
+
+    A file that is only asked to be there has an action as well if it cannot be read. The action
+    fails when it is run, and tells why.
+    """
+
+    NOTHING = "nothing"
+    THERE = "there"
+    READABLE = "readable"
 
 
 @frozen
@@ -36,22 +49,24 @@ def actions_of(
     given: Sequence[Path],
     search_path: Sequence[Path],
     variants: Sequence[Variant],
-    *,
-    readable: bool,
+    demand: Demand,
 ) -> list[Action]:
     """The actions of a build, in the order of files and variants.
 
     ``given`` are files, and folders in which all files are meant that declare something to compile.
-    Raises ``BuildError`` and, if all files have to be ``readable``, ``CompileError``. Otherwise a
-    file that cannot be read has an action as well, which fails when it is run.
+    Raises ``BuildError`` and, if files are not what is demanded of them, ``CompileError``.
     """
-    report, opened = Report(), list[_Opened]()
+    report, absent, opened = Report(), Report(), list[_Opened]()
     current_library()
     for file, is_asked_for in _files(given, {each.request.output for each in variants}):
-        found = _open(file, search_path, report, is_asked_for=is_asked_for)
+        own = Report()
+        found = _open(file, search_path, own, is_asked_for=is_asked_for)
         opened += [] if found is None else [found]
-    if readable and report.failed:
-        raise CompileError(report.diagnostics)
+        report.extend(own.diagnostics)
+        absent.extend(own.diagnostics if not os.path.lexists(file) else ())
+    unmet = {Demand.NOTHING: Report(), Demand.THERE: absent, Demand.READABLE: report}[demand]
+    if unmet.failed:
+        raise CompileError(unmet.diagnostics)
     actions = [action for each in opened for variant in variants for action in _of(each, variant)]
     if not actions:
         folders = " and ".join(f"`{folder}`" for folder in given)
@@ -105,12 +120,11 @@ def _open(
     file: str, search_path: Sequence[Path], report: Report, *, is_asked_for: bool
 ) -> _Opened | None:
     """Read a file with its imports; ``None`` if there is nothing in it to compile."""
-    own, inputs = Report(), Inputs()
-    frontend = Frontend(own, search_path, inputs)
+    inputs = Inputs()
+    frontend = Frontend(report, search_path, inputs)
     module = frontend.open_file(Path(file))
-    report.extend(own.diagnostics)
     rigs: tuple[str, ...] = ()
-    if module is not None and not own.failed:
+    if module is not None and not report.failed:
         if not is_asked_for and not any(frontend.declared(module, kind) for kind in KINDS):
             return None
         rigs = frontend.declared(module, "rig")

@@ -23,6 +23,8 @@ _NAME = "built"
 
 Outputs = Mapping[str, str]
 """Digests of the contents of files, by their names."""
+Named = Mapping[str, tuple[str, tuple[str, ...]]]
+"""The source of a folder of outputs, and their names when it was last compiled without an error."""
 Made = Mapping[str, tuple[str, Outputs]]
 """The source of a folder of outputs, and what was written there, by the folder; full paths."""
 
@@ -32,9 +34,10 @@ class Records:
 
     def __init__(self, folder: str) -> None:
         self._key = key_of([os.path.realpath(folder)])
-        self._known, self._made_before = _loaded(self._key)
+        self._known, self._made_before, self._named_before = _loaded(self._key)
         self._used: dict[str, Outputs] = {}
         self._made = dict(self._made_before)
+        self._named = dict(self._named_before)
 
     def outputs(self, action: Action) -> Outputs | None:
         """What an action makes; ``None`` if it was not run yet, or with other inputs."""
@@ -54,6 +57,25 @@ class Records:
     def note(self, action: Action, contents: Mapping[str, str | bytes]) -> None:
         """Remember what an action makes."""
         self._used[_state(action)] = _digests(contents)
+        folder, source = action.request.output, str(action.request.files[0])
+        for other in [each for each in self._named if _is_beside(each, [folder])]:
+            if self._named[other][0] == source:
+                del self._named[other]
+        self._named[folder] = source, tuple(contents)
+
+    def last_names(self, action: Action) -> list[str]:
+        """The names of what an action made when it last had no error, from its folder.
+
+        If its file cannot be read, its rigs are unknown: then the outputs of all rigs are meant.
+        """
+        folder, source = action.request.output, str(action.request.files[0])
+        _, own = self._named.get(folder, (source, ()))
+        rigs = {} if action.request.rig is not None else {
+            each.removeprefix(f"{folder}/"): names
+            for each, (owner, names) in self._named.items()
+            if owner == source and os.path.dirname(each) == folder  # noqa: PTH120
+        }  # fmt: skip
+        return [*own, *(f"{rig}/{name}" for rig, names in rigs.items() for name in names)]
 
     def wrote(self, action: Action, contents: Mapping[str, str | bytes]) -> None:
         """Remember what now lies in the folder of an action."""
@@ -88,25 +110,30 @@ class Records:
 
     def keep(self) -> None:
         """Keep the records of all actions that were asked about, and of all that was written."""
-        if (self._used, self._made) != (self._known, self._made_before):
-            entry = {"states": self._used, "made": self._made}
+        before = self._known, self._made_before, self._named_before
+        if (self._used, self._made, self._named) != before:
+            entry = {"states": self._used, "made": self._made, "named": self._named}
             store(_NAME, self._key, json.dumps(entry).encode())
 
 
-def _loaded(key: str) -> tuple[dict[str, Outputs], dict[str, tuple[str, Outputs]]]:
+def _loaded(key: str) -> tuple[Mapping[str, Outputs], Made, Named]:
     try:
         stored = load(_NAME, key)
         if stored is None:
-            return {}, {}
+            return {}, {}, {}
         found = json.loads(stored)
         states = {str(state): _outputs(each) for state, each in found["states"].items()}
         made = {
             str(folder): (str(source), _outputs(each))
             for folder, (source, each) in found["made"].items()
         }
-        return states, made
+        named = {
+            str(folder): (str(source), tuple(map(str, names)))
+            for folder, (source, names) in found["named"].items()
+        }
+        return states, made, named
     except (ValueError, LookupError, TypeError, AttributeError):
-        return {}, {}
+        return {}, {}, {}
 
 
 def _is_beside(folder: str, current: Iterable[str]) -> bool:

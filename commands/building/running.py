@@ -118,7 +118,7 @@ def _deliver(action: Action, found: Compiled, records: Records | None) -> Sequen
         return ()
     request = action.request
     owners = owners_of(request.files, [found])
-    guard = None if request.force else Ownership(request.output, owners)
+    guard = Ownership(request.output, owners, force=request.force)
     try:
         contents = written_of(request.files, [found])
         write_all(Path(request.output), contents, guard)

@@ -36,12 +36,12 @@ def write_graph(*files: str) -> str:
     return Path("build.ninja").read_text()
 
 
-def ninja(*options: str) -> str:
+def ninja(*options: str, code: int = 0) -> str:
     """What Ninja prints."""
     tool = program("ninja", "ninja")
     assert tool is not None
     done = run([str(tool), *options])
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.returncode == code, done.stdout + done.stderr
     return done.stdout
 
 
@@ -122,13 +122,56 @@ def test_names_that_ninja_cannot_have_are_told(sign: str, shown: str) -> None:
     assert tree(Path.cwd()) == before
 
 
-def test_files_with_errors_make_no_graph() -> None:
-    Path("materials/c.burnish").write_text("material Wrong { color = nothing }\n")
-    before = tree(Path.cwd())
-    done = invoke("build", ".", *LINE, "--ninja")
-    assert (done.exit_code, done.stdout) == (1, "")
-    assert "unknown name `nothing`" in done.stderr
-    assert tree(Path.cwd()) == before
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("material C { color = nothing }\n", "unknown name `nothing`"),
+        ("material {\n", "error[B0101]"),
+        ('import "late.burnish".{shade}\nmaterial C { color = shade() }\n', "error[B0"),
+    ],
+)
+def test_a_mistake_is_told_by_its_own_action_and_keeps_no_other_from_being_built(
+    text: str, message: str
+) -> None:
+    write_graph("materials")
+    ran()
+    Path("more.ninja").write_text(
+        "include build.ninja\nrule copy\n  command = cp $in $out\n"
+        "build copied.wgsl: copy build/materials/c/C.frag.wgsl\n"
+    )
+    right, day = Path("materials/c.burnish").read_text(), Path("materials/metal/r.burnish")
+    Path("materials/c.burnish").write_text(text)
+    day.write_text(day.read_text().replace("0.1", "0.3"))
+    before = Path("build/materials/c/C.frag.wgsl").read_bytes()
+    said = ninja("-k", "0", "-f", "more.ninja", code=1)
+    assert said.count(message) == 1
+    assert "FAILED: " in said and "build/materials/c/C.frag.wgsl" in said
+    assert "0.3" in Path("build/materials/metal/r/Day/R.Day.frag.wgsl").read_text()
+    assert Path("build/materials/c/C.frag.wgsl").read_bytes() == before
+    assert not Path("copied.wgsl").exists(), "it would be made of an old output"
+    Path("late.burnish").write_text("fn shade() -> rgb = vec3(0.4)\n")
+    if "late" not in text:
+        Path("materials/c.burnish").write_text(right.replace("0.2", "0.4"))
+    ninja()
+    ninja("-f", "more.ninja")
+    assert "0.4" in Path("copied.wgsl").read_text()
+    assert ninja("-f", "more.ninja") == UNCHANGED
+
+
+def test_a_file_that_cannot_be_read_has_the_outputs_of_all_its_rigs() -> None:
+    write_graph("materials")
+    names = re.findall(r"build/materials/metal/r/\S+\.wgsl", Path("build.ninja").read_text())
+    Path("materials/metal/r.burnish").write_text("rig {\n")
+    Path("materials/new.burnish").write_text("material {\n")
+    done = invoke("build", "materials", *LINE, *PROGRAM, "--ninja")
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert done.stdout == (
+        "build.ninja: 5 actions; `materials/new`, `materials/metal/r` will fail, and tell the "
+        "mistake\n"
+    )
+    text = Path("build.ninja").read_text()
+    assert names and all(each in text for each in names)
+    assert "build build/materials/new/unknown-outputs: burnish_compile" in text
 
 
 def test_another_burnish_runs_everything_again(monkeypatch: pytest.MonkeyPatch) -> None:

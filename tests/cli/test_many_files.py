@@ -49,6 +49,16 @@ def contents(folder: str) -> dict[str, str]:
     return {path.name: path.read_text() for path in Path(folder).iterdir()}
 
 
+def test_a_name_that_files_do_not_have_is_told_of_each() -> None:
+    names = write(2)
+    done = invoke("compile", *names, "--material", "Q", "-o", "all", "--format", "line")
+    assert (done.exit_code, done.stdout) == (1, "")
+    assert done.stderr == (
+        "m00.burnish:1:1: error: B0201: unknown material `Q`; there is M0\n"
+        "m01.burnish:1:1: error: B0201: unknown material `Q`; there is M1\n"
+    )
+
+
 @pytest.mark.parametrize("processors", [1, 3])
 def test_they_become_what_each_becomes(processors: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(os, "cpu_count", lambda: processors)

@@ -78,6 +78,24 @@ def test_a_name_cannot_begin_another_command() -> None:
     )
 
 
+def test_builds_tell_messages_in_all_forms(standard: Any) -> None:
+    Path("right.burnish").write_text(PLAIN)
+    line = ("build", "wrong.burnish", "right.burnish", "-t", "wgsl", "--format")
+    done = invoke(*line, "line")
+    assert (done.exit_code, done.stderr.startswith(LINES)) == (1, True)
+    assert "right: 3 files in build/right\n" in done.stdout
+    assert invoke(*line, "github").stderr.startswith(ANNOTATIONS)
+    log = json.loads(invoke(*line, "sarif").stdout)
+    standard.validate(log)
+    (run,) = log["runs"]
+    assert [result["ruleId"] for result in run["results"]] == ["B0202", "B0201", "B0113"]
+    (said,) = run["invocations"][0]["toolExecutionNotifications"]
+    assert said == {
+        "level": "note",
+        "message": {"text": "the outputs of what failed are as they were: `wrong`"},
+    }
+
+
 def test_many_files_are_checked_at_once() -> None:
     Path("right.burnish").write_text(PLAIN)
     done = invoke("check", "right.burnish", "wrong.burnish", "wrong.burnish", "--format", "line")

@@ -117,7 +117,8 @@ def test_a_second_source_does_not_overwrite_what_the_first_has_become() -> None:
         "error[B0020]: `out/Plain.vert.wgsl` would be overwritten, and `a/m.burnish` was compiled "
         "to it, not `b/m.burnish`\n"
         "  = help: Nothing was written. Compile into another folder, rename the material or the "
-        "frame, or overwrite all that is in the way by `--force`.\n\n1 error\n"
+        "frame, or overwrite all that is in the way by `--force`. What is changed by hand in an "
+        "output belongs into its source.\n\n1 error\n"
     )
     assert contents("out") == before
     assert shell("compile", "b/m.burnish", *line, "--force", folder=Path.cwd()).returncode == 0
@@ -146,10 +147,32 @@ def test_outputs_that_were_checked_out_are_replaced() -> None:
     assert invoke("compile", "m.burnish", "-t", "all", "-o", "out").exit_code == 0
     for path in Path("out").iterdir():
         path.write_text(path.read_text().replace("1.0", "0.5") + " ")
-    (kept,) = (Path("..") / "cache").rglob("outputs/*")
+    (kept,) = (Path("..") / "cache").rglob("written/*")
     kept.unlink()
     done = invoke("compile", "m.burnish", "-t", "all", "-o", "out")
     assert (done.exit_code, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("command", ["compile", "build"])
+def test_what_somebody_has_changed_by_hand_is_not_overwritten(command: str) -> None:
+    Path("m.burnish").write_text(PLAIN)
+    line = (command, "m.burnish", "-t", "wgsl", "-o", "out")
+    assert invoke(*line).exit_code == 0
+    (output,) = Path("out").rglob("Plain.frag.wgsl")
+    output.write_text(output.read_text().replace("1.0", "0.9"))
+    mine = contents(str(output.parent))
+    done = invoke(*line)
+    assert done.exit_code == 1
+    assert done.stderr.startswith(
+        f"error[B0020]: `{output}` would be overwritten, and it was changed since Burnish wrote "
+        "it\n"
+    )
+    assert contents(str(output.parent)) == mine
+    assert invoke(*line, "--force").exit_code == 0
+    assert contents(str(output.parent)) != mine
+    Path("m.burnish").write_text(PLAIN.replace("ffffff", "808080"))
+    done = invoke(*line)
+    assert (done.exit_code, done.stderr) == (0, ""), "what was forced is known as well"
 
 
 @pytest.mark.parametrize("name", ["Plain.frag.wgsl", "Plain.json"])

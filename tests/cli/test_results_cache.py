@@ -101,8 +101,8 @@ def test_only_texts_are_kept(place: Place) -> None:
     (result,) = place.results()
     kept: dict[str, object] = json.loads(result.read_bytes()[8:])
     assert kept.keys() == {
-        "circumstances", "depfile", "folder", "folders", "library", "links", "owners", "printed",
-        "sources", "texts", "warnings",
+        "circumstances", "depfile", "folder", "folders", "force", "library", "links", "owners",
+        "printed", "sources", "texts", "warnings",
     }  # fmt: skip
 
 

@@ -116,5 +116,6 @@ FOREIGN_OUTPUT = error(
     "B0020",
     "`{path}` would be overwritten, and {reason}",
     "Nothing was written. Compile into another folder, rename the material or the frame, or "
-    "overwrite all that is in the way by `--force`.",
+    "overwrite all that is in the way by `--force`. What is changed by hand in an output belongs "
+    "into its source.",
 )
