@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from ..c_family.lines import Lines, number, string
-from ..c_family.tables import Tables, chunks, enumerated, layouts, plain, rows
+from ..c_family.tables import Tables, chunks, enumerated, identity, layouts, plain, rows
 from ..c_family.words import WORDS
 from ..describing import about_block, about_field, sources
 from ..fields import Enumeration, Field, Numbers, Pad, Structure
@@ -39,6 +39,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "tables": Tables(_enumerator, spelling.type, _literal, "{0}"),
         "partial": partial,
         "layouts": layouts,
+        "identity": identity,
         "rows": rows,
         "list_of": lambda rows, name: f"{name}, {len(rows)}" if rows else "NULL, 0",
         "prefix": spelling.prefix,

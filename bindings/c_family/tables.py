@@ -150,7 +150,13 @@ class Tables:
 
 def layouts(material: Material) -> list[str]:
     """The rows of the table of layout ids."""
-    return [string(row.layout_id) for row in material.reflection.blocks]
+    return [_row(string(row.name), string(row.layout_id)) for row in material.reflection.blocks]
+
+
+def identity(material: Material) -> str:
+    """What material a reflection has to be of, for a record: its own name, its pass, its rig."""
+    row = material.reflection
+    return ", ".join(map(string, (row.material, row.pass_, row.rig)))
 
 
 def plain(name: str) -> str:

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from ..c_family.lines import Lines, is_scalar, number, real
-from ..c_family.tables import Tables, chunks, enumerated, identifier, layouts, plain, rows
+from ..c_family.tables import Tables, chunks, enumerated, identifier, identity, layouts, plain, rows
 from ..c_family.words import WORDS, Words
 from ..describing import about_block, about_field, sources
 from ..fields import Enumeration, Field, Numbers, Structure
@@ -47,6 +47,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "constants": _constants,
         "partial": partial,
         "layouts": layouts,
+        "identity": identity,
         "rows": rows,
         "list_of": lambda rows, name: name if rows else "{}",
         "element_type": parts.declared,

@@ -39,6 +39,7 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
             "(" + "".join(f"{_string(name)}, " for name in names).rstrip(" ") + ")"
         ),
         "layout_ids": _layout_ids,
+        "reflection_of": _reflection_of,
         "format_size": _format_size,
         "texture_row": _texture_row,
         "target_row": _target_row,
@@ -113,6 +114,12 @@ def _roles(block: Block) -> list[Field]:
 def _string(value: object) -> str:
     """A text, or ``None``, as Python writes it."""
     return "None" if value is None else json.dumps(value, ensure_ascii=False)
+
+
+def _reflection_of(material: Material) -> str:
+    """What a reflection says to be of, if it is the material's."""
+    row = material.reflection
+    return f"({_string(row.material)}, {_string(row.pass_)}, {_string(row.rig)})"
 
 
 def _layout_ids(material: Material) -> str:

@@ -57,6 +57,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "key": _key,
         "quoted": _quoted,
         "layout_ids": _layout_ids,
+        "reflection_of": _reflection_of,
         "vertex_input": _vertex_input,
         "texture": _texture,
         "target": _target,
@@ -135,6 +136,12 @@ def _has_parts(binding: Binding) -> bool:
 def _given_blocks(material: Material) -> list[Block]:
     """The blocks that a host sets."""
     return [block for block in material.blocks if block.derivation is None]
+
+
+def _reflection_of(material: Material) -> list[str]:
+    """What a reflection says to be of, if it is the material's."""
+    row = material.reflection
+    return [row.material, row.pass_, row.rig]
 
 
 def _layout_ids(material: Material) -> Mapping[str, str]:

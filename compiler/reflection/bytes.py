@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from ..documents.digests import layout_digest
 from ..documents.values import BlockMember, BlockRow, LayoutRow, StructMember, StructRow
 from ..ir.leaves import Parameter
+from ..ir.meaning import Meaning
 from ..ir.node import Node
 from ..ir.program import Block, Program, StageName
 from ..ir.storage import LANE, byte_size, padding_names
@@ -38,7 +39,7 @@ def _block_row(
         extern=block.host is not None,
         size=block.size,
         stages=stages,
-        layout_id=_layout_id(members, structs, _computed(block, derived)),
+        layout_id=_layout_id(members, structs, _computed(block, derived), _enumerated(block)),
         members=members,
         structs=structs,
     )
@@ -53,12 +54,34 @@ def _computed(block: Block, derived: Mapping[Parameter, Node]) -> list[object]:
     return [steps(part) for part in chain.from_iterable(parts)]
 
 
+def _enumerated(block: Block) -> Iterator[object]:
+    """What the numbers of values mean that are members of an enumeration."""
+    for member in block.members:
+        if member.parameter is not None:
+            yield from _choices(member.name, member.parameter.meaning)
+
+
+def _choices(name: str, meaning: Meaning | None) -> Iterator[object]:
+    if meaning is None:
+        return
+    if meaning.enumeration is not None:
+        yield name, meaning.enumeration.names
+    for inner, each in meaning.members:
+        yield from _choices(f"{name}.{inner}", each)
+
+
 def _layout_id(
-    members: Sequence[BlockMember], structs: Sequence[StructRow], computed: Sequence[object]
+    members: Sequence[BlockMember],
+    structs: Sequence[StructRow],
+    computed: Sequence[object],
+    enumerated: Iterable[object],
 ) -> str:
-    """A digest of where everything lies and, of derived values, of how they are computed."""
+    """A digest of where everything lies and what it says.
+
+    It is also one of how derived values are computed, and of the members of enumerations.
+    """
     lies = [(member.name, member.type, member.offset) for member in members]
-    return layout_digest(lies, structs, *computed)
+    return layout_digest(lies, structs, *computed, *enumerated)
 
 
 def _member_rows(block: Block) -> Iterator[BlockMember]:

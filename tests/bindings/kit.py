@@ -220,18 +220,36 @@ def reflections() -> list[Any]:
     """The reflection of plastic, and what may have become of it since a binding was made.
 
     A block has another layout; there is another block; the view is bound elsewhere; the texture is
-    another one.
+    another one; it is the reflection of another rig, or has other targets; it is none.
     """
     (plain,) = burnish.compile(PLASTIC, "wgsl")
     (moved,) = burnish.compile(PLASTIC, "wgsl", bindings={"first": {"view": 4}})
     text = PLASTIC.read_text("utf-8").replace("albedo", "wood")
     (other,) = burnish.compile(text, "wgsl")
-    materials = (plain, plain, plain, moved, other)
+    (renamed,) = burnish.compile(PLASTIC.read_text("utf-8").replace("Studio", "Room"), "wgsl")
+    (elsewhere,) = burnish.compile(PLASTIC, "glsl")
+    materials = (plain, plain, plain, moved, other, renamed, elsewhere)
     found = [json.loads(json.dumps(burnish.to_json(each.reflection))) for each in materials]
     next(row for row in found[1]["blocks"] if row["name"] == "Rig")["layout_id"] = "0"
     found[2]["blocks"].append({"name": "Fog", "layout_id": "1"})
-    return found
+    return [*found, {}]
 
 
 ELSEWHERE = "other things are bound or fed, or elsewhere; run `burnish bind` again"
-"""What is told of the last two."""
+"""What is told of two others."""
+UNFIT = [
+    "the reflection is of another material, pass or rig; if that is meant, run `burnish bind` "
+    "again",
+    "the reflection has none of the binding's targets: give `burnish bind` those of "
+    "`burnish compile`",
+    "that is no reflection: it has no `blocks`",
+]
+"""What is told of the last three, by languages that search the text."""
+UNFIT_BY_NAME = [
+    "the reflection is of `Plastic`, `Forward`, `Room`, and the binding of `Plastic`, `Forward`, "
+    "`Studio`; if that is meant, run `burnish bind` again",
+    "the binding has no tables for `glsl:vulkan`: give `burnish bind` the targets of "
+    "`burnish compile`",
+    "that is no reflection, as `burnish compile` writes it",
+]
+"""The same, by languages that read documents."""

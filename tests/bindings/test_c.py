@@ -23,7 +23,7 @@ from ..suite.processes import run
 from .calls import ROUNDS, every_builtin
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples
+from .kit import ELSEWHERE, PLASTIC, UNFIT, defaults, everything, reflections, samples
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -183,15 +183,16 @@ def test_stale_bindings_faults_counts_and_embedded_texts(tmp_path: Path) -> None
     (tmp_path / "main.c").write_text(_PLASTIC, "utf-8")
     given = "\n".join(map(json.dumps, reflections()))
     lines = _compiled("gcc", tmp_path, given)
-    assert lines[:9] == [
+    assert lines[:12] == [
         "fits",
         "the binding is stale: a block has another layout; run `burnish bind` again",
         "the binding is stale: there are other blocks now; run `burnish bind` again",
         *[f"the binding is stale: {ELSEWHERE}"] * 2,
+        *UNFIT,
         "fits",
         "`torch.axis` has to be of length 1",
         "0 0",
         "1 2",
     ]
     (material,) = burnish.compile(PLASTIC, "wgsl")
-    assert lines[9:] == material.text("wgsl", "vertex").splitlines()
+    assert lines[12:] == material.text("wgsl", "vertex").splitlines()

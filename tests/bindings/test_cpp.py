@@ -25,7 +25,7 @@ from .calls import ROUNDS, every_builtin
 from .frame_calls import drawings, wrong
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import ELSEWHERE, PLASTIC, defaults, everything, reflections, samples, set_by_hosts
+from .kit import ELSEWHERE, PLASTIC, UNFIT, defaults, everything, reflections, samples, set_by_hosts
 
 pytestmark = pytest.mark.xdist_group("bindings")
 
@@ -189,4 +189,5 @@ def test_a_stale_binding_is_told(tmp_path: Path) -> None:
         "the binding is stale: a block has another layout; run `burnish bind` again",
         "the binding is stale: there are other blocks now; run `burnish bind` again",
         *[f"the binding is stale: {ELSEWHERE}"] * 2,
+        *UNFIT,
     ]

@@ -24,7 +24,7 @@ from burnish.compiler.documents.steps import (
 from burnish.support.frozen import changed
 
 from ..golden import assert_golden
-from .kit import ELSEWHERE, EXAMPLES, PLASTIC, difference, reflections
+from .kit import ELSEWHERE, EXAMPLES, PLASTIC, UNFIT_BY_NAME, difference, reflections
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -89,7 +89,31 @@ def test_a_stale_binding_is_told() -> None:
         f"{stale}`Rig` has another layout; run `burnish bind` again",
         f"{stale}it lacks `Fog`; run `burnish bind` again",
         *[f"{stale}for `wgsl:webgpu`, {ELSEWHERE}"] * 2,
+        *UNFIT_BY_NAME,
     ]
+
+
+@pytest.mark.parametrize("members", ["fresh, mouldy", "worn, fresh"])
+@pytest.mark.parametrize("type_", ["Wear", "Spot[2]"])
+def test_a_binding_is_stale_when_numbers_have_other_names(members: str, type_: str) -> None:
+    text = """
+        enum Wear { fresh, worn }
+        struct Spot { wear : Wear  size : float }
+        material Wall {
+            param first : TYPE
+            color = first.is_it * vec3(1)
+        }
+    """
+    value = "first" if type_ == "Wear" else "first[1].wear"
+    text = text.replace("TYPE", type_).replace(
+        "first.is_it", f"if {value} == Wear.fresh then 1.0 else 0.0"
+    )
+    material = _module(text).WALL
+    (same,) = burnish.compile(text, "wgsl")
+    material.check(burnish.to_json(same.reflection))
+    (now,) = burnish.compile(text.replace("fresh, worn", members), "wgsl")
+    with pytest.raises(ValueError, match="stale: `Material` has another layout"):
+        material.check(burnish.to_json(now.reflection))
 
 
 NAMES = """

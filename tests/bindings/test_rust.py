@@ -25,7 +25,7 @@ from ..suite.processes import run
 from .calls import ROUNDS, every_builtin, operands
 from .frame_calls import drawings, wrong
 from .judging import assert_builtins, assert_bytes, assert_defaults
-from .kit import PLASTIC, defaults, everything, samples, set_by_hosts
+from .kit import PLASTIC, UNFIT, defaults, everything, samples, set_by_hosts
 from .rust_frames import RECORDER, drawers
 from .rust_frames import values as drawn_values
 
@@ -86,11 +86,11 @@ fn checked() {
     let stale = |text: &str| PLASTIC.check(text).unwrap_err().to_string();
     assert_eq!(PLASTIC.check(reflection), Ok(()));
     assert_eq!(
-        stale(&reflection.replace(PLASTIC.layout_ids[1], "0")),
+        stale(&reflection.replace(PLASTIC.layout_ids[1].1, "0")),
         "the binding is stale: a block has another layout; run `burnish bind` again"
     );
     assert_eq!(
-        stale(&reflection.replacen(r#""layout_id""#, r#""layout_id": "1", "layout_id""#, 1)),
+        stale(&reflection.replacen(r#""name": "View""#, r#""name": "Fog""#, 1)),
         "the binding is stale: there are other blocks now; run `burnish bind` again"
     );
     assert_eq!(
@@ -100,12 +100,21 @@ fn checked() {
             "other things are bound or fed, or elsewhere; run `burnish bind` again"
         )
     );
+    assert_eq!(
+        [
+            stale(&reflection.replacen("Studio", "Room", 1)),
+            stale(&reflection.replace("wgsl:webgpu", "glsl")),
+            stale("{}"),
+        ],
+        [UNFIT]
+    );
     let texts = PLASTIC.profiles[0].texts;
     assert_eq!(texts[0].text, include_str!("Plastic.vert.wgsl"));
     assert_eq!(texts[1].text, include_str!("Plastic.frag.wgsl"));
 }
 """
 
+_PLASTIC = _PLASTIC.replace("[UNFIT]", json.dumps(UNFIT))
 _SMALL = """\
 /// The number of the coat.
 enum Mode {

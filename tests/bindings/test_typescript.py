@@ -28,6 +28,7 @@ from .kit import (
     ELSEWHERE,
     EXAMPLES,
     PLASTIC,
+    UNFIT_BY_NAME,
     Sample,
     defaults,
     difference,
@@ -391,7 +392,8 @@ def test_a_stale_binding_is_told(told: Told) -> None:
         f"{stale}`Rig` has another layout; run `burnish bind` again",
         f"{stale}it lacks `Fog`; run `burnish bind` again",
         *[f"{stale}for `wgsl:webgpu`, {ELSEWHERE}"] * 2,
-        "that is no reflection: it has no `blocks`",
+        *UNFIT_BY_NAME,
+        UNFIT_BY_NAME[-1],
     ]
 
 
