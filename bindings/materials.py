@@ -79,7 +79,11 @@ class Bound:
     name: str
     """Name in the binding of a block, or the name of a texture or a buffer."""
     kind: str
-    """``uniform``, ``storage``, ``texture``, ``sampler``, ``image`` or ``result``."""
+    """``uniform``, ``storage``, ``texture``, ``sampler``, ``image`` or ``result``.
+
+    In Vulkan, ``combined`` is a texture with its sampler in one object, and ``push-constants`` is a
+    block that lies in no buffer and has neither group nor binding.
+    """
     group: int | None
     binding: int | None
     register: str | None
@@ -98,6 +102,11 @@ class Bound:
 
     The binding may have no type for such a block. A host binds whatever fits.
     """
+
+    @property
+    def is_block(self) -> bool:
+        """True if it is a block that has a type in the binding."""
+        return self.kind in ("uniform", "push-constants") and self.is_read
 
 
 @frozen(kw_only=True)

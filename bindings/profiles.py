@@ -20,7 +20,7 @@ from ..support.frozen import changed
 from .materials import Block, Bound, Profile, Text
 
 COMPUTE = ("compute",)
-_KINDS = {"block": "uniform", "buffer": "storage", "combined": "texture"}
+_KINDS = {"block": "uniform", "buffer": "storage"}
 """The kinds of entries that have another name here."""
 
 
@@ -80,9 +80,10 @@ def _declared(bound: Bound, declared: Declared) -> Bound:
     layout, entry = declared.get((bound.group, bound.binding), (None, None))
     if layout is None or entry is None:
         return bound
+    kind = entry.kind if entry.kind == "combined" else bound.kind
     if not layout.shared:
-        return changed(bound, type=entry.type)
-    return changed(bound, type=entry.type, stages=layout.visibility, is_shared=True)
+        return changed(bound, kind=kind, type=entry.type)
+    return changed(bound, kind=kind, type=entry.type, stages=layout.visibility, is_shared=True)
 
 
 def _unread(layout: GroupLayoutRow, entry: EntryRow) -> Bound:
@@ -98,8 +99,13 @@ def _blocks(
     reflection: Reflection, backend: BackendRow, blocks: Sequence[Block]
 ) -> Iterator[Bound]:
     names = {each.plain_name: each.name for each in blocks}
+    pushed = backend.push_constants
     for row in reflection.blocks:
-        if (place := backend.blocks.get(row.name)) is not None:
+        if (place := backend.blocks.get(row.name)) is None:
+            continue
+        if pushed is not None and pushed.block == row.name:
+            yield _at(place, names[row.name], "push-constants", pushed.visibility, pushed.size)
+        else:
             yield _at(place, names[row.name], "uniform", row.stages, row.size)
 
 

@@ -46,8 +46,7 @@ class Tables:
 
     def bound(self, row: Bound) -> str:
         """A row of the table of bindings."""
-        has_type = row.kind == "uniform" and row.is_read
-        size = f"sizeof({self._type_name(row.name)})" if has_type else "0"
+        size = f"sizeof({self._type_name(row.name)})" if row.is_block else "0"
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return _row(
             string(row.name), self.word("Kind", row.kind), _or_none(row.group),

@@ -67,6 +67,8 @@ WORDS = (
         constants={
             "uniform": "UNIFORM_BUFFER", "storage": "STORAGE_BUFFER", "texture": "SAMPLED_IMAGE",
             "sampler": "SAMPLER", "image": "STORAGE_IMAGE", "result": "STORAGE_BUFFER",
+            "combined": "COMBINED_IMAGE_SAMPLER",
+            "push-constants": "MAX_ENUM",  # They lie in no descriptor.
         },
     ),
     Words(

@@ -12,6 +12,7 @@ from ...support.frozen import changed
 from ..describing import about_block, about_field, range_text, sources
 from ..fields import Field, Numbers, Pad, Structure
 from ..model import Binding, Block, Bound, Buffer, Material
+from ..naming import pascal, words
 from ..printer import single
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
@@ -228,13 +229,12 @@ class _Parts:
     def _bound(self, row: Bound) -> str:
         stages = sum(_STAGES.get(stage, 0) for stage in row.stages)
         return (
-            f"name: {_string(row.name)}, kind: Kind::{row.kind.capitalize()}, stages: {stages}, "
+            f"name: {_string(row.name)}, kind: Kind::{pascal(words(row.kind))}, stages: {stages}, "
             f"identifier: {_string(row.identifier)}"
         )
 
     def _bytes(self, row: Bound) -> str:
-        has_type = row.kind == "uniform" and row.is_read
-        size = f"size_of::<{self._spelling.type(row.name)}>()" if has_type else "0"
+        size = f"size_of::<{self._spelling.type(row.name)}>()" if row.is_block else "0"
         return f"size: {size}"
 
 

@@ -26,7 +26,10 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project, after the first command of its page."""
     for name in ("cmake", "ninja", "vulkan-headers"):
         assert inspect(tool_named(name)).problem is None, inspect(tool_named(name)).problem
-    folder = project(HOST, tmp_path_factory.mktemp(HOST) / "project")
+    return _built(project(HOST, tmp_path_factory.mktemp(HOST) / "project"))
+
+
+def _built(folder: Path) -> Path:
     run(
         ["sh", "-c", commands(folder)[0]], cwd=folder, check=True, limit=600,
         env=environment(CXXFLAGS="-Wall -Wextra -Wpedantic -Werror"),
@@ -45,6 +48,35 @@ def test_it_draws_what_burnish_draws(
     done = _draw(built, scene, f"{scene}.png")
     assert (done.returncode, done.stderr) == (0, "")
     assert difference(built / f"{scene}.png", expected(scene)) == ""
+
+
+def test_push_constants_and_combined_samplers_draw_the_same(
+    tmp_path: Path, built: Path, expected: Callable[[str], Picture]
+) -> None:
+    """The binding's section for Vulkan follows a scheme; a host records the push constants."""
+    del built  # It has looked for the tools.
+    folder = project(HOST, tmp_path / "project")
+    scheme = 'combined_samplers = true\npush_constants = "material"\n'
+    (folder / "scheme.toml").write_text(scheme, "utf-8")
+    asked = 'OPTIONS --bindings "${CMAKE_CURRENT_SOURCE_DIR}/scheme.toml"'
+    _replace(folder / "CMakeLists.txt", "BINDINGS cpp", f"BINDINGS cpp {asked}")
+    bound = "gpu_.bind(layout.pipeline, sets);"
+    pushed = "vulkan::push(gpu_.commands, layout, profile, *blocks);"
+    _replace(folder / "main.cpp", bound, f"{bound} {pushed}")
+    _built(folder)
+    done = _draw(folder, "plastic", "plastic.png")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert difference(folder / "plastic.png", expected("plastic")) == ""
+    (header,) = (folder / "build").rglob("scene.hpp")
+    text = "".join(header.read_text("utf-8").split())  # However it is folded.
+    assert '{"PlasticMaterial",Kind::push_constants,-1,-1,' in text
+    assert '{"albedo",Kind::combined,2,' in text
+
+
+def _replace(path: Path, old: str, new: str) -> None:
+    text = path.read_text("utf-8")
+    assert text.count(old) == 1
+    path.write_text(text.replace(old, new), "utf-8")
 
 
 def test_a_scene_that_there_is_not(built: Path) -> None:

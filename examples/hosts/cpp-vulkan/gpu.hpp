@@ -81,12 +81,13 @@ public:
             {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 256},
             {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 256},
             {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 256},
-            {VK_DESCRIPTOR_TYPE_SAMPLER, 256}
+            {VK_DESCRIPTOR_TYPE_SAMPLER, 256},
+            {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 256}
         };
         VkDescriptorPoolCreateInfo of_sets{};
         of_sets.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
         of_sets.maxSets = 256;
-        of_sets.poolSizeCount = 4;
+        of_sets.poolSizeCount = 5;
         of_sets.pPoolSizes = sizes;
         insist(vkCreateDescriptorPool(device, &of_sets, nullptr, &pool), "descriptor sets");
         VkCommandBufferBeginInfo begin{};
