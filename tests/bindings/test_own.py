@@ -263,7 +263,7 @@ def test_names_do_not_depend_on_what_else_is_bound() -> None:
         for text in texts:
             alone = _module(LAMPS + text)
             for name, block in vars(alone).items():
-                if isinstance(block, type) and getattr(block, "LAYOUT_ID", ""):
+                if hasattr(block, "LAYOUT_ID"):
                     assert getattr(module, name).LAYOUT_ID == block.LAYOUT_ID, name
 
 
