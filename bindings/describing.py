@@ -37,6 +37,16 @@ def about_field(field: Field) -> str:
     return "; ".join(_parts(field))
 
 
+def in_one_line(doc: str) -> str:
+    """A doc comment in one line."""
+    return " ".join(doc.split())
+
+
+def choices_text(field: Field) -> str:
+    """The members of the enumeration that a field is: ``0 fresh, 1 worn``."""
+    return ", ".join(f"{number} {name}" for number, name in enumerate(field.choices))
+
+
 def range_text(bounds: tuple[float, float]) -> str:
     """A range, in which large whole numbers are not rounded: ``0 to 0.5``, ``0 to 2147483647``."""
     shown = (str(int(each)) if float(each).is_integer() else f"{each:g}" for each in bounds)
@@ -45,11 +55,11 @@ def range_text(bounds: tuple[float, float]) -> str:
 
 def _parts(field: Field) -> Iterator[str]:
     if field.doc:
-        yield " ".join(field.doc.split()).rstrip(".")
+        yield in_one_line(field.doc).rstrip(".")
     if field.computed:
         return
     if field.choices:
-        yield ", ".join(f"{number} {name}" for number, name in enumerate(field.choices))
+        yield choices_text(field)
     elif field.range is not None:
         yield range_text(field.range)
     if field.meaning in _UNITS:

@@ -6,7 +6,7 @@ from ..compiler.documents.backends import BackendRow
 from ..compiler.documents.reflection import Reflection
 from ..compiler.documents.steps import StepRow
 from ..support.frozen import frozen
-from .fields import Numbers, Structure
+from .fields import Field, Numbers, Structure
 from .statements import Statement
 
 
@@ -33,6 +33,16 @@ class Block:
     def name(self) -> str:
         """Name in the binding."""
         return self.structure.name
+
+    @property
+    def roles(self) -> tuple[Field, ...]:
+        """The fields that mean the same in all materials, such as the camera's.
+
+        Those of a rig are not among them, as several of its lights have the same roles.
+        """
+        if self.derivation is not None or self.group == "rig":
+            return ()
+        return tuple([field for field in self.structure.fields if field.role is not None])
 
     @property
     def sources(self) -> tuple[Source, ...]:

@@ -9,7 +9,7 @@ from typing import Any
 from ..c_family.lines import Lines, number, string
 from ..c_family.tables import Tables, chunks, enumerated, identity, layouts, plain, rows
 from ..c_family.words import WORDS
-from ..describing import about_block, about_field, sources
+from ..describing import about_block, about_field, in_one_line, sources
 from ..fields import Enumeration, Field, Numbers, Pad, Structure
 from ..model import Binding
 from ..naming import words
@@ -64,7 +64,8 @@ class _Parts(Lines):
             f"{name}_{self._spelling.choice(enumeration.name, each.name)}"
             for each in enumeration.members
         ]
-        return [f"typedef int32_t {name};", *enumerated("enum", members, "};")]
+        docs = [in_one_line(each.doc) for each in enumeration.members]
+        return [f"typedef int32_t {name};", *enumerated("enum", members, "};", docs)]
 
     def member(self, part: Field | Pad) -> Iterator[str]:
         """The lines of a member, with its comment."""

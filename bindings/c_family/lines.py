@@ -8,7 +8,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from ..describing import range_text
+from ..describing import choices_text, range_text
 from ..fields import Field, Numbers, Structure
 from ..printer import single
 from ..spelling import Spelling
@@ -86,7 +86,7 @@ class Lines:
         if field.choices:
             last = len(field.choices) - 1
             inside = f"({self.natural(place)} <= {last}u)"
-            yield self.returned(inside, f"`{name}` is declared in 0 to {last}")
+            yield self.returned(inside, f"`{name}` is one of {choices_text(field)}")
         elif field.range is not None and not type_.columns:
             shown = range_text(field.range)
             lanes = [self.lane(place, number) for number in range(type_.lanes)]

@@ -169,8 +169,14 @@ def identifier(word: str) -> str:
     return f"e{name}" if name[0].isdigit() else name
 
 
-def enumerated(opening: str, names: Sequence[str], closing: str) -> list[str]:
-    """The lines of an enumeration: one, or as few as hold its names."""
+def enumerated(
+    opening: str, names: Sequence[str], closing: str, docs: Sequence[str] = ()
+) -> list[str]:
+    """The lines of an enumeration: one, or as few as hold its names; with ``docs`` one for each."""
+    if any(docs):
+        lines = ((f"    /// {doc}", f"    {name},") for name, doc in zip(names, docs, strict=True))
+        rows = (row for lines_ in lines for row in lines_ if row.strip() != "///")
+        return [f"{opening} {{", *rows, closing]
     line = f"{opening} {{ {', '.join(names)} {closing}"
     if len(line) <= WIDTH:
         return [line]

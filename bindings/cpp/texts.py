@@ -9,7 +9,7 @@ from typing import Any
 from ..c_family.lines import Lines, is_scalar, number, real
 from ..c_family.tables import Tables, chunks, enumerated, identifier, identity, layouts, plain, rows
 from ..c_family.words import WORDS, Words
-from ..describing import about_block, about_field, sources
+from ..describing import about_block, about_field, in_one_line, sources
 from ..fields import Enumeration, Field, Numbers, Structure
 from ..model import Binding, Material
 from ..spelling import Spelling
@@ -28,7 +28,7 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     parts = _Parts(spelling)
     return {
         "FUNCTIONS": FUNCTIONS,
-        "enums": [_enum(each.name, "uint8_t", map(_word, each.constants)) for each in WORDS],
+        "enums": [_words(each.name, each.constants) for each in WORDS],
         "choices": [parts.choices(each) for each in binding.enumerations],
         "plain": plain,
         "member": parts.member,
@@ -75,24 +75,21 @@ class _Parts(Lines):
         return self.type(field.type)
 
     def roles(self, material: Material) -> list[tuple[str, str]]:
-        """The fields that have a role, each as its role and its place among the blocks.
-
-        Those of lights are not among them, as several lights have the same roles.
-        """
+        """The fields that have a role, each as its role and its place among the blocks."""
         member = self._spelling.member
         return [
-            (field.role, f"{member(block.plain_name)}.{member(field.word)}")
+            (str(field.role), f"{member(block.plain_name)}.{member(field.word)}")
             for block in material.blocks
-            if block.derivation is None and block.group != "rig"
-            for field in block.structure.fields
-            if field.role is not None
+            for field in block.roles
         ]
 
     def choices(self, enumeration: Enumeration) -> list[str]:
         """The lines that declare an enumeration of the language."""
         choice = partial(self._spelling.choice, enumeration.name)
-        names = (choice(each.name) for each in enumeration.members)
-        return _enum(self._spelling.enumeration(enumeration.name), "int32_t", names)
+        names = [choice(each.name) for each in enumeration.members]
+        docs = [in_one_line(each.doc) for each in enumeration.members]
+        name = self._spelling.enumeration(enumeration.name)
+        return enumerated(f"enum class {name} : std::int32_t", names, "};", docs)
 
     def member(self, field: Field) -> Iterator[str]:
         """The lines of a member, with its comment."""
@@ -156,8 +153,9 @@ class _Parts(Lines):
         return f"static_cast<std::uint32_t>({place})"
 
 
-def _enum(name: str, stored: str, names: Iterable[str]) -> list[str]:
-    return enumerated(f"enum class {name} : std::{stored}", list(names), "};")
+def _words(name: str, words: Iterable[str]) -> list[str]:
+    """The lines of an enumeration of a document's words."""
+    return enumerated(f"enum class {name} : std::uint8_t", list(map(_word, words)), "};")
 
 
 def _word(word: str) -> str:

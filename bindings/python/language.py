@@ -14,15 +14,15 @@ from .printer import PythonPrinter
 from .texts import texts
 
 _OF_SKELETON = (
-    "ABC", "Any", "Array", "Attachment", "Block", "BlockType", "Blocks", "Bound",
-    "Callable", "ClassVar", "Columns", "Each", "Elements", "Field", "Frame", "FrameBuffer",
-    "FrameHost", "FrameTexture", "Generic", "Iterable", "Iterator", "Kept", "Kind",
-    "LAYOUT_ID", "Lanes", "MATERIALS", "Mapping", "Material", "NamedTuple", "Number",
+    "ABC", "Any", "Array", "Attachment", "Block", "BlockType", "Blocks", "Bound", "Callable",
+    "Choice", "ClassVar", "Columns", "Each", "Elements", "Field", "Frame", "FrameBuffer",
+    "FrameHost", "FrameTexture", "Generic", "IntEnum", "Iterable", "Iterator", "Kept", "Kind",
+    "LAYOUT_ID", "Lanes", "MATERIALS", "Mapping", "Material", "Member", "NamedTuple", "Number",
     "Output", "Part", "Pass", "Profile", "ROLES", "SIZE", "Self", "Sequence", "Source", "T",
     "Text", "Texture", "TypeVar", "Use", "VertexInput", "WgpuFrameHost", "abstractmethod",
     "annotations", "bind_group_layouts", "bind_groups", "block", "blocks", "check",
-    "compute_pipeline", "math", "memory", "overload", "render_pipeline", "reset", "self",
-    "struct", "uniform_buffers", "vertex_buffers",
+    "compute_pipeline", "math", "memory", "overload", "render_pipeline", "reset", "self", "struct",
+    "uniform_buffers", "vertex_buffers",
 )  # fmt: skip
 
 LANGUAGE = HostLanguage(

@@ -22,7 +22,7 @@ _KINDS = {"float": "f32", "int": "i32", "uint": "u32"}
 _PREFIXES = {"float": "", "int": "i", "uint": "u"}
 
 
-def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
+def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
     """What the skeleton reads besides the binding."""
     profiles = (profile for material in binding.materials for profile in material.profiles)
     return {
@@ -39,6 +39,8 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
             "(" + "".join(f"{_string(name)}, " for name in names).rstrip(" ") + ")"
         ),
         "layout_ids": _layout_ids,
+        "doc": _doc,
+        "choice": partial(_choice, spelling),
         "reflection_of": _reflection_of,
         "format_size": _format_size,
         "texture_row": _texture_row,
@@ -50,7 +52,6 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "given_blocks": _given_blocks,
-        "roles": _roles,
         "frame_doc": lambda frame: _doc(frame.plan.doc),
         "texture_of_frame": texture_row,
         "buffer_of_frame": buffer_row,
@@ -91,6 +92,14 @@ def _numbers(kind: Numbers, value: Any) -> str:
     return _number(kind, value)
 
 
+def _choice(spelling: Spelling, field: Field, value: float) -> str:
+    """A member of the enumeration that a field is: ``Wear.WORN``."""
+    assert field.enumeration is not None
+    name = field.enumeration.name
+    member = field.enumeration.members[int(value)]
+    return f"{spelling.enumeration(name)}.{spelling.choice(name, member.name)}"
+
+
 def _field_doc(field: Field) -> list[str]:
     return _doc(about_field(field))
 
@@ -104,11 +113,6 @@ def _doc(words: str) -> list[str]:
 def _given_blocks(material: Material) -> list[Block]:
     """The blocks that a host sets."""
     return [block for block in material.blocks if block.derivation is None]
-
-
-def _roles(block: Block) -> list[Field]:
-    """The fields that a program which shows scenes knows by their role."""
-    return [field for field in block.structure.fields if field.role and not field.computed]
 
 
 def _string(value: object) -> str:

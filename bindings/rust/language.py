@@ -22,7 +22,7 @@ _OF_SKELETON = """
     Attachment Binding Block Blocks Box Buffer Bytes Default Err FrameBuffer FrameTable FrameHost
     FrameTexture Kept Kind Lanes MATERIALS Material NAMES NamedBinding None Ok Option Pass Place
     Profile PulledInput Resource Result Sampler Some Source StencilLoad Target Text Texture Use Vec
-    VertexInput Written columns has_length_one of_shader
+    VertexInput Written columns has_length_one of_shader value_of
 """
 """Words of the skeleton and of the prelude; types, variables and modules are apart in Rust."""
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from ...compiler.documents.writing import to_json
 from ...support.frozen import changed
-from ..describing import about_block, about_field, range_text, sources
+from ..describing import about_block, about_field, choices_text, range_text, sources
 from ..fields import Field, Numbers, Pad, Structure
 from ..model import Binding, Block, Bound, Buffer, Material
 from ..naming import pascal, words
@@ -196,11 +196,13 @@ class _Parts:
                 (f"{place}.0", f"&{place}.0") if field.enumeration else (place, reference)
             )
             low, high = (_number(field.type, bound) for bound in field.range)
-            shown = range_text(field.range)
+            told = f"`{name}` is declared in {range_text(field.range)}"
+            if field.enumeration:
+                told = f"`{name}` is one of {choices_text(field)}"
             lanes = [f"&{place}[{lane}]" for lane in range(field.type.lanes)]
             for lane in lanes if len(lanes) > 1 else [reference]:
                 condition = f"!({low}..={high}).contains({lane})"
-                yield from _refusal(condition, f"`{name}` is declared in {shown}")
+                yield from _refusal(condition, told)
         if field.is_unit:
             condition = f"!has_length_one(&{place}[..{field.type.lanes}])"
             yield from _refusal(condition, f"`{name}` has to be of length 1")
@@ -208,11 +210,11 @@ class _Parts:
     def roles(self, material: Material) -> list[tuple[str, list[str]]]:
         """The roles of a material's fields, each with the places of its fields."""
         found: dict[str, list[str]] = {}
-        for block in _given_blocks(material):
-            for field in block.structure.fields:
-                if field.role is not None and isinstance(field.type, Numbers):
+        for block in material.blocks:
+            for field in block.roles:
+                if isinstance(field.type, Numbers):
                     names = (self._spelling.member(each) for each in (block.plain_name, field.word))
-                    found.setdefault(field.role, []).append(".".join(names))
+                    found.setdefault(str(field.role), []).append(".".join(names))
         return list(found.items())
 
     def bound_row(self, row: Bound) -> str:

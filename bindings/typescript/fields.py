@@ -34,11 +34,6 @@ def in_order(structure: Structure) -> Sequence[Field]:
     return sorted(structure.fields, key=lambda field: bool(field.counts))
 
 
-def roles(structure: Structure) -> Sequence[Field]:
-    """The fields that a program which shows scenes knows by their role."""
-    return [field for field in structure.fields if field.role is not None and not field.computed]
-
-
 class Fields:
     """Lines and types of fields, which need the names of the binding."""
 
@@ -171,9 +166,11 @@ class Fields:
     def _check(self, field: Field, type_: Numbers, value: str) -> str:
         name = f'"{self._spelling.member(field.word)}"'
         if type_.kind != "float":
+            if field.enumeration is not None:
+                return (
+                    f"member({name}, {value}, {self._spelling.enumeration(field.enumeration.name)})"
+                )
             low, high = field.range or _BOUNDS[type_.kind]
-            if field.choices:
-                low, high = 0, len(field.choices) - 1
             return f"integer({name}, {value}, {int(low)}, {int(high)})"
         if field.range is None or type_.columns:
             return f"finite({name}, {value})"

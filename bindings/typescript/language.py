@@ -20,17 +20,17 @@ _KEYWORDS = """
     void while with yield
 """
 _OF_SKELETON = """
-    Area Array ArrayLike Attachment Bindings Blend Block BlockClass Blocks Bound COVER Drawn
-    Error Float32Array Frame FrameBuffer FrameHost FrameTexture Gl GlBindings GlMesh GlModel
-    GlResources GlTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map Material Math Mesh Model
-    NaN NoBlocks Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError
-    Record RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
+    Area Array ArrayLike Attachment Bindings Blend Block BlockClass Blocks Bound COVER Drawn Error
+    Float32Array Frame FrameBuffer FrameHost FrameTexture Gl GlBindings GlMesh GlModel GlResources
+    GlTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map Material Math Mesh Model NaN NoBlocks
+    Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Record
+    Reflection RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
     Uint8Array Use VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common
-    complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32
-    finite glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf
-    isSame known lanesOf layoutOf linked materials modules nearest programs propertyIsEnumerable
+    complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32 finite
+    glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf isSame known
+    member lanesOf layoutOf linked materials modules nearest programs propertyIsEnumerable
     prototype remainder renderPipeline reset samplerOf setGlState showOnCanvas stage stale store
-    toLocaleString toString turn u32 usageOf value valueOf values whole
+    texts toLocaleString toString turn u32 usageOf value valueOf values whole
 """
 """Words of the skeleton, and those that objects have themselves."""
 

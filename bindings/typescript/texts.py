@@ -16,7 +16,7 @@ from ..fields import Field, Structure
 from ..model import Binding, Block, Material
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
-from .fields import Fields, in_order, is_computed, is_optional, is_scalar, roles
+from .fields import Fields, in_order, is_computed, is_optional, is_scalar
 from .frames import Drawing, buffer_rows, kept_rows, texture_row
 from .functions import FUNCTIONS
 from .webgl import has_webgl, state
@@ -68,7 +68,6 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "Drawing": Drawing,
-        "roles": roles,
         "given_blocks": _given_blocks,
         "pipelines": lambda material: [pipeline(material)] if _has_webgpu(material) else [],
     }

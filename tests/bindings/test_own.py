@@ -287,3 +287,43 @@ def test_a_material_of_two_rigs_has_its_block_once() -> None:
     blocks = {name for name, each in vars(module).items() if isinstance(each, type)}
     assert {name for name in blocks if name.endswith("Material")} == {"Material", "WallMaterial"}
     assert {"LampsRig", "SunRig"} <= blocks
+
+
+WEAR = """
+enum Wear {
+    fresh,  /// From the factory.
+    worn
+}
+material Wall {
+    param wear : Wear = Wear.worn
+    param many : Wear[2]
+    color = (if many[1] == wear then 1.0 else 0.5) * vec3(1)
+}
+"""
+
+
+def test_enumerations_are_enumerations_of_the_host() -> None:
+    module = _module(WEAR)
+    block = module.WallMaterial(many=[module.Wear.WORN, 0])
+    assert repr(block) == "WallMaterial(many=[Wear.WORN, Wear.FRESH])"
+    assert block.wear is module.Wear.WORN
+    with pytest.raises(ValueError, match="`wear` is one of 0 FRESH, 1 WORN: 2 is not"):
+        block.wear = 2
+    assert block.wear is module.Wear.WORN
+
+
+@pytest.mark.parametrize("language", registry.names())
+def test_comments_of_members_are_carried_over(language: str) -> None:
+    assert "From the factory" in burnish.bind(WEAR, language, "wgsl")
+
+
+def test_blocks_have_their_own_types_and_names() -> None:
+    module = _module(PLASTIC)
+    with pytest.raises(TypeError, match=r"^`rig` takes a StudioRig, not a Draw$"):
+        module.PlasticBlocks(rig=module.Draw())
+
+
+@pytest.mark.parametrize("block", ["View", "StudioRig", "Draw"])
+def test_roles_are_not_those_of_lights(block: str) -> None:
+    """Several lights of a rig have the same roles, which no host means all at once."""
+    assert bool(getattr(_module(PLASTIC), block).ROLES) == (block != "StudioRig")

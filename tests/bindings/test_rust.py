@@ -143,7 +143,7 @@ fn small() {
     coated.mode = Mode::ADD;
     assert_eq!(derived(coated), Bytes::bytes(&[30.0_f32, 36.0, 42.0]));
     coated.mode = Mode(2);
-    assert_eq!(coated.check(), Err("`mode` is declared in 0 to 1"));
+    assert_eq!(coated.check(), Err("`mode` is one of 0 add, 1 mix"));
 
     let profile = |name: &str| COATED.profiles.iter().find(|each| each.name == name).unwrap();
     let numbered = profile("wgsl:webgpu").bindings;

@@ -65,7 +65,7 @@ int main() {
     odd::OddMaterial block;
     const bool begins = block.wear == odd::Wear::worn && odd::fault(block) == nullptr;
     block.other = static_cast<odd::Wear>(3);
-    return begins && std::string_view(odd::fault(block)) == "`other` is declared in 0 to 2" ? 0 : 1;
+    return begins && std::string_view(odd::fault(block)) == "`other` is one of 0 fresh, 1 worn, 2 new" ? 0 : 1;
 }
 """
 C = """\
@@ -80,7 +80,7 @@ int main(void) {
     odd_OddMaterial block = odd_default_odd_material();
     assert(block.wear == odd_Wear_worn && odd_fault_odd_material(&block) == NULL);
     block.other = 3;
-    assert(strcmp(odd_fault_odd_material(&block), "`other` is declared in 0 to 2") == 0);
+    assert(strcmp(odd_fault_odd_material(&block), "`other` is one of 0 fresh, 1 worn, 2 new") == 0);
     return 0;
 }
 """
