@@ -65,7 +65,8 @@ int main() {
     odd::OddMaterial block;
     const bool begins = block.wear == odd::Wear::worn && odd::fault(block) == nullptr;
     block.other = static_cast<odd::Wear>(3);
-    return begins && std::string_view(odd::fault(block)) == "`other` is one of 0 fresh, 1 worn, 2 new" ? 0 : 1;
+    const std::string_view told = "`other` is one of 0 fresh, 1 worn, 2 new";
+    return begins && odd::fault(block) == told ? 0 : 1;
 }
 """
 C = """\
