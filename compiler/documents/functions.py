@@ -191,8 +191,8 @@ class OwnPassRow:
     """The pass."""
     cull: Cull
     """Faces that are not drawn, a GPUCullMode: front faces run counter-clockwise."""
-    blends: bool
-    """True if what is drawn is blended with what is there."""
+    blend: Literal["none", "alpha", "premultiplied", "add", "multiply", "other"]
+    """Blending of what is drawn with what is there, by the language's word for it."""
     covers: bool
     """True if the alpha is the share of a pixel's samples that are covered."""
 

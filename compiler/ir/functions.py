@@ -102,8 +102,9 @@ class OwnPass:
     name: str
     cull: Cull
     """The faces that are not drawn: of those whose vertices run counter-clockwise in front."""
-    blends: bool
-    """True if what is drawn is blended with what is in the targets."""
+    blend: str
+    """The name of the blending with what is in the first target that has one; ``none``, ``other``.
+    """
     covers: bool
     """True if the alpha is the share of a pixel's samples that are covered."""
 

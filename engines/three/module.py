@@ -24,7 +24,7 @@ from ...compiler.documents.functions import (
 from ...support.frozen import cached_property, frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
-from ..drawing import covers, culled
+from ..drawing import adds, covers, culled, multiplies
 from . import inputs
 from .sampling import NAMES, listed, sampling
 from .slots import VERTICES, rows_for
@@ -44,7 +44,8 @@ CLASSES = (
     "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
     "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
     "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
-    *sorted(NAMES - {"LinearFilter"}), *sorted(SIDES.values()),
+    *sorted(NAMES - {"LinearFilter"}), *sorted(SIDES.values()), "AdditiveBlending",
+    "MultiplyBlending",
 )  # fmt: skip
 """The names that modules may import from `three/webgpu`."""
 WORDS = (
@@ -249,9 +250,18 @@ class _Writer:
 
     def _settings(self, nodes: Sequence[Entry]) -> Iterator[Entry]:
         """How the material is drawn: blended or not, and which of its sides."""
-        if any(node.name == "opacityNode" for node in nodes):
-            yield Entry("alphaToCoverage" if covers(self._document) else "transparent", "true")
-        cull = culled(self._document)
+        document = self._document
+        has_alpha = any(node.name == "opacityNode" for node in nodes)
+        if has_alpha and covers(document):
+            yield Entry("alphaToCoverage", "true")
+        elif has_alpha or adds(document) or multiplies(document):
+            yield Entry("transparent", "true")
+        if adds(document):
+            yield Entry("blending", "AdditiveBlending")
+        if multiplies(document):
+            yield Entry("blending", "MultiplyBlending")
+            yield Entry("premultipliedAlpha", "true")
+        cull = culled(document)
         if cull is not None:
             yield Entry("side", SIDES[cull])
 

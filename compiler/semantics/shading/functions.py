@@ -12,7 +12,7 @@ from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
 from ...diagnostics.source import Span
-from ...ir.blending import REPLACES
+from ...ir.blending import NAMED, REPLACES
 from ...ir.functions import (
     FunctionsAsked,
     FunctionsShader,
@@ -124,8 +124,10 @@ def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
     state = shader.render_state
     turned: dict[Cull, Cull] = {"none": "none", "back": "front", "front": "back"}
     cull = state.cull if state.front == "counter_clockwise" else turned[state.cull]
-    blends = any(target.blend != REPLACES for target in shader.targets)
-    return OwnPass(drawn.name, cull, blends, state.alpha_to_coverage)
+    blends = (target.blend for target in shader.targets if target.blend != REPLACES)
+    first = next(blends, REPLACES)
+    blend = next((name for name, meant in NAMED.items() if meant == first), "other")
+    return OwnPass(drawn.name, cull, blend, state.alpha_to_coverage)
 
 
 # --- values ---------------------------------------------------------------------------------------

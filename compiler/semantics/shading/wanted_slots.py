@@ -82,7 +82,7 @@ def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
 def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[WantedSlot]:
     """The offered slots that the material has."""
     record = setting.surface.record
-    is_opaque = own is not None and not (own.blends or own.covers)
+    is_opaque = own is not None and own.blend == "none" and not own.covers
     seen = set[tuple[str, bool]]()
     for offer in asked.offers:
         place = offer.name, offer.at_vertices
