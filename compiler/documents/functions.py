@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 
 from ...support.frozen import EMPTY, frozen
 from ..constraints import Lanes
+from ..ir.functions import PassBlend
 from ..ir.render_state import Cull
 from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .drawing import SamplerState
@@ -191,7 +192,7 @@ class OwnPassRow:
     """The pass."""
     cull: Cull
     """Faces that are not drawn, a GPUCullMode: front faces run counter-clockwise."""
-    blend: Literal["none", "alpha", "premultiplied", "add", "multiply", "other"]
+    blend: PassBlend
     """Blending of what is drawn with what is there, by the language's word for it."""
     covers: bool
     """True if the alpha is the share of a pixel's samples that are covered."""

@@ -7,6 +7,7 @@ right. The values of slots become the results of a shader of their own.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import get_args
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
@@ -17,6 +18,7 @@ from ...ir.functions import (
     FunctionsAsked,
     FunctionsShader,
     OwnPass,
+    PassBlend,
     SlotInfo,
     SurfaceInfo,
 )
@@ -126,8 +128,8 @@ def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
     cull = state.cull if state.front == "counter_clockwise" else turned[state.cull]
     blends = (target.blend for target in shader.targets if target.blend != REPLACES)
     first = next(blends, REPLACES)
-    blend = next((name for name, meant in NAMED.items() if meant == first), "other")
-    return OwnPass(drawn.name, cull, blend, state.alpha_to_coverage)
+    named: Iterator[PassBlend] = (word for word in get_args(PassBlend) if NAMED.get(word) == first)
+    return OwnPass(drawn.name, cull, next(named, "other"), state.alpha_to_coverage)
 
 
 # --- values ---------------------------------------------------------------------------------------
