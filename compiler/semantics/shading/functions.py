@@ -163,10 +163,11 @@ def _values(
 
 
 def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
-    """The values without those that have no effect without others."""
-    words = {word_of(record, value.slot.name, asked) for value in values}
+    """The values without those that have no effect without others, if the material has these."""
+    given = {word_of(record, value.slot.name, asked) for value in values}
+    missing = {word_of(record, name, asked) for name in slots_of(record)} - given
     for value in values:
-        if words.issuperset(value.slot.beside):
+        if missing.isdisjoint(value.slot.beside):
             yield value
 
 
