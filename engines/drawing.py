@@ -26,3 +26,13 @@ def culled(document: Functions) -> Cull | None:
 def covers(document: Functions) -> bool:
     """True if the alpha says how many samples of a pixel are covered, instead of being blended."""
     return document.own_pass is not None and document.own_pass.covers
+
+
+def adds(document: Functions) -> bool:
+    """True if what is drawn is added to what is there, also where nothing is said of its alpha."""
+    return document.own_pass is not None and document.own_pass.blend == "add"
+
+
+def multiplies(document: Functions) -> bool:
+    """True if what is there is multiplied by what is drawn."""
+    return document.own_pass is not None and document.own_pass.blend == "multiply"

@@ -38,14 +38,15 @@ def files(
                 rules.LEFT_TO_ENGINE, None, engine=engine.title, value=row.name, slot=slot,
                 name=document.material,
             )  # fmt: skip
-    if not engine.by_hand and not engine.taken & found(document).keys():
+    if any(each.severity == "error" for each in report.since(before)):
+        return {}
+    written = engine.write(document, emissions, report)
+    if written and not engine.by_hand and not engine.taken & found(document).keys():
         report.add(
             rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=document.material,
             reason=NOTHING_TAKEN,
         )  # fmt: skip
-    if any(each.severity == "error" for each in report.since(before)):
         return {}
-    written = engine.write(document, emissions, report)
     if written and not engine.by_hand and _is_white(document):
         report.add(rules.WHITE_IN_ENGINE, None, engine=engine.title, name=document.material)
     return written

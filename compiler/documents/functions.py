@@ -7,6 +7,7 @@ from typing import ClassVar, Literal
 
 from ...support.frozen import EMPTY, frozen
 from ..constraints import Lanes
+from ..ir.functions import PassBlend
 from ..ir.render_state import Cull
 from ..ir.types import DIMENSION_WORDS, Dimension, Intent, Sample
 from .drawing import SamplerState
@@ -191,8 +192,8 @@ class OwnPassRow:
     """The pass."""
     cull: Cull
     """Faces that are not drawn, a GPUCullMode: front faces run counter-clockwise."""
-    blends: bool
-    """True if what is drawn is blended with what is there."""
+    blend: PassBlend
+    """Blending of what is drawn with what is there, by the language's word for it."""
     covers: bool
     """True if the alpha is the share of a pixel's samples that are covered."""
 

@@ -7,6 +7,7 @@ the arguments of the functions are.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 from ...support.frozen import EMPTY, frozen
 from .render_state import Cull
@@ -95,6 +96,10 @@ class SurfaceInfo:
     doc: str
 
 
+PassBlend = Literal["none", "alpha", "premultiplied", "add", "multiply", "other"]
+"""How a pass blends what it draws with what is there: ``other`` has no word of its own."""
+
+
 @frozen
 class OwnPass:
     """How the pass draws a material that is tied to it."""
@@ -102,8 +107,8 @@ class OwnPass:
     name: str
     cull: Cull
     """The faces that are not drawn: of those whose vertices run counter-clockwise in front."""
-    blends: bool
-    """True if what is drawn is blended with what is in the targets."""
+    blend: PassBlend
+    """The blending of the first target that has one, by the language's word for it."""
     covers: bool
     """True if the alpha is the share of a pixel's samples that are covered."""
 

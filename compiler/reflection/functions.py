@@ -58,7 +58,7 @@ def functions_document(
 
 
 def _own_pass(given: OwnPass) -> OwnPassRow:
-    return OwnPassRow(name=given.name, cull=given.cull, blends=given.blends, covers=given.covers)
+    return OwnPassRow(name=given.name, cull=given.cull, blend=given.blend, covers=given.covers)
 
 
 def _function(stage: Stage, slots: Sequence[SlotInfo]) -> FunctionRow:

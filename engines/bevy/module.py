@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...support.frozen import frozen
-from ..drawing import covers, culled
+from ..drawing import adds, covers, culled, multiplies
 from ..surface import Surface, UnfitError
 from .fields import TYPES, Choice, Field, choice, identifier, parameter
 from .images import Loading, Texel, field, loading, texel
@@ -150,6 +150,10 @@ def _settings(surface: Surface, statements: Statements) -> Iterator[str]:
 def _alpha_mode(surface: Surface, statements: Statements) -> str | None:
     """How pixels are blended; only those of a mask may be absent where depths are drawn."""
     opaque = "AlphaMode::Mask(0.5)" if "is_hidden" in surface.inputs else "AlphaMode::Opaque"
+    if adds(surface.document):
+        return "AlphaMode::Add"
+    if multiplies(surface.document):
+        return "AlphaMode::Multiply"
     if "alpha" in surface.inputs and covers(surface.document):
         return "AlphaMode::AlphaToCoverage"
     if "alpha" in surface.inputs:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...compiler.documents.functions import ArgumentRow, FunctionTextureRow
 from ...targets.emit.wrapping import wrapped
-from ..drawing import culled
+from ..drawing import adds, culled, multiplies
 from ..surface import Surface, UnfitError
 from ..texts import usual
 from ..writer import Writer
@@ -105,6 +105,10 @@ def _required(surface: Surface, writer: Writer) -> Iterator[str]:
 
 
 def _blending(surface: Surface) -> str:
+    if adds(surface.document):
+        return "add"
+    if multiplies(surface.document):
+        return "multiply"
     if "alpha" in surface.inputs:
         return "fade"
     return "masked" if "is_hidden" in surface.inputs else "opaque"
@@ -187,7 +191,7 @@ def _functions(writer: Writer, stage: str) -> list[str]:
 def _statements(surface: Surface, writer: Writer) -> list[str]:
     """The statements of a pixel: the normal comes before the material is prepared."""
     first = 1 if NORMAL.input in surface.inputs and surface.is_lit else 0
-    last = (PREMULTIPLY,) if _blending(surface) == "fade" else ()
+    last = (PREMULTIPLY,) if _blending(surface) in ("fade", "add") else ()
     return [*writer.pixels[:first], PREPARE, *writer.pixels[first:], *last]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...targets.emit.wrapping import wrapped
-from ..drawing import culled
+from ..drawing import adds, culled, multiplies
 from ..surface import Surface
 from ..writer import Writer
 from .uniforms import sampler, uniform
@@ -47,6 +47,10 @@ def _header(surface: Surface, writer: Writer) -> Iterator[str]:
 def _modes(surface: Surface) -> Iterator[str]:
     if not surface.is_lit:
         yield "unshaded"
+    if adds(surface.document):
+        yield "blend_add"
+    if multiplies(surface.document):
+        yield "blend_mul"
     cull = culled(surface.document)
     if cull is not None:
         yield CULLED[cull]

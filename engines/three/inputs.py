@@ -109,3 +109,8 @@ TEXTURE_TYPES: Mapping[str, str] = {
 
 LANES: Mapping[str, int] = {"mat3": 9, "mat4": 16}
 """The numbers of a value, by types whose name does not begin its number of lanes."""
+
+
+def uniform_type(row: ArgumentRow) -> str:
+    """The key of a parameter in ``VALUES`` and ``TYPES``."""
+    return "rgb" if row.type == "rgb" else row.representation

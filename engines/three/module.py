@@ -12,22 +12,22 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import Report
 from ...compiler.documents.functions import (
     ArgumentRow,
     FunctionRow,
     Functions,
     FunctionTextRow,
-    FunctionTextureRow,
 )
 from ...support.frozen import cached_property, frozen
 from ...targets.emit.functions import FunctionEmission
 from .. import slot_table
-from ..drawing import covers, culled
+from ..drawing import adds, covers, culled, multiplies
 from . import inputs
-from .sampling import NAMES, listed, sampling
+from .lacking import fits
+from .sampling import listed, sampling
 from .slots import VERTICES, rows_for
+from .vocabulary import CLASSES, TEXTURE_HELPERS, WORDS
 
 WGSL, GLSL = "wgsl:webgpu", "glsl:es300"
 """The profiles of the functions: WebGPU's language, and WebGL 2's."""
@@ -39,38 +39,6 @@ LANGUAGES = {"wgsl": WGSL, "glsl": GLSL}
 _HERE = Path(__file__).parent
 _SHARED = ("surface", "attribute")
 """The sources of arguments that are the same nodes for all functions."""
-
-CLASSES = (
-    "MeshPhysicalNodeMaterial", "MeshBasicNodeMaterial", "CodeNode", "FunctionNode", "Node",
-    "Color", "Vector2", "Vector3", "Vector4", "Matrix3", "Matrix4", "DataUtils", "HalfFloatType",
-    "DataTexture", "DataArrayTexture", "Data3DTexture", "CubeTexture", "LinearFilter",
-    *sorted(NAMES - {"LinearFilter"}), *sorted(SIDES.values()),
-)  # fmt: skip
-"""The names that modules may import from `three/webgpu`."""
-WORDS = (
-    "Fn", "attribute", "cameraPosition", "cameraProjectionMatrix", "cameraViewMatrix",
-    "cubeTexture", "frontFacing", "instanceIndex", "modelNormalMatrix", "modelWorldMatrix",
-    "modelWorldMatrixInverse", "normalLocal", "positionLocal", "positionWorld", "sampler",
-    "tangentLocal", "texture", "texture3D", "uint", "uniform", "uv", "varying", "vec2", "vec3",
-    "vec4", "vertexIndex",
-)  # fmt: skip
-"""The names that modules may import from `three/tsl`."""
-
-TEXTURE_HELPERS: Mapping[str, str] = {
-    "texel": "const texel = (...numbers) => ready(new DataTexture(halves(numbers), 1, 1));",
-    "layeredTexel": (
-        "const layeredTexel = (...numbers) => "
-        "ready(new DataArrayTexture(halves(numbers), 1, 1, 1));"
-    ),
-    "volumeTexel": (
-        "const volumeTexel = (...numbers) => ready(new Data3DTexture(halves(numbers), 1, 1, 1));"
-    ),
-    "cubeTexel": (
-        "const cubeTexel = (...numbers) => ready(new CubeTexture(Array.from({ length: 6 }, () => "
-        "ready(new DataTexture(halves(numbers), 1, 1)))));"
-    ),
-}
-"""The functions that make default textures, of half floats: these are filtered everywhere."""
 
 
 @frozen
@@ -124,7 +92,7 @@ def write(
     document: Functions, emissions: Mapping[str, FunctionEmission], report: Report
 ) -> Mapping[str, str]:
     """The module and its types, by the names of their files; none if something is reported."""
-    if not _fits(document, report):
+    if not fits(document, report):
         return {}
     module = _Writer(document, emissions).module()
     name = f"{document.material}.three"
@@ -143,46 +111,6 @@ def _filled(template: str, module: Module) -> str:
     )  # fmt: skip
     text = (_HERE / template).read_text(encoding="utf-8")
     return environment.from_string(text).render(module=module)
-
-
-# --- what three.js cannot do ---------------------------------------------------------------------
-
-
-def _fits(document: Functions, report: Report) -> bool:
-    """True if three.js can call all functions; what it cannot do is reported with the slot."""
-    arguments = {row.name: row for row in document.arguments}
-    textures = {row.name: row for row in document.textures}
-    for function in document.functions:
-        lacking = [
-            *(_lacking_argument(arguments[name]) for name in function.arguments),
-            *(_lacking_texture(textures[name]) for name in function.textures),
-        ]
-        for reason in filter(None, lacking):
-            report.add(
-                rules.UNFIT_FOR_ENGINE, None, slot=function.name, engine="three.js", reason=reason
-            )
-            break
-    return not report.failed
-
-
-def _lacking_argument(row: ArgumentRow) -> str:
-    if row.source == "pipeline" and row.given not in inputs.PIPELINE:
-        return f"no node has `{row.given}` as Burnish means it"
-    is_set = row.source == "parameter" and not inputs.of_renderer(row)
-    if is_set and _uniform_type(row) not in inputs.VALUES:
-        return f"no uniform is a {row.representation}, as `{row.given}` is"
-    if row.source in ("attribute", "varying") and row.representation.startswith(("mat", "bool")):
-        return f"no varying is a {row.representation}, as `{row.given}` is"
-    return ""
-
-
-def _lacking_texture(row: FunctionTextureRow) -> str:
-    known = row.type in inputs.TEXTURES and row.sample == "float"
-    return "" if known else f"functions take no {row.type}, as `{row.name}` is"
-
-
-def _uniform_type(row: ArgumentRow) -> str:
-    return "rgb" if row.type == "rgb" else row.representation
 
 
 # --- the module ----------------------------------------------------------------------------------
@@ -249,9 +177,18 @@ class _Writer:
 
     def _settings(self, nodes: Sequence[Entry]) -> Iterator[Entry]:
         """How the material is drawn: blended or not, and which of its sides."""
-        if any(node.name == "opacityNode" for node in nodes):
-            yield Entry("alphaToCoverage" if covers(self._document) else "transparent", "true")
-        cull = culled(self._document)
+        document = self._document
+        has_alpha = any(node.name == "opacityNode" for node in nodes)
+        if has_alpha and covers(document):
+            yield Entry("alphaToCoverage", "true")
+        elif has_alpha or adds(document) or multiplies(document):
+            yield Entry("transparent", "true")
+        if adds(document):
+            yield Entry("blending", "AdditiveBlending")
+        if multiplies(document):
+            yield Entry("blending", "MultiplyBlending")
+            yield Entry("premultipliedAlpha", "true")
+        cull = culled(document)
         if cull is not None:
             yield Entry("side", SIDES[cull])
 
@@ -290,7 +227,7 @@ class _Writer:
     def _uniforms(self) -> Iterator[Entry]:
         for row in self._document.arguments:
             if row.source == "parameter" and not inputs.of_renderer(row):
-                type_ = _uniform_type(row)
+                type_ = inputs.uniform_type(row)
                 code = inputs.VALUES[type_].format(", ".join(_numbers(row, type_)))
                 yield Entry(row.name, code, inputs.TYPES[type_], _comment(row.doc, row.range))
 

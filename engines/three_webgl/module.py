@@ -21,9 +21,9 @@ from ...compiler.diagnostics.diagnostic import Report
 from ...compiler.documents.drawing import TextureRow
 from ...compiler.documents.reflection import Reflection
 from ...support.frozen import frozen
-from ..three.module import TEXTURE_HELPERS
 from ..three.sampling import NAMES as SAMPLING
 from ..three.sampling import listed, sampling
+from ..three.vocabulary import TEXTURE_HELPERS
 from . import state
 from .derivations import UniformPrinter
 from .uniforms import Uniform, number, uniforms_of

@@ -4,23 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from .drawing import leaf
 from .files import files_of
 
-LEAF = """\
-import std.models.{{GltfSurface}}
-material Leaf : GltfSurface{tie} {{
-    map picture : texture2d of rgb
-    alpha = {alpha}
-    {more}
-}}
-pass Cut : Forward {{
-    {raster}
-    discard when alpha < 0.5
-}}
-pass Mixed : Forward {{
-    target color : rgba8_srgb = vec4(color, alpha) blend alpha
-}}
-"""
 TURNED = "base_color = if front_facing then #ff0000 else #00ff00"
 
 BLENDED = {
@@ -46,20 +32,28 @@ WORDS = {
 """What says which faces an engine leaves out."""
 
 
-def leaf(
-    engine: str, *, by: str = "", alpha: str = "picture(uv).a", more: str = "", raster: str = ""
-) -> str:
-    """What an engine is given of a leaf."""
-    tie = f" by {by}" if by else ""
-    source = LEAF.format(tie=tie, alpha=alpha, more=more, raster=raster)
-    return "\n".join(files_of(engine, source, "Leaf").values())
-
-
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_pass_with_holes_does_not_blend(engine: str) -> None:
     cut, mixed = leaf(engine, by="Cut"), leaf(engine, by="Mixed")
     assert HOLED[engine] in cut and BLENDED[engine] not in cut
     assert HOLED[engine] not in mixed and BLENDED[engine] in mixed
+
+
+ADDED = {
+    "three": "this.blending = AdditiveBlending;", "bevy": "AlphaMode::Add", "godot": "blend_add",
+    "filament": "blending : add",
+}  # fmt: skip
+MULTIPLIED = {
+    "three": "this.blending = MultiplyBlending;", "bevy": "AlphaMode::Multiply",
+    "godot": "blend_mul", "filament": "blending : multiply",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_light_is_added_and_multiplied_as_the_pass_does(engine: str) -> None:
+    for alpha in ("1", "picture(uv).a"):
+        assert ADDED[engine] in leaf(engine, by="Added", alpha=alpha)
+        assert MULTIPLIED[engine] in leaf(engine, by="Multiplied", alpha=alpha)
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -10,6 +10,7 @@ from burnish.targets.toolchain.process import run
 from burnish.targets.toolchain.tools import program
 
 from ..golden import assert_golden
+from .drawing import leaf
 from .files import EXAMPLES, files_of, summary, texts_of
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -93,6 +94,12 @@ def test_tangents_are_those_of_the_frame(tmp_path: Path) -> None:
     assert "custom0" not in text and "vec4 object_tangent() {" in text
     text = text_of("normal_map", "TangentSpaceBumps")
     assert "material.object_tangent = object_tangent();" in text
+    assert not said(text, tmp_path, "--platform", "all", "--api", "opengl")
+
+
+@pytest.mark.parametrize("by", ["Cut", "Mixed", "Added", "Multiplied"])
+def test_the_compiler_takes_what_passes_say(by: str, tmp_path: Path) -> None:
+    text = leaf("filament", by=by, raster="raster { cull = back }")
     assert not said(text, tmp_path, "--platform", "all", "--api", "opengl")
 
 

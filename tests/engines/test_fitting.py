@@ -105,6 +105,17 @@ material Paint : OpenPbr { base_color = #a01810   coat_weight = 0.5 }
 """
 
 
+GLOWING = """\
+import std.gltf.{MetallicRoughness}
+material Glowing : MetallicRoughness {}
+"""
+
+
+@pytest.mark.parametrize("compiled", [(GLOWING, name) for name in OF_FUNCTIONS], indirect=True)
+def test_light_of_its_own_reaches_every_engine(compiled: str) -> None:
+    assert "glowing_glow(" in compiled.replace("GlowingGlow", "glowing_glow")
+
+
 @pytest.mark.parametrize("compiled", [(BENT, "godot"), (BENT, "three")], indirect=True)
 def test_a_surface_without_a_colour_is_told(compiled: str) -> None:
     assert "draws `Bent` white: no slot of it is known as its base colour" in compiled

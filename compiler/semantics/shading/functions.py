@@ -6,19 +6,19 @@ right. The values of slots become the results of a shader of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence
+from typing import get_args
 
 from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.diagnostic import Label, Report
-from ...diagnostics.nearest import suggestion
 from ...diagnostics.source import Span
-from ...ir.blending import REPLACES
+from ...ir.blending import NAMED, REPLACES
 from ...ir.functions import (
     FunctionsAsked,
     FunctionsShader,
-    Offer,
     OwnPass,
+    PassBlend,
     SlotInfo,
     SurfaceInfo,
 )
@@ -31,56 +31,41 @@ from ...ir.stages import (
     FRAGMENT,
     FRAGMENTS,
     RASTERISED,
-    STAGES,
     SURFACE,
     VALUE,
     VERTEX,
-    StageRow,
 )
 from ...ir.types import Matrix, Scalar, Type, Vector
-from ...syntax import ast
 from ..checking.slots import slot
-from ..declarations.parameters import library_name, of_kind
-from ..inheritance.records import Definition, Record
+from ..declarations.parameters import of_kind
+from ..inheritance.records import Record
 from ..inheritance.ties import tie_of
 from ..lowering.outlining import lowered
 from ..state.scope import OUTERMOST, Failure
 from .assembly import Setting
 from .elaborate import hiding
 from .intents import with_intents
+from .wanted_slots import (
+    HIDDEN,
+    WantedSlot,
+    library_slot,
+    moved_words,
+    slots_of,
+    wanted_slots,
+    word_of,
+)
 
 TOGETHER = {FRAGMENT: "surface", VERTEX: "vertices"}
 """What the function is called that returns all slots of a stage."""
-HIDDEN = "is_hidden"
-"""The engines' word for the slot that says where nothing is drawn."""
-_SAME = 1e-6
-"""The difference of two numbers that are meant to be the same."""
 OF_RIG = "rig"
 """The group of parameters and textures that belong to lights."""
-
-
-@frozen
-class _Slot:
-    """A slot that was asked for, or that the material has."""
-
-    name: str
-    stage: StageRow
-    is_needed: bool
-    """True if what is wrong with it is an error, and not a reason to leave it out.
-
-    Somebody asked for it by name, or it says where the surface is.
-    """
-    is_changed: bool = False
-    """True if it is left out where it is the constant that it is as it was declared."""
-    beside: tuple[str, ...] = ()
-    """The engines' words for the slots without which it is left out as well."""
 
 
 @frozen
 class _Value:
     """The checked value of a slot."""
 
-    slot: _Slot
+    slot: WantedSlot
     tree: Node
     span: Span
 
@@ -96,7 +81,7 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
         ctx.report.add(rules.VERTICES_OF_ITS_OWN, name.span, name=record.name)
         return None
     own = _own_pass(setting, shader)
-    given = list(_values(setting, _wanted(setting, own, asked), asked))
+    given = list(_values(setting, wanted_slots(setting, own, asked), asked))
     values = list(_beside(given, record, asked))
     ctx.deferred.report()
     if ctx.report.failed:
@@ -128,7 +113,7 @@ def functions_of(setting: Setting, shader: Shader, asked: FunctionsAsked) -> Fun
 def read_slots(setting: Setting, asked: FunctionsAsked) -> None:
     """Read the slots that functions return: nobody is told then that nothing reads them."""
     surface = setting.surface
-    for each in _wanted(setting, None, asked):
+    for each in wanted_slots(setting, None, asked):
         span = surface.record.definitions[each.name][0].member.name.span
         slot(setting.ctx, surface, each.name, span)
 
@@ -141,181 +126,24 @@ def _own_pass(setting: Setting, shader: Shader) -> OwnPass | None:
     state = shader.render_state
     turned: dict[Cull, Cull] = {"none": "none", "back": "front", "front": "back"}
     cull = state.cull if state.front == "counter_clockwise" else turned[state.cull]
-    blends = any(target.blend != REPLACES for target in shader.targets)
-    return OwnPass(drawn.name, cull, blends, state.alpha_to_coverage)
+    blends = (target.blend for target in shader.targets if target.blend != REPLACES)
+    first = next(blends, REPLACES)
+    named: Iterator[PassBlend] = (word for word in get_args(PassBlend) if NAMED.get(word) == first)
+    return OwnPass(drawn.name, cull, next(named, "other"), state.alpha_to_coverage)
 
 
-# --- which slots ---------------------------------------------------------------------------------
+# --- values ---------------------------------------------------------------------------------------
 
 
-def _wanted(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
-    """The slots that are asked for; else those that an engine takes, or the usual ones."""
-    record, report = setting.surface.record, setting.ctx.report
-    span = record.symbol.declaration.name.span
-    if asked.offers:
-        yield from _offered(setting, own, asked)
-    elif not asked.slots:
-        for name in dict.fromkeys(_usual(setting, asked)):
-            stage = _usual_stage(record, name, asked)
-            yield _Slot(name, stage, _is_needed(record, name, asked))
-    for text in dict.fromkeys(asked.slots):
-        name, _, place = (part.strip() for part in text.partition("@"))
-        if place and STAGES.get(place) not in RASTERISED:
-            report.add(rules.UNKNOWN_STAGE_OF_SLOT, span, text=text)
-        elif name not in _slots_of(record):
-            hint = suggestion(name, list(_slots_of(record)))
-            report.add(rules.NO_SUCH_SLOT, span, name=record.name, slot=name, hint=hint)
-        else:
-            stage = STAGES[place] if place else _usual_stage(record, name, asked)
-            yield _Slot(name, stage, is_needed=True)
-
-
-def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
-    """The slots of the user's own records, those of a model, and what follows from these."""
-    record = setting.surface.record
-    moved = _moved(record, asked, only_parts=True)
-    for name in _slots_of(record):
-        owner, word = record.definitions[name][0].owner, _word(record, name, asked)
-        is_model = bool(word) and owner is not record.root
-        is_moved = bool(word) and asked.of_surface.get(_library_slot(record, name)) in moved
-        is_hidden = word == HIDDEN and _hides(setting)
-        if is_model or is_moved or is_hidden or not owner.module.is_standard:
-            yield name
-
-
-def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[_Slot]:
-    """The offered slots that the material has."""
-    record = setting.surface.record
-    is_opaque = own is not None and not (own.blends or own.covers)
-    seen = set[tuple[str, bool]]()
-    for offer in asked.offers:
-        place = offer.name, offer.at_vertices
-        if (offer.blended and is_opaque) or place in seen:
-            continue
-        found = record.definitions.get(offer.name)
-        differs = found is not None and _differs(setting, offer)
-        if found is not None and _is_taken(setting, asked, offer, found[0], differs):
-            seen.add(place)
-            stage = VERTEX if offer.at_vertices else FRAGMENT
-            is_needed = offer.owner is None or _is_needed(record, offer.name, asked)
-            beside = offer.beside if differs else ()
-            yield _Slot(offer.name, stage, is_needed, offer.changed and not differs, beside)
-
-
-def _differs(setting: Setting, offer: Offer) -> bool:
-    """True if the engine itself has another value than the one of the declaration."""
-    if offer.usual is None or isinstance(offer.usual, str):
-        return offer.usual is not None
-    declared = setting.surface.record.declaration(offer.name)
-    span = declared.member.name.span
-    usual = slot(setting.ctx, setting.surface, offer.name, span, declared.level)
-    if not isinstance(usual, Node) or bare(usual).op != "constant":
-        return True
-    lanes = _lanes(bare(usual).data)
-    return any(abs(lane - offer.usual) > _SAME for lane in lanes)
-
-
-def _lanes(value: object) -> Iterator[float]:
-    """All numbers of a constant."""
-    if isinstance(value, tuple):
-        for each in value:
-            yield from _lanes(each)
-    else:
-        assert isinstance(value, int | float)
-        yield value
-
-
-def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
-    """The values without those that have no effect without others."""
-    words = {_word(record, value.slot.name, asked) for value in values}
-    for value in values:
-        if words.issuperset(value.slot.beside):
-            yield value
-
-
-def _is_taken(
-    setting: Setting, asked: FunctionsAsked, offer: Offer, nearest: Definition, differs: bool
-) -> bool:
-    """True if a slot is an offered one, or a parameter that stands in the place of one.
-
-    ``differs`` says that the engine would have something else.
-
-    A parameter of the library is no slot: the library's slots say what it is for.
-    """
-    record = setting.surface.record
-    declared = record.declaration(offer.name)
-    if isinstance(nearest.member, ast.Param):
-        is_slot = isinstance(declared.member, ast.Slot) or not declared.owner.module.is_standard
-    else:
-        is_slot = isinstance(nearest.member, ast.Slot) and nearest.member.value is not None
-    is_meant = offer.owner is None or offer.owner == library_name(declared.owner)
-    names = (offer.name, *offer.made_of)
-    is_changed = any(_changes(record, name) for name in names)
-    hides = _word(record, offer.name, asked) == HIDDEN and _hides(setting)
-    return is_slot and is_meant and (is_changed or hides or differs or not offer.changed)
-
-
-def _changes(record: Record, name: str) -> bool:
-    """True if a slot is something else than where it is declared."""
-    found = record.definitions.get(name)
-    return found is not None and found[0] is not record.declaration(name)
-
-
-def _moved(record: Record, asked: FunctionsAsked, *, only_parts: bool = False) -> Set[str]:
-    """The engines' words for values that the material moves, so that the mesh has others.
-
-    ``only_parts`` leaves out the slots that are asked for themselves.
-    """
-    found = set[str]()
-    for full, words in asked.moving.items():
-        name = full.rpartition(".")[2]
-        nearest = record.definitions.get(name, (None,))[0]
-        is_as_given = nearest is None or f"{library_name(nearest.owner)}.{name}" == full
-        is_mesh = nearest is not None and nearest is record.declaration(name)
-        is_asked = only_parts and _library_slot(record, name) in asked.at_vertices
-        if not (is_as_given or is_mesh or is_asked):
-            found.update(words.split())
-    return found
-
-
-def _hides(setting: Setting) -> bool:
-    """True if the pass that the material is tied to draws nothing at some pixels."""
-    drawn = setting.passing.record.every(ast.Discard)
-    root = setting.passing.record.root
-    return any(owner is not root or not owner.module.is_standard for _, owner, _ in drawn)
-
-
-def _slots_of(record: Record) -> Sequence[str]:
-    found = record.definitions.items()
-    return [name for name, of in found if isinstance(of[0].member, ast.Slot)]
-
-
-def _usual_stage(record: Record, name: str, asked: FunctionsAsked) -> StageRow:
-    return VERTEX if _library_slot(record, name) in asked.at_vertices else FRAGMENT
-
-
-def _is_needed(record: Record, name: str, asked: FunctionsAsked) -> bool:
-    """True for a slot that says where the surface is, or where it has holes."""
-    is_placed = _library_slot(record, name) in asked.at_vertices
-    return is_placed or _word(record, name, asked) == HIDDEN
-
-
-def _word(record: Record, name: str, asked: FunctionsAsked) -> str:
-    return asked.words.get(_library_slot(record, name), "")
-
-
-def _library_slot(record: Record, name: str) -> str:
-    """The slot as the library declares it: ``std.file.Record.name``."""
-    return f"{library_name(record.declaration(name).owner)}.{name}"
-
-
-def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> Iterator[_Value]:
+def _values(
+    setting: Setting, slots: Iterable[WantedSlot], asked: FunctionsAsked
+) -> Iterator[_Value]:
     """The values of slots, without those that no function returns."""
     ctx, surface = setting.ctx, setting.surface
     for each in slots:
         span = surface.record.definitions[each.name][0].member.name.span
         tree = slot(ctx, surface, each.name, span)
-        if _word(surface.record, each.name, asked) == HIDDEN:
+        if word_of(surface.record, each.name, asked) == HIDDEN:
             condition = hiding(ctx, setting.passing.record, setting.passing)
             tree = tree if condition is None else condition
         if isinstance(tree, Failure):
@@ -332,6 +160,15 @@ def _values(setting: Setting, slots: Iterable[_Slot], asked: FunctionsAsked) -> 
             at_stage = ctx.crossings.checked_at_vertex(tree, span)
         if isinstance(at_stage, Node):
             yield _Value(each, at_stage, span)
+
+
+def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> Iterator[_Value]:
+    """The values without those that have no effect without others, if the material has these."""
+    given = {word_of(record, value.slot.name, asked) for value in values}
+    missing = {word_of(record, name, asked) for name in slots_of(record)} - given
+    for value in values:
+        if missing.isdisjoint(value.slot.beside):
+            yield value
 
 
 def _is_as_declared(setting: Setting, name: str, tree: Node) -> bool:
@@ -401,7 +238,7 @@ def _slot_info(setting: Setting, value: _Value, asked: FunctionsAsked) -> SlotIn
     shown = str(setting.ctx.meanings.of(value.tree) or value.tree.type)
     if typing is not None and typing.member.type is not None:
         shown = " ".join(typing.member.type.span.text.split())
-    word = _word(record, name, asked)
+    word = word_of(record, name, asked)
     return SlotInfo(name, _function_of(value, asked), shown, doc, word)
 
 
@@ -412,9 +249,9 @@ def _surface_values(setting: Setting, asked: FunctionsAsked) -> Iterator[tuple[S
     there. Others they have as the library declares them, unless the material moves these.
     """
     ctx, surface = setting.ctx, setting.surface
-    moved = _moved(surface.record, asked)
-    for name in _slots_of(surface.record):
-        full, first = _library_slot(surface.record, name), surface.record.declaration(name)
+    moved = moved_words(surface.record, asked)
+    for name in slots_of(surface.record):
+        full, first = library_slot(surface.record, name), surface.record.declaration(name)
         word, is_asked = asked.of_surface.get(full), full in asked.at_vertices
         if word is not None and (is_asked or word not in moved):
             member = first.member
@@ -434,7 +271,7 @@ def _crossings(
     """
     for info, value in surface:
         crossing = [node for node in reachable((value,)) if _enters_fragments(node)]
-        is_whole = value in crossing or _library_slot(record, info.name) not in asked.at_vertices
+        is_whole = value in crossing or library_slot(record, info.name) not in asked.at_vertices
         if len(crossing) == 1 and crossing[0].type == value.type and is_whole:
             yield info, crossing[0]
 

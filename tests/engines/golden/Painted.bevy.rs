@@ -19,7 +19,7 @@ use bevy::render::render_resource::*;
 use bevy::shader::{ShaderDefVal, ShaderRef};
 
 /// The shader, which is in a file beside this one.
-const SHADER: Handle<Shader> = uuid_handle!("d427e23b-2165-511c-b608-22ce28437413");
+const SHADER: Handle<Shader> = uuid_handle!("ebb1a2eb-d337-5342-bdcc-a10d182eebfa");
 /// The texture until another one is set: white.
 const WHITE_2D: Handle<Image> = uuid_handle!("a9de7408-5abb-59af-8138-5c562c7feb29");
 /// The texture until another one is set: flat normal.
@@ -40,6 +40,8 @@ pub struct Painted {
     pub metallic: f32,
     /// From 0 to 1.
     pub roughness: f32,
+    /// Light of its own. In linear light.
+    pub emissive: LinearRgba,
     /// From 0 to 1.
     pub occlusion_strength: f32,
     /// The factor by which bumps lean. From -16 to 16.
@@ -54,13 +56,17 @@ pub struct Painted {
     #[texture(103)]
     #[sampler(104)]
     pub metallic_roughness_map: Handle<Image>,
-    /// In red: what arrives from all around. Until it is set, white.
+    /// Until it is set, white.
     #[texture(105)]
     #[sampler(106)]
-    pub occlusion_map: Handle<Image>,
-    /// x along u, y against v. Until it is set, flat normal.
+    pub emissive_map: Handle<Image>,
+    /// In red: what arrives from all around. Until it is set, white.
     #[texture(107)]
     #[sampler(108)]
+    pub occlusion_map: Handle<Image>,
+    /// x along u, y against v. Until it is set, flat normal.
+    #[texture(109)]
+    #[sampler(110)]
     pub normal_map: Handle<Image>,
 }
 
@@ -71,11 +77,13 @@ impl Default for Painted {
             base_color: LinearRgba::new(1.0, 1.0, 1.0, 1.0),
             metallic: 0.0,
             roughness: 0.45,
+            emissive: LinearRgba::new(0.0, 0.0, 0.0, 1.0),
             occlusion_strength: 1.0,
             normal_scale: 1.0,
             is_opaque: true,
             base_color_map: WHITE_2D.clone(),
             metallic_roughness_map: WHITE_2D.clone(),
+            emissive_map: WHITE_2D.clone(),
             occlusion_map: WHITE_2D.clone(),
             normal_map: FLAT_NORMAL_2D.clone(),
         }
@@ -111,6 +119,20 @@ impl Painted {
     /// How an image for `metallic_roughness_map` is loaded, by `load_builder().with_settings(…)`.
     pub fn load_metallic_roughness_map(settings: &mut ImageLoaderSettings) {
         settings.is_srgb = false;
+        settings.sampler = ImageSampler::Descriptor(ImageSamplerDescriptor {
+            address_mode_u: ImageAddressMode::Repeat,
+            address_mode_v: ImageAddressMode::Repeat,
+            address_mode_w: ImageAddressMode::Repeat,
+            mag_filter: ImageFilterMode::Linear,
+            min_filter: ImageFilterMode::Linear,
+            mipmap_filter: ImageFilterMode::Linear,
+            ..default()
+        });
+    }
+
+    /// How an image for `emissive_map` is loaded, by `load_builder().with_settings(…)`.
+    pub fn load_emissive_map(settings: &mut ImageLoaderSettings) {
+        settings.is_srgb = true;
         settings.sampler = ImageSampler::Descriptor(ImageSamplerDescriptor {
             address_mode_u: ImageAddressMode::Repeat,
             address_mode_v: ImageAddressMode::Repeat,
@@ -158,6 +180,7 @@ pub struct PaintedParameters {
     base_color: Vec4,
     metallic: f32,
     roughness: f32,
+    emissive: Vec3,
     occlusion_strength: f32,
     normal_scale: f32,
     is_opaque: u32,
@@ -170,6 +193,7 @@ impl From<&Painted> for PaintedParameters {
             base_color: material.base_color.to_vec4(),
             metallic: material.metallic,
             roughness: material.roughness,
+            emissive: material.emissive.to_vec3(),
             occlusion_strength: material.occlusion_strength,
             normal_scale: material.normal_scale,
             is_opaque: material.is_opaque.into(),

@@ -26,6 +26,7 @@ struct PaintedParameters {
     base_color: vec4<f32>,
     metallic: f32,
     roughness: f32,
+    emissive: vec3<f32>,
     occlusion_strength: f32,
     normal_scale: f32,
     is_opaque: u32,
@@ -36,10 +37,12 @@ struct PaintedParameters {
 @group(#{MATERIAL_BIND_GROUP}) @binding(102) var base_color_map_sampler: sampler;
 @group(#{MATERIAL_BIND_GROUP}) @binding(103) var metallic_roughness_map: texture_2d<f32>;
 @group(#{MATERIAL_BIND_GROUP}) @binding(104) var metallic_roughness_map_sampler: sampler;
-@group(#{MATERIAL_BIND_GROUP}) @binding(105) var occlusion_map: texture_2d<f32>;
-@group(#{MATERIAL_BIND_GROUP}) @binding(106) var occlusion_map_sampler: sampler;
-@group(#{MATERIAL_BIND_GROUP}) @binding(107) var normal_map: texture_2d<f32>;
-@group(#{MATERIAL_BIND_GROUP}) @binding(108) var normal_map_sampler: sampler;
+@group(#{MATERIAL_BIND_GROUP}) @binding(105) var emissive_map: texture_2d<f32>;
+@group(#{MATERIAL_BIND_GROUP}) @binding(106) var emissive_map_sampler: sampler;
+@group(#{MATERIAL_BIND_GROUP}) @binding(107) var occlusion_map: texture_2d<f32>;
+@group(#{MATERIAL_BIND_GROUP}) @binding(108) var occlusion_map_sampler: sampler;
+@group(#{MATERIAL_BIND_GROUP}) @binding(109) var normal_map: texture_2d<f32>;
+@group(#{MATERIAL_BIND_GROUP}) @binding(110) var normal_map_sampler: sampler;
 
 /// Zero stays zero.
 fn painted_safe_normalize(v: vec3f) -> vec3f {
@@ -72,6 +75,14 @@ fn painted_width(
         roughness * textureSample(metallic_roughness_map, metallic_roughness_map_sampler, uv).y, 0.045
     );
     return width_at_least * width_at_least;
+}
+
+/// Light of its own.
+/// emissive: Light of its own
+fn painted_glow(
+    uv: vec2f, emissive: vec3f, emissive_map: texture_2d<f32>, emissive_map_sampler: sampler
+) -> vec3f {
+    return emissive * textureSample(emissive_map, emissive_map_sampler, uv).xyz;
 }
 
 /// occlusion_map: In red: what arrives from all around
@@ -286,6 +297,10 @@ fn fragment(
     pbr_input.material.perceptual_roughness = sqrt(
         painted_width(pixel.uv, parameters.roughness, metallic_roughness_map, metallic_roughness_map_sampler)
     );
+    pbr_input.material.emissive = vec4<f32>(
+        painted_glow(pixel.uv, parameters.emissive, emissive_map, emissive_map_sampler),
+        pbr_input.material.emissive.a
+    );
     pbr_input.diffuse_occlusion *= vec3(
         painted_occlusion(pixel.uv, parameters.occlusion_strength, occlusion_map, occlusion_map_sampler)
     );
@@ -386,6 +401,10 @@ fn fragment(
     );
     pbr_input.material.perceptual_roughness = sqrt(
         painted_width(pixel.uv, parameters.roughness, metallic_roughness_map, metallic_roughness_map_sampler)
+    );
+    pbr_input.material.emissive = vec4<f32>(
+        painted_glow(pixel.uv, parameters.emissive, emissive_map, emissive_map_sampler),
+        pbr_input.material.emissive.a
     );
     pbr_input.diffuse_occlusion *= vec3(
         painted_occlusion(pixel.uv, parameters.occlusion_strength, occlusion_map, occlusion_map_sampler)
