@@ -44,10 +44,13 @@ def to_json(value: Any, of_bytes: Callable[[bytes], Any] = _text) -> Any:
     return value
 
 
-@cache
-def is_record(kind: Any) -> bool:
-    """True if a type is a record of jobs: a dataclass, or one of the compiler's (``frozen``)."""
+def _is_record(kind: Any) -> bool:
     return isinstance(kind, type) and (dataclasses.is_dataclass(kind) or hasattr(kind, DEFAULTS))
+
+
+is_record: Callable[[Any], bool] = cache(_is_record)
+"""True if a type is a record of jobs: a dataclass, or one of the compiler's (``frozen``). What is
+found is kept, as a job has many records of few classes."""
 
 
 def from_json(
