@@ -124,10 +124,30 @@ def _at(parts: Lanes, position: Lane, xp: Namespace) -> Any:
     try:
         return parts[operator.index(position)]
     except TypeError:
-        found = parts[0]
-        for i, part in enumerate(parts[1:], start=1):
-            found = chosen(xp, position == i, part, found)
-        return found
+        return _each_chosen(parts, position, xp, [])
+
+
+def _each_chosen(parts: Lanes, position: Lane, xp: Namespace, conditions: list[Lane]) -> Any:
+    """The part that each element of an array of positions chooses, lane by lane.
+
+    The lanes share the ``conditions`` under which each part but the first is chosen, once they are
+    needed.
+    """
+    if isinstance(parts[0], tuple):
+        lanes = zip(*parts, strict=True)
+        return tuple(_each_chosen(each, position, xp, conditions) for each in lanes)
+    if hasattr(position, "ndim"):  # It is an array, so NumPy is loaded.
+        from .tables import in_table
+
+        found = in_table(parts, position)
+        if found is not None:
+            return found
+    if not conditions:
+        conditions += [position == i for i in range(1, len(parts))]
+    found = parts[0]
+    for condition, part in zip(conditions, parts[1:], strict=True):
+        found = chosen(xp, condition, part, found)
+    return found
 
 
 def _member(node: Node, operands: list[Lanes], _xp: Namespace) -> Lanes:

@@ -28,7 +28,7 @@ from ..runner.reference import Program
 from ..runner.routes import Route
 from ..runner.runner import Runner
 from ..runner.scene import set_by_scene
-from ..runner.scene_state import SceneState
+from ..runner.scene_state import SceneState, SettledState
 from ..runner.subject import Subject, lacking
 from ..toolchain import Toolchain
 from .bounds import Bounds, bounds_of, precise, promised
@@ -141,12 +141,18 @@ class ShaderTrial(Trial):
         self._source = form if version is None else version.source
         kept = () if version is None else version.fixed
         like = self._source.reflection
-        own, drawn, source = (
-            series_of(each.reflection, seed, size, like=like, kept=kept)
-            for each in (form, subject, self._source)
-        )
+        made: dict[int, tuple[Series, ...]] = {}  # Mostly all three forms are the same.
+        for each in (form, subject, self._source):
+            if id(each) not in made:
+                found = series_of(each.reflection, seed, size, like=like, kept=kept)
+                made[id(each)] = tuple(found)
+        own, drawn, source = (made[id(each)] for each in (form, subject, self._source))
         self._work = [
-            (series, [case.state for case in run.cases], [case.state for case in first.cases])
+            (
+                series,
+                [SettledState.of(case.state) for case in run.cases],
+                [case.state for case in first.cases],
+            )
             for series, run, first in zip(own, drawn, source, strict=True)
         ]
         """Each series as the reference computes it, with the states of its cases for drivers, and

@@ -6,7 +6,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from .scene import Scene, vertex_data
 
 Color = tuple[float, float, float, float]
 
+KEPT_DRAWS = 32
+"""The number of states whose draws are kept: those of the few materials that are drawn at once."""
 CLEAR: Color = (0.0, 0.0, 0.0, 0.0)
 
 
@@ -95,6 +98,25 @@ class SceneState:
             replace(self, instance=self.instance.having(row.parameter, layer))
             for layer in range(row.count)
         )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class SettledState(SceneState):
+    """A state whose values nobody changes any more: routes that draw it in turn share its draws."""
+
+    @classmethod
+    def of(cls, state: SceneState) -> SettledState:
+        """The same state, settled."""
+        return cls(**{each.name: getattr(state, each.name) for each in fields(state)})
+
+    def draws(self) -> tuple[Draw, ...]:
+        """The draws, which the first route that asks makes."""
+        return _draws_of(self)
+
+
+@lru_cache(KEPT_DRAWS)
+def _draws_of(state: SettledState) -> tuple[Draw, ...]:
+    return SceneState.draws(state)
 
 
 def set_up(

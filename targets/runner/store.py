@@ -113,18 +113,18 @@ class Store:
             total += size
             if total > KEPT * self._limit:
                 with suppress(OSError):
-                    path.unlink()
+                    os.unlink(path)  # noqa: PTH108 - Paths would take longer than all the rest.
 
     def _path(self, name: str) -> Path:
         return self.folder / name[:2] / name[2:]
 
-    def _files(self) -> Iterator[tuple[int, int, Path]]:
+    def _files(self) -> Iterator[tuple[int, int, str]]:
         """The time of last use, size and path of each file; includes files of killed processes."""
         with suppress(OSError):
             for folder, _ in private_files(str(self.folder)):
                 with suppress(OSError):
                     for path, status in private_files(folder):
-                        yield status.st_mtime_ns, status.st_size, Path(path)
+                        yield status.st_mtime_ns, status.st_size, path
 
 
 def _checksum(data: bytes) -> bytes:

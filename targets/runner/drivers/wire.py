@@ -18,6 +18,7 @@ from ....support.frozen import DEFAULTS
 
 T = TypeVar("T")
 
+_PLAIN = frozenset((str, int, float, bool, type(None)))
 _LENGTH = struct.Struct("<I")
 
 
@@ -27,21 +28,29 @@ def _text(data: bytes) -> str:
 
 def to_json(value: Any, of_bytes: Callable[[bytes], Any] = _text) -> Any:
     """A record of a job or of an answer, or a part of one, as JSON; bytes become base64."""
-    if isinstance(value, bytes):
+    kind = type(value)
+    if kind in _PLAIN:
+        return value
+    if kind is bytes:
         return of_bytes(value)
     if isinstance(value, tuple):
+        if _PLAIN.issuperset(map(type, value)):
+            return list(value)
         return [to_json(item, of_bytes) for item in value]
+    if is_record(kind):
+        return {name: to_json(getattr(value, name), of_bytes) for name in kind.__match_args__}
     if isinstance(value, Mapping):
         return {key: to_json(item, of_bytes) for key, item in value.items()}
-    if is_record(type(value)):
-        names = type(value).__match_args__
-        return {name: to_json(getattr(value, name), of_bytes) for name in names}
     return value
 
 
-def is_record(kind: Any) -> bool:
-    """True if a type is a record of jobs: a dataclass, or one of the compiler's (``frozen``)."""
+def _is_record(kind: Any) -> bool:
     return isinstance(kind, type) and (dataclasses.is_dataclass(kind) or hasattr(kind, DEFAULTS))
+
+
+is_record: Callable[[Any], bool] = cache(_is_record)
+"""True if a type is a record of jobs: a dataclass, or one of the compiler's (``frozen``). What is
+found is kept, as a job has many records of few classes."""
 
 
 def from_json(
