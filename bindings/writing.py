@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..compiler.documents.writing import to_json
-from .fields import Numbers, Pad, Structure
+from .fields import Field, Numbers, Pad, Structure
 from .folding import folded
 from .host_language import HostLanguage
 from .model import Binding, Block, Frame, Material
@@ -70,6 +70,16 @@ def deriving(block: Block) -> str:
 def blocks_of(material: Material) -> str:
     """The name of the type that has all blocks of a material: ``Plastic Blocks``."""
     return f"{material.name}.Blocks"
+
+
+def role_fields(block: Block) -> list[Field]:
+    """The fields of a block that a program which shows scenes knows by their role.
+
+    Those of a rig are not among them, as several lights have the same roles.
+    """
+    if block.group == "rig":
+        return []
+    return [field for field in block.structure.fields if field.role and not field.computed]
 
 
 def table_of(frame: Frame) -> str:

@@ -21,7 +21,7 @@ _OF_SKELETON = (
     "Output", "Part", "Pass", "Profile", "ROLES", "SIZE", "Self", "Sequence", "Source", "T",
     "Text", "Texture", "TypeVar", "Use", "VertexInput", "WgpuFrameHost", "abstractmethod",
     "annotations", "bind_group_layouts", "bind_groups", "block", "blocks", "check",
-    "compute_pipeline", "math", "memory", "overload", "render_pipeline", "reset", "self",
+    "compute_pipeline", "enum", "math", "memory", "overload", "render_pipeline", "reset", "self",
     "struct", "uniform_buffers", "vertex_buffers",
 )  # fmt: skip
 

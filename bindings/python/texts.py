@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import json
+import textwrap
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 from ...compiler.documents.drawing import SamplerRow, TargetRow, TextureRow
 from ...compiler.documents.writing import to_json
+from ...compiler.reflection.roles import known_roles
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Numbers
 from ..model import Binding, Block, Material
 from ..printer import single
 from ..spelling import Spelling
-from ..writing import blocks_of, drawing, table_of
+from ..writing import blocks_of, drawing, role_fields, table_of
 from .frames import PythonDrawing, buffer_row, texture_row
 from .functions import FUNCTIONS
 
@@ -32,6 +34,7 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "python_number": lambda field, value: _number(field.type, value),
         "python_numbers": _numbers,
         "field_doc": _field_doc,
+        "plain_doc": _doc,
         "block_doc": partial(about_block, binding),
         "sources_text": sources,
         "string": _string,
@@ -50,7 +53,9 @@ def texts(binding: Binding, _spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "given_blocks": _given_blocks,
-        "roles": _roles,
+        "roles": role_fields,
+        "known_roles": known_roles(),
+        "wrapped": lambda names: textwrap.wrap(", ".join(map(_string, names)) + ",", 96),
         "frame_doc": lambda frame: _doc(frame.plan.doc),
         "texture_of_frame": texture_row,
         "buffer_of_frame": buffer_row,
@@ -104,11 +109,6 @@ def _doc(words: str) -> list[str]:
 def _given_blocks(material: Material) -> list[Block]:
     """The blocks that a host sets."""
     return [block for block in material.blocks if block.derivation is None]
-
-
-def _roles(block: Block) -> list[Field]:
-    """The fields that a program which shows scenes knows by their role."""
-    return [field for field in block.structure.fields if field.role and not field.computed]
 
 
 def _string(value: object) -> str:

@@ -14,7 +14,7 @@ from ..fields import Field, Numbers, Pad, Structure
 from ..model import Binding, Block, Bound, Buffer, Material
 from ..printer import single
 from ..spelling import Spelling
-from ..writing import blocks_of, drawing, table_of
+from ..writing import blocks_of, drawing, role_fields, table_of
 from . import webgpu
 from .frames import FrameDrawing
 from .functions import FUNCTIONS
@@ -208,7 +208,7 @@ class _Parts:
         """The roles of a material's fields, each with the places of its fields."""
         found: dict[str, list[str]] = {}
         for block in _given_blocks(material):
-            for field in block.structure.fields:
+            for field in role_fields(block):
                 if field.role is not None and isinstance(field.type, Numbers):
                     names = (self._spelling.member(each) for each in (block.plain_name, field.word))
                     found.setdefault(field.role, []).append(".".join(names))

@@ -34,11 +34,6 @@ def in_order(structure: Structure) -> Sequence[Field]:
     return sorted(structure.fields, key=lambda field: bool(field.counts))
 
 
-def roles(structure: Structure) -> Sequence[Field]:
-    """The fields that a program which shows scenes knows by their role."""
-    return [field for field in structure.fields if field.role is not None and not field.computed]
-
-
 class Fields:
     """Lines and types of fields, which need the names of the binding."""
 

@@ -23,7 +23,7 @@ _OF_SKELETON = """
     Area Array ArrayLike Attachment Bindings Blend Block BlockClass Blocks Bound COVER Drawn
     Error Float32Array Frame FrameBuffer FrameHost FrameTexture Gl GlBindings GlMesh GlModel
     GlResources GlTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map Material Math Mesh Model
-    NaN NoBlocks Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError
+    NaN NoBlocks Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Role
     Record RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
     Uint8Array Use VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common
     complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32

@@ -5,18 +5,19 @@ from __future__ import annotations
 import json
 import re
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from ...compiler.documents.drawing import TargetRow, TextureRow, VertexInputRow
 from ...compiler.documents.writing import to_json
+from ...compiler.reflection.roles import known_roles
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Structure
 from ..model import Binding, Block, Material
 from ..spelling import Spelling
-from ..writing import blocks_of, drawing, table_of
-from .fields import Fields, in_order, is_computed, is_optional, is_scalar, roles
+from ..writing import blocks_of, drawing, role_fields, table_of
+from .fields import Fields, in_order, is_computed, is_optional, is_scalar
 from .frames import Drawing, buffer_rows, kept_rows, texture_row
 from .functions import FUNCTIONS
 from .webgl import has_webgl, state
@@ -68,7 +69,9 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "Drawing": Drawing,
-        "roles": roles,
+        "roles": role_fields,
+        "known_roles": known_roles(),
+        "wrapped": _wrapped,
         "given_blocks": _given_blocks,
         "pipelines": lambda material: [pipeline(material)] if _has_webgpu(material) else [],
     }
@@ -110,6 +113,11 @@ def _literal(value: Any) -> str:
     if isinstance(value, float) and value.is_integer():
         return str(int(value))
     return json.dumps(value, ensure_ascii=False)
+
+
+def _wrapped(names: Iterable[str]) -> list[str]:
+    """The lines of a list of names."""
+    return textwrap.wrap(", ".join(map(_literal, names)) + ",", _WIDTH - 2)
 
 
 def _key(name: str) -> str:

@@ -216,13 +216,60 @@ def test_all_blocks_of_a_material() -> None:
     module = _module(PLASTIC)
     rig = module.StudioRig(torch_place=(0.0, 1.5, 2.0))
     blocks = module.PlasticBlocks(rig=rig)
-    blocks.set_roles({"eye": (1.0, 2.0, 3.0), "something else": 1})
+    blocks.set_roles({"eye": (1.0, 2.0, 3.0), "morph": 1})
     assert blocks.view.eye == (1.0, 2.0, 3.0)
     found = {type(each).__name__: each for each in blocks.all()}
     assert found["StudioRig"] is rig
     assert bytes(found["StudioDerivedFromRig"]) == bytes(module.derive_studio_rig(rig))
     bound = {row.block for row in module.PLASTIC.profiles["wgsl:webgpu"].bound if row.block}
     assert bound <= {type(each) for each in blocks.all()}
+
+
+def test_names_of_blocks_and_roles_are_checked() -> None:
+    module = _module(PLASTIC)
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'rigs'"):
+        module.PlasticBlocks(rigs=module.StudioRig())
+    blocks = module.PlasticBlocks()
+    before = bytes(blocks.view)
+    with pytest.raises(AttributeError, match=r"^'PlasticBlocks' object has no attribute 'rigs'"):
+        blocks.rigs = module.StudioRig()
+    with pytest.raises(ValueError, match=r"^no role is called `eyes`$"):
+        blocks.set_roles({"eye": (1.0, 2.0, 3.0), "eyes": (1.0, 2.0, 3.0)})
+    assert bytes(blocks.view) == before
+
+
+def test_roles_of_lights_are_left_to_the_rig() -> None:
+    module = _module(PLASTIC)
+    blocks = module.PlasticBlocks()
+    blocks.set_roles({"place": (1.0, 2.0, 3.0), "towards_object": (1.0, 0.0, 0.0)})
+    assert bytes(blocks.rig) == bytes(module.StudioRig())
+
+
+WEAR = """
+enum Wear {
+    /// Nothing has touched it yet.
+    fresh
+    worn
+}
+material Wall {
+    param wear : Wear = Wear.worn
+    color = if wear == Wear.fresh then #ff0000 else #00ff00
+}
+"""
+
+
+def test_members_of_enumerations_have_names_and_keep_their_comments() -> None:
+    module = _module(WEAR)
+    assert [each.name for each in module.Wear] == ["FRESH", "WORN"]
+    wall = module.WallMaterial(wear=module.Wear.FRESH)
+    assert wall.wear == module.Wear.FRESH
+    assert module.WallMaterial().wear == module.Wear.WORN
+    python, typescript = (burnish.bind(WEAR, each, "wgsl") for each in ("python", "typescript"))
+    assert '    FRESH = 0\n    """Nothing has touched it yet."""\n    WORN = 1\n' in python
+    assert (
+        "export const Wear = {\n  /** Nothing has touched it yet. */\n  fresh: 0,\n  worn: 1,\n} "
+        "as const;" in typescript
+    )
 
 
 LAMPS = """
