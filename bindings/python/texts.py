@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import textwrap
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 from ...compiler.documents.drawing import SamplerRow, TargetRow, TextureRow
 from ...compiler.documents.writing import to_json
+from ...compiler.reflection.roles import known_roles
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Numbers
 from ..model import Binding, Block, Material
@@ -52,6 +54,8 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "given_blocks": _given_blocks,
+        "known_roles": known_roles(),
+        "wrapped": lambda names: textwrap.wrap(", ".join(map(_string, names)) + ",", 96),
         "frame_doc": lambda frame: _doc(frame.plan.doc),
         "texture_of_frame": texture_row,
         "buffer_of_frame": buffer_row,

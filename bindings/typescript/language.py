@@ -24,7 +24,8 @@ _OF_SKELETON = """
     Float32Array Frame FrameBuffer FrameHost FrameTexture Gl GlBindings GlMesh GlModel GlResources
     GlTexture Infinity Int32Array JSON LAYOUT_ID Lanes Map Material Math Mesh Model NaN NoBlocks
     Number Numbers Object Omit Partial Pass PipelineState Profile ROLES RangeError Record
-    Reflection RenderState Resources SHOWN SIZE Source StencilSide Target Text Texture Uint32Array
+    Reflection RenderState Resources Role SHOWN SIZE Source StencilSide Target Text Texture
+    Uint32Array
     Uint8Array Use VertexInput WeakMap WebGlFrames WebGpuFrames Written bytes checked common
     complete computePipeline constructor counted drawGlMesh drawMesh elements exponentOf f32 finite
     glFormat glProgram glTarget glWord halved hasOwnProperty i32 integer isPrototypeOf isSame known

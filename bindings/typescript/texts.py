@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import re
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from ...compiler.documents.drawing import TargetRow, TextureRow, VertexInputRow
 from ...compiler.documents.writing import to_json
+from ...compiler.reflection.roles import known_roles
 from ..describing import about_block, about_field, sources
 from ..fields import Field, Structure
 from ..model import Binding, Block, Material
@@ -68,6 +69,8 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "table_of": table_of,
         "drawing": drawing,
         "Drawing": Drawing,
+        "known_roles": known_roles(),
+        "wrapped": _wrapped,
         "given_blocks": _given_blocks,
         "pipelines": lambda material: [pipeline(material)] if _has_webgpu(material) else [],
     }
@@ -109,6 +112,11 @@ def _literal(value: Any) -> str:
     if isinstance(value, float) and value.is_integer():
         return str(int(value))
     return json.dumps(value, ensure_ascii=False)
+
+
+def _wrapped(names: Iterable[str]) -> list[str]:
+    """The lines of a list of names."""
+    return textwrap.wrap(", ".join(map(_literal, names)) + ",", _WIDTH - 2)
 
 
 def _key(name: str) -> str:

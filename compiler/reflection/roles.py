@@ -51,6 +51,12 @@ def role_of_derived(value: Node, roles: Mapping[str, str | None]) -> str | None:
     return scene_names()["derived"].get(f"{function}({roles.get(parameter.name)})")
 
 
+def known_roles() -> tuple[str, ...]:
+    """The scene's names for values of parameters, whatever material has them, in order."""
+    names = scene_names()
+    return tuple(dict.fromkeys([*names["parameters"].values(), *names["types"].values()]))
+
+
 def role_of(info: ParameterInfo) -> str | None:
     """The scene's name for the value of a parameter, if it has one for it."""
     names = scene_names()

@@ -216,13 +216,33 @@ def test_all_blocks_of_a_material() -> None:
     module = _module(PLASTIC)
     rig = module.StudioRig(torch_place=(0.0, 1.5, 2.0))
     blocks = module.PlasticBlocks(rig=rig)
-    blocks.set_roles({"eye": (1.0, 2.0, 3.0), "something else": 1})
+    blocks.set_roles({"eye": (1.0, 2.0, 3.0), "morph": 1})
     assert blocks.view.eye == (1.0, 2.0, 3.0)
     found = {type(each).__name__: each for each in blocks.all()}
     assert found["StudioRig"] is rig
     assert bytes(found["StudioDerivedFromRig"]) == bytes(module.derive_studio_rig(rig))
     bound = {row.block for row in module.PLASTIC.profiles["wgsl:webgpu"].bound if row.block}
     assert bound <= {type(each) for each in blocks.all()}
+
+
+def test_names_of_blocks_and_roles_are_checked() -> None:
+    module = _module(PLASTIC)
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'rigs'"):
+        module.PlasticBlocks(rigs=module.StudioRig())
+    blocks = module.PlasticBlocks()
+    before = bytes(blocks.view)
+    with pytest.raises(AttributeError, match=r"^'PlasticBlocks' object has no attribute 'rigs'"):
+        blocks.rigs = module.StudioRig()
+    with pytest.raises(ValueError, match=r"^no role is called `eyes`$"):
+        blocks.set_roles({"eye": (1.0, 2.0, 3.0), "eyes": (1.0, 2.0, 3.0)})
+    assert bytes(blocks.view) == before
+
+
+def test_roles_of_lights_are_left_to_the_rig() -> None:
+    module = _module(PLASTIC)
+    blocks = module.PlasticBlocks()
+    blocks.set_roles({"place": (1.0, 2.0, 3.0), "towards_object": (1.0, 0.0, 0.0)})
+    assert bytes(blocks.rig) == bytes(module.StudioRig())
 
 
 LAMPS = """
@@ -321,9 +341,3 @@ def test_blocks_have_their_own_types_and_names() -> None:
     module = _module(PLASTIC)
     with pytest.raises(TypeError, match=r"^`rig` takes a StudioRig, not a Draw$"):
         module.PlasticBlocks(rig=module.Draw())
-
-
-@pytest.mark.parametrize("block", ["View", "StudioRig", "Draw"])
-def test_roles_are_not_those_of_lights(block: str) -> None:
-    """Several lights of a rig have the same roles, which no host means all at once."""
-    assert bool(getattr(_module(PLASTIC), block).ROLES) == (block != "StudioRig")

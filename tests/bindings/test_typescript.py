@@ -156,10 +156,38 @@ export function answer({ turns, refused, reflections, drawings }: Given): unknow
     }
     return [];
   });
+  const names = [
+    (all: Anything) => new all["PlasticBlocks"]({ rigs: new plastic.StudioRig() }),
+    (all: Anything) => new all["PlasticBlocks"]({ derived: [] }),
+    (all: Anything) => new all["StudioRig"]({ bytes: new Uint8Array(4) }),
+    (all: Anything) => new all["PlasticBlocks"]().setRoles({ eye: [1, 2, 3], eyes: [1, 2, 3] }),
+  ].map((make) => {
+    try {
+      return String(make(plastic));
+    } catch (error) {
+      return (error as Error).message;
+    }
+  });
   const stale = reflections.map((each) => plastic.stale(plastic.plastic, each) ?? "");
   stale.push(plastic.stale(plastic.plastic, {} as never) ?? "");
   const texts = plastic.plastic.profiles["wgsl:webgpu"].texts.map(({ text }) => text);
-  return { bytes, told, stale, texts, drawn: drawings.map(drawn) };
+  return { bytes, told, names, lit: lit(), stale, texts, drawn: drawings.map(drawn) };
+}
+
+/** True if roles set the camera, and leave the lights of a rig as they are. */
+function lit(): boolean {
+  const blocks = new plastic.PlasticBlocks({ rig: new plastic.StudioRig() });
+  blocks.setRoles({ place: [1, 2, 3], towards_object: [1, 0, 0], eye: [1, 2, 3] });
+  const isSame = String(blocks.rig.bytes) === String(new plastic.StudioRig().bytes);
+  return isSame && String(blocks.view.eye) === "1,2,3";
+}
+
+/** The compiler refuses names that a material's blocks do not have, and names of no role. */
+export function misspelt(): void {
+  // @ts-expect-error
+  new plastic.PlasticBlocks({ rigs: new plastic.StudioRig() });
+  // @ts-expect-error
+  new plastic.PlasticBlocks().setRoles({ eyes: [1, 2, 3] });
 }
 
 /** What a host of WebGPU writes: the descriptors fit as they are. */
@@ -224,6 +252,8 @@ class Told(NamedTuple):
 
     bytes: list[bytes]
     told: list[list[Any]]
+    names: list[str]
+    lit: bool
     stale: list[str]
     texts: list[str]
     drawn: list[list[list[Any]]]
@@ -383,6 +413,19 @@ def test_builtins_mean_what_they_do_in_the_reference(told: Told) -> None:
 
 def test_values_that_break_a_promise_are_refused_and_nothing_changes(told: Told) -> None:
     assert told.told == [[True, True, sentence] for *_, sentence in REFUSED]
+
+
+def test_names_that_there_are_not_are_refused(told: Told) -> None:
+    assert told.names == [
+        "PlasticBlocks has no `rigs`",
+        "PlasticBlocks has no `derived`",
+        "StudioRig has no `bytes`",
+        "no role is called `eyes`",
+    ]
+
+
+def test_roles_of_lights_are_left_to_the_rig(told: Told) -> None:
+    assert told.lit
 
 
 def test_a_stale_binding_is_told(told: Told) -> None:
