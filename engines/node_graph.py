@@ -171,10 +171,10 @@ def _told(graph: Graph, row: ArgumentRow) -> str:
         return f"what `{row.given}` is at the vertices, by {graph.interpolated}"
     if row.source != "parameter":
         return f"`{row.given}` of the mesh, which has it as a further texture coordinate"
-    kind = f"one of {', '.join(_members(row))}" if row.choices else f"of the type {row.type}"
+    kind = f", one of {', '.join(_members(row))}" if row.choices else f" of the type {row.type}"
     said = "" if row.default is None else f", usually {usual(_in_engine(graph, row))}"
     doc = f" ({row.doc.strip()})" if row.doc else ""
-    return f"a property {kind}{said}{doc}"
+    return f"a property{kind}{said}{doc}"
 
 
 def _members(row: ArgumentRow) -> list[str]:

@@ -51,23 +51,23 @@ def test_dxc_takes_the_functions() -> None:
 SPACES = """\
 enum Look { plain, torn }
 material Spaces {
-    param center : point<world> = vec3(1, 2, 3)
+    param middle : point<world> = vec3(1, 2, 3)
     param up : direction<world> = vec3(0, 1, 0)
-    param look : Look = torn
+    param look : Look = Look.torn
     position = inherited.position + vec3(0, 0.1, 0)
-    facing = dot(normal, up) + length(position - center)
-    ragged = if look == torn then 1.0 else 0.0
+    facing = dot(normal, up) + length(position - middle)
+    ragged = if look == Look.torn then 1.0 else 0.0
 }
 """
 TOLD = {
     "unity": (
         "position_out = burnish_turned(spaces_position(burnish_turned(vertex_position), "
         "burnish_object_to_world(object_to_world, object_to_world_place)));",
-        "// center: a property of the type point<world>, usually (-1, 2, 3)",
+        "// middle: a property of the type point<world>, usually (-1, 2, 3)",
         "// up: a property of the type direction<world>, usually (0, 1, 0)",
         "// object_to_world_place: the node Object, its output Position",
-        "// position: the node Position, in the space Absolute World",
-        "// look: a property one of 0 plain, 1 torn, usually 1",
+        "// normal: the node Normal Vector, in the space World",
+        "// look: a property, one of 0 plain, 1 torn, usually 1",
         "float look, out float ragged_out",
         "// Its result goes to Position of the Vertex context",
     ),
@@ -75,10 +75,10 @@ TOLD = {
         "return burnish_unreal_place(spaces_position(burnish_place(vertex_position), "
         "burnish_object_to_world(object_to_world_x, object_to_world_y, object_to_world_z, "
         "object_to_world_place)));",
-        "// center: a property of the type point<world>, usually (100, 300, 200)",
+        "// middle: a property of the type point<world>, usually (100, 300, 200)",
         "// up: a property of the type direction<world>, usually (0, 0, 1)",
-        "// position: Absolute World Position",
-        "// look: a property one of 0 plain, 1 torn, usually 1",
+        "// normal: VertexNormalWS",
+        "// look: a property, one of 0 plain, 1 torn, usually 1",
         "int(round(look))",
         "// Its result goes to World Position Offset, less Absolute World Position",
     ),
