@@ -36,7 +36,8 @@ def compiled_functions(request: CompileRequest) -> Compiled:
         return Compiled({}, {}, {}, {}, (), (), error.diagnostics, None)
     documents, lines = {}, []
     for material in () if request.prints else result:
-        name = f"{material.name}.functions.json"
+        own = "" if engine is None else f".{engine.name}"  # So that engines share a folder.
+        name = f"{material.name}{own}.functions.json"
         document = material.document
         if engine is not None:
             from ..engines.fitting import taken

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable
 from typing import Any
 
-from .surface import Given, Surface
+from .surface import Surface
 
 
 def heading(surface: Surface, engine: str, remark: str) -> str:
@@ -29,35 +29,3 @@ def usual(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return f"({', '.join(map(usual, value))})"
     return f"{value:.4g}" if isinstance(value, float) else str(value)
-
-
-def argument_lines(
-    surface: Surface, given: Given, nodes: Mapping[tuple[str, str], str]
-) -> Iterator[str]:
-    """A comment for each argument: where the engine has it, or what a user sets.
-
-    ``nodes`` has what the engine has itself: values of surfaces, and parameters by their role.
-    """
-    for argument in given.signature.arguments:
-        if argument.kind == "value":
-            row = surface.arguments[argument.given]
-            known = nodes.get(("role", row.role or ""))
-            if known is not None:
-                place = known
-            elif row.source == "parameter":
-                said = "" if row.default is None else f", usually {usual(row.default)}"
-                place = f"a property of the type {row.type}{said}"
-            elif row.source == "varying":
-                place = f"what `{row.given}` is at the vertices, interpolated"
-            else:
-                place = nodes.get((row.source, row.given), f"`{row.given}` of the mesh")
-            doc = (
-                f" ({row.doc.strip()})"
-                if row.doc and row.source == "parameter" and known is None
-                else ""
-            )
-            yield f"//   {argument.name}: {place}{doc}".replace("\n", " ")
-        elif argument.kind == "texture":
-            texture = surface.textures[argument.given]
-            encoding = "sRGB" if texture.intent == "color" else "no sRGB"
-            yield f"//   {argument.name}: a texture, usually {texture.default}, {encoding}"

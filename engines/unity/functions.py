@@ -6,12 +6,13 @@ their samplers, as structures of Unity.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
+from ..node_graph import Graph, node_type, nodes_of, port_lines, result_lines
 from ..surface import Given, Surface, UnfitError
-from ..texts import argument_lines, guard, heading
+from ..texts import guard, heading
 
 UNPROVEN = "Never compiled by Unity's own compiler."
 STRUCTURES = {
@@ -20,21 +21,89 @@ STRUCTURES = {
 }  # fmt: skip
 """What Unity has for a texture and its sampler."""
 
-NODES: Mapping[tuple[str, str], str] = {
-    ("surface", "uv"): "the node UV",
-    ("surface", "position"): "the node Position, in the space World",
-    ("surface", "normal"): "the node Normal Vector, in the space World",
-    ("surface", "tangent"): "the node Tangent Vector, in the space World",
-    ("attribute", "vertex_position"): "the node Position, in the space Object",
-    ("attribute", "vertex_normal"): "the node Normal Vector, in the space Object",
-    ("attribute", "vertex_uv"): "the node UV",
-    ("attribute", "vertex_uv2"): "the node UV, of the channel UV1",
-    ("attribute", "vertex_color"): "the node Vertex Color",
-    ("pipeline", "front_facing"): "the node Is Front Face",
-    ("role", "object_to_world"): "the node Transformation Matrix, Model",
-    ("role", "eye"): "the node Camera, its output Position",
+TOLD = """\
+// Unity's coordinates are left-handed, and those of the functions right-handed: x has another sign,
+// as in imported files of glTF and FBX. The functions of the nodes turn places, directions and
+// normals, so nodes give and take Unity's own.
+#ifndef BURNISH_IN_UNITY
+#define BURNISH_IN_UNITY
+
+float3 burnish_turned(float3 v) {
+    return float3(-v.x, v.y, v.z);
 }
-"""Where a graph has the values that functions take."""
+
+float3x3 burnish_turned(float3x3 m) {
+    return m * float3x3(1, -1, -1, -1, 1, 1, -1, 1, 1);
+}
+
+float4x4 burnish_turned(float4x4 m) {
+    return m * float4x4(1, -1, -1, -1, -1, 1, 1, 1, -1, 1, 1, 1, 1, 1, 1, 1);
+}
+
+float4 burnish_turned_tangent(float4 t) {
+    return float4(-t.x, t.y, t.z, -t.w);
+}
+
+float4x4 burnish_object_to_world(float4x4 model, float3 place) {
+    model._m03_m13_m23 = place;
+    return burnish_turned(model);
+}
+
+#endif"""
+"""The matrices are turned on both sides: the row and the column of x change their sign."""
+
+BOTH = ("burnish_turned({0})", "burnish_turned({0})")
+GRAPH = Graph(
+    title="Unity",
+    told=TOLD,
+    nodes={
+        ("surface", "uv"): "the node UV",
+        ("surface", "position"): "the node Position, in the space Absolute World",
+        ("surface", "normal"): "the node Normal Vector, in the space World",
+        ("surface", "tangent"): "the node Tangent Vector, in the space World",
+        ("attribute", "vertex_position"): "the node Position, in the space Object",
+        ("attribute", "vertex_normal"): "the node Normal Vector, in the space Object",
+        ("attribute", "vertex_tangent"): "the node Tangent Vector, in the space Object; its w is 1 "
+        "where the Bitangent Vector is cross(normal, tangent), and -1 elsewhere",
+        ("attribute", "vertex_uv"): "the node UV",
+        ("attribute", "vertex_uv2"): "the node UV, of the channel UV1",
+        ("attribute", "vertex_color"): "the node Vertex Color",
+        ("pipeline", "front_facing"): "the node Is Front Face",
+        ("pipeline", "frag_coord"): "the node Screen Position, in the mode Pixel; the functions "
+        "count y from the upper edge",
+        ("role", "object_to_world"): "the node Transformation Matrix, Model",
+        ("role", "eye"): "the node Camera, its output Position",
+    },
+    outputs={
+        "base_color": "Base Color",
+        "metallic": "Metallic",
+        "roughness": "Smoothness, behind the node One Minus",
+        "squared_roughness": "Smoothness, behind the nodes Square Root and One Minus",
+        "clearcoat": "Coat Mask",
+        "clearcoat_roughness": "Coat Smoothness, behind the node One Minus",
+        "emissive": "Emission",
+        "occlusion": "Ambient Occlusion",
+        "normal": "Normal, with Fragment Normal Space: World in the Graph Settings",
+        "alpha": "Alpha",
+        "is_hidden": "Alpha, as 0 where it is true, with Alpha Clipping in the Graph Settings",
+        "object_position": "Position of the Vertex context",
+        "object_normal": "Normal of the Vertex context",
+        "position": "Position of the Vertex context, behind the node Transform from Absolute World "
+        "to Object, of the type Position",
+    },
+    turned={
+        **dict.fromkeys(("point", "vector", "direction", "normal", "transform", "basis"), BOTH),
+        "tangent": ("burnish_turned_tangent({0})", "burnish_turned_tangent({0})"),
+    },
+    lanes=((0, -1), (1, 1), (2, 1)),
+    metre=1,
+    data="without sRGB, and not as a normal map: the functions read its lanes as they are",
+    interpolated="a Custom Interpolator",
+    parts={"object_to_world": (("place", "the node Object, its output Position"),)},
+    joined={"object_to_world": "burnish_object_to_world({0}, {0}_place)"},
+    has_matrices=True,
+)
+"""The place of an object is an input of its own, as matrices are relative to the camera in HDRP."""
 
 
 def functions(surface: Surface) -> str:
@@ -43,38 +112,34 @@ def functions(surface: Surface) -> str:
     macro = f"{surface.name.upper()}_OF_BURNISH"
     parts = [part.text.strip("\n") for part in surface.parts(called)]
     nodes = ["\n".join(_node(surface, given)) for given in called]
-    return guard(macro, [heading(surface, "Unity", UNPROVEN), *parts, *nodes])
+    told = [TOLD] if any("burnish_" in node for node in nodes) else []
+    return guard(macro, [heading(surface, "Unity", UNPROVEN), *told, *parts, *nodes])
 
 
 def _node(surface: Surface, given: Given) -> Iterator[str]:
     """The function that a node calls, named ``<name>_float`` for its precision."""
-    signature = given.signature
-    name = "".join(word.capitalize() for word in signature.part.name.split("_"))
+    name = "".join(word.capitalize() for word in given.signature.part.name.split("_"))
+    ports, call = nodes_of(GRAPH, surface, given, _of_texture)
+    textures = list(_textures(surface, given))
     yield f"// The node's name is {name}, and its precision Single."
-    yield from argument_lines(surface, given, NODES)
-    arguments = [_argument(surface, each) for each in signature.arguments if each.kind != "sampler"]
-    output = f"out {signature.returns} {given.slot}_out"
-    head = f"void {name}_float({', '.join([*arguments, output])}) {{"
-    values = ", ".join(map(_value, signature.arguments))
-    body = f"    {given.slot}_out = {signature.part.name}({values});"
+    yield from result_lines(GRAPH, surface, given)
+    yield from port_lines(GRAPH, surface, given, ports)
+    output = f"out {node_type(given.signature.returns)} {given.slot}_out"
+    inputs = [f"{port.type} {port.name}" for port in ports]
+    head = f"void {name}_float({', '.join([*inputs, *textures, output])}) {{"
+    body = f"    {given.slot}_out = {call};"
     yield from wrapped("\n".join([head, body, "}"]))[0].split("\n")
 
 
-def _argument(surface: Surface, argument: EmittedArgument) -> str:
-    if argument.kind == "value":
-        given = surface.arguments[argument.given]
-        if "[" in given.representation:
-            raise UnfitError(given.name, f"it is a {given.type}, and nodes of Unity take no arrays")
-        return f"{argument.type} {argument.name}"
-    row = surface.textures[argument.given]
-    if row.dimension not in STRUCTURES or row.sample != "float":
-        raise UnfitError(row.name, f"it is a {row.type}, and Unity has no such node")
-    return f"{STRUCTURES[row.dimension]} {argument.name}"
+def _textures(surface: Surface, given: Given) -> Iterator[str]:
+    for argument in given.signature.arguments:
+        if argument.kind == "texture":
+            row = surface.textures[argument.given]
+            if row.dimension not in STRUCTURES or row.sample != "float":
+                raise UnfitError(row.name, f"it is a {row.type}, and Unity has no such node")
+            yield f"{STRUCTURES[row.dimension]} {argument.name}"
 
 
-def _value(argument: EmittedArgument) -> str:
-    if argument.kind == "value":
-        return argument.name
-    if argument.kind == "texture":
-        return f"{argument.name}.tex"
-    return f"{argument.name.removesuffix('_sampler')}.samplerstate"
+def _of_texture(argument: EmittedArgument, texture: str) -> str:
+    """A texture or a sampler, of Unity's structure of both."""
+    return f"{texture}.tex" if argument.kind == "texture" else f"{texture}.samplerstate"

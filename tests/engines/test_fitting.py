@@ -58,7 +58,7 @@ def test_the_document_has_what_the_files_have(tmp_path: Path) -> None:
     file = tmp_path / "m.burnish"
     file.write_text(GLASS, encoding="utf-8")
     result = invoke("compile", str(file), "--engine", "godot", "-o", str(tmp_path / "out"))
-    document = json.loads((tmp_path / "out" / "Glass.functions.json").read_text("utf-8"))
+    document = json.loads((tmp_path / "out" / "Glass.godot.functions.json").read_text("utf-8"))
     names = [row["name"] for row in document["functions"]]
     assert f"Glass: {len(names)} functions ({', '.join(names)}) in files" in result.stdout
     assert "clearcoat" in names and "transmission" not in names
@@ -198,7 +198,7 @@ def test_constants_that_are_not_the_engines_are_given(engine: str, tmp_path: Pat
     assert result.exit_code == 0, result.stderr
 
     def given(name: str) -> list[str]:
-        document = json.loads((tmp_path / f"{name}.functions.json").read_text("utf-8"))
+        document = json.loads((tmp_path / f"{name}.{engine}.functions.json").read_text("utf-8"))
         names = [row["name"] for row in document["functions"]]
         return [name for name in PARTNERS if name in names]
 
@@ -234,7 +234,7 @@ def test_no_slot_of_a_model_is_lost(model: str, engine: str, tmp_path: Path) -> 
     )
     result = invoke("compile", str(file), "--engine", engine, "-o", str(tmp_path))
     assert result.exit_code == 0, result.stderr
-    document = json.loads((tmp_path / "M.functions.json").read_text("utf-8"))
+    document = json.loads((tmp_path / f"M.{engine}.functions.json").read_text("utf-8"))
     written = {row["name"] for row in document["functions"]}
     told = set(re.findall(r"the slot `(\w+)` of `M` is left out", result.stderr))
     assert not slots.keys() - written - told - PARTS.get(model, set())

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.engines import known
 from burnish.targets.toolchain import Job, Toolchain
 
@@ -22,7 +23,8 @@ STUBS = "".join(
     for kind in ("Texture2D", "Texture2DArray", "Texture3D", "TextureCube")
 )
 ENTRY = "\nfloat4 main() : SV_Target {\n    return float4(0, 0, 0, 0);\n}\n"
-NODES = {"plastic": "Plastic", "water": "Water", "texture_array": "Terrain", "fins": "Mole"}
+NODES = {"plastic": "Plastic", "water": "Water", "texture_array": "Terrain", "fins": "Mole",
+         "dissolving": "Board", "foliage": "Leaf", "normal_map": "TangentSpaceBumps"}  # fmt: skip
 
 
 @pytest.mark.parametrize("engine", ["unity", "unreal"])
@@ -44,3 +46,60 @@ def test_dxc_takes_the_functions() -> None:
             jobs.append(Job("dxc-dxil", "frag", text, name=f"{engine} {material}"))
     with Toolchain() as toolchain:
         assert not [(each.job.name, each.messages[:3]) for each in refused(jobs, toolchain)]
+
+
+SPACES = """\
+enum Look { plain, torn }
+material Spaces {
+    param middle : point<world> = vec3(1, 2, 3)
+    param up : direction<world> = vec3(0, 1, 0)
+    param look : Look = Look.torn
+    position = inherited.position + vec3(0, 0.1, 0)
+    facing = dot(normal, up) + length(position - middle)
+    ragged = if look == Look.torn then 1.0 else 0.0
+}
+"""
+TOLD = {
+    "unity": (
+        "position_out = burnish_turned(spaces_position(burnish_turned(vertex_position), "
+        "burnish_object_to_world(object_to_world, object_to_world_place)));",
+        "// middle: a property of the type point<world>, usually (-1, 2, 3)",
+        "// up: a property of the type direction<world>, usually (0, 1, 0)",
+        "// object_to_world_place: the node Object, its output Position",
+        "// normal: the node Normal Vector, in the space World",
+        "// look: a property, one of 0 plain, 1 torn, usually 1",
+        "float look, out float ragged_out",
+        "// Its result goes to Position of the Vertex context",
+    ),
+    "unreal": (
+        "return burnish_unreal_place(spaces_position(burnish_place(vertex_position), "
+        "burnish_object_to_world(object_to_world_x, object_to_world_y, object_to_world_z, "
+        "object_to_world_place)));",
+        "// middle: a property of the type point<world>, usually (100, 300, 200)",
+        "// up: a property of the type direction<world>, usually (0, 0, 1)",
+        "// normal: VertexNormalWS",
+        "// look: a property, one of 0 plain, 1 torn, usually 1",
+        "int(round(look))",
+        "// Its result goes to World Position Offset, less Absolute World Position",
+    ),
+}
+"""Values with a space are turned on their way in and out; all others are as the functions say."""
+
+
+@pytest.mark.parametrize("engine", TOLD)
+def test_nodes_have_the_coordinates_of_their_engine(engine: str) -> None:
+    (text,) = files_of(engine, SPACES, "Spaces").values()
+    whole = " ".join(text.split()).replace("( ", "(").replace(" )", ")")
+    for expected in TOLD[engine]:
+        assert expected in whole, whole
+
+
+@pytest.mark.parametrize("engine", TOLD)
+def test_instances_are_the_engines(engine: str) -> None:
+    with pytest.raises(CompileError, match=r"of each instance, and .* places instances itself"):
+        files_of(engine, EXAMPLES / "instances.burnish", "Cobbles")
+
+
+def test_unreal_has_no_matrices() -> None:
+    with pytest.raises(CompileError, match="nodes of Unreal take no matrices"):
+        files_of("unreal", EXAMPLES / "decal.burnish", "Wall")

@@ -170,8 +170,8 @@ def test_the_files_are_as_they_were(tmp_path: Path) -> None:
     source = EXAMPLES / "plastic.burnish"
     result = invoke("compile", source, "--engine", "three", "-o", tmp_path)
     assert result.exit_code == 0 and result.stdout == (
-        "Plastic: 2 functions (tint, base) in files for three.js and Plastic.functions.json in "
-        f"{tmp_path}\n"
+        "Plastic: 2 functions (tint, base) in files for three.js and "
+        f"Plastic.three.functions.json in {tmp_path}\n"
     )
     for name in ("Plastic.three.js", "Plastic.three.d.ts"):
         assert_golden((tmp_path / name).read_text(encoding="utf-8"), GOLDEN / name)

@@ -167,6 +167,8 @@ ENGINES: dict[tuple[str, ...], str] = {
     ("--engine", "godot", "--engine", "three"): "--engine names one engine: run the command once",
     ("--engine", "godot", "--rig", "Q"): "error[B0201]: unknown rig `Q`",
     ("--engine", "unity", "--slots", "base=tint"): "error[B0911]: engines take no value called",
+    ("--engine", "godot", "--validate"): "--validate is about whole shaders: leave it out",
+    ("--engine", "unity", "--pass", "P"): "--pass is about whole shaders: leave it out",
     ("--emit", "functions", "--prefix", "my-shop"): "--prefix is a name of letters, digits and",
     ("--emit", "functions", "--prefix", "a__b"): "--prefix is a name of letters, digits and single",
     ("--emit", "functions", "--prefix", ""): "--prefix is a name of letters, digits and single `_`",
@@ -195,6 +197,6 @@ def test_every_engine_is_told_what_a_slot_is(engine: str, tmp_path: Path) -> Non
     result = invoke("compile", str(file), "--engine", engine, "--slots", slots, "-o", str(tmp_path))
     assert result.exit_code == 0, result.stderr
     assert "2 functions (stain, wear) in files for" in result.stdout
-    document = json.loads((tmp_path / "M.functions.json").read_text("utf-8"))
+    document = json.loads((tmp_path / f"M.{engine}.functions.json").read_text("utf-8"))
     roles = [slot["role"] for row in document["functions"] for slot in row["slots"]]
     assert roles == ["base_color", "roughness"]

@@ -140,8 +140,9 @@ FLOORS: dict[str, str] = {
         "frozen ir diagnostics documents description registry emit engine drawing surface values "
         "writer"
     ),
-    "engines.unity": "emit engine surface texts slot_table",
-    "engines.unreal": "emit engine surface texts slot_table",
+    "engines.node_graph": "frozen documents reflection emit surface texts values",
+    "engines.unity": "emit engine node_graph surface texts slot_table",
+    "engines.unreal": "emit engine node_graph surface texts slot_table",
     "engines.known": "engine",
     "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
     "engines.three": "frozen diagnostics documents emit engine drawing slot_table",

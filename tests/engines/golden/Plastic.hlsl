@@ -11,6 +11,7 @@ float3 plastic_tint(float2 uv, float3 base, Texture2D<float4> albedo, SamplerSta
 }
 
 // The node's name is PlasticTint, and its precision Single.
+// Its result goes to Base Color.
 //   uv: the node UV
 //   base: a property of the type rgb, usually (0.4621, 0.1301, 0.01229) (Base colour)
 //   albedo: a texture, usually white, sRGB
