@@ -121,7 +121,7 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # What hosts set, compute and bind, in their own languages.
-    "bindings": "frozen ir packing documents reference tracing javascript",
+    "bindings": "frozen ir packing documents reflection reference tracing javascript",
     # Engines.
     "engines.slot_table": "frozen ir documents reflection",
     "engines.drawing": "ir documents",
