@@ -235,7 +235,7 @@ class _Writer:
         """How each texture is read. One without any linear filter and levels has no sampler."""
         for row in self._document.textures:
             if row.state is not None:
-                found = dict(sampling(row.state))
+                found = dict(sampling(row.state, row.dimension))
                 if {found["magFilter"], found["minFilter"]} == {"NearestFilter"}:
                     found["minFilter"] = "NearestMipmapNearestFilter"
                 yield Entry(row.name, listed(found))

@@ -30,13 +30,14 @@ NAMES = frozenset((
 """The names that modules import for it."""
 
 
-def sampling(state: SamplerState) -> Mapping[str, str]:
+def sampling(state: SamplerState, dimension: str) -> Mapping[str, str]:
     """The properties of a texture that say how it is read, each with its value."""
-    across, down = (getattr(state, f"wrap_{axis}") or state.wrap for axis in "uv")
-    found = {
-        "wrapS": WRAPS[across], "wrapT": WRAPS[down], "magFilter": MAGNIFIED[state.filter],
-        "minFilter": FILTERS[state.filter, state.mip],
-    }  # fmt: skip
+    axes = {"wrapS": state.wrap_u, "wrapT": state.wrap_v}
+    if dimension == "3d":
+        axes["wrapR"] = state.wrap_w
+    found = {name: WRAPS[wrap or state.wrap] for name, wrap in axes.items()}
+    found["magFilter"] = MAGNIFIED[state.filter]
+    found["minFilter"] = FILTERS[state.filter, state.mip]
     if state.anisotropy is not None:
         found["anisotropy"] = str(state.anisotropy)
     if state.compare is not None:

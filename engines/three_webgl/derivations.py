@@ -33,7 +33,7 @@ class UniformPrinter(TypeScriptPrinter):
         for step in rest:
             inner = isinstance(field.type, Structure) and isinstance(step, str)
             if inner and (found := _member(field, step)) is not None:
-                text, field = f"{text}.{step}", found
+                text, field = f"{text}.{found.word}", found
             elif whole_array(field) is not None:
                 index = str(step)
             else:
@@ -76,9 +76,10 @@ class UniformPrinter(TypeScriptPrinter):
             yield f"{at} = {text};"
 
 
-def _member(field: Field, word: str) -> Field | None:
+def _member(field: Field, name: str) -> Field | None:
+    """The member of a structure by its name in the language; the text may have another one."""
     assert isinstance(field.type, Structure)
-    return next((each for each in field.type.fields if each.word == word), None)
+    return next((each for each in field.type.fields if each.name == name), None)
 
 
 def _lane(part: tuple[int, ...], rows: int) -> int:

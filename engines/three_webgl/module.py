@@ -191,7 +191,7 @@ class _Writer:
         for row in self._reflection.textures:
             if row.name in self._backend.textures:
                 sampler = samplers.get(row.name)
-                properties = {} if sampler is None else sampling(sampler)
+                properties = {} if sampler is None else sampling(sampler, row.dimension)
                 name = self._backend.textures[row.name].identifier
                 yield Texture(
                     name, _texel(row, name) if properties else _texel(row),

@@ -13,7 +13,7 @@ from ...bindings.describing import about_field
 from ...bindings.fields import Field, Numbers, Structure
 from ...bindings.model import Block, Material
 from ...compiler.documents.backends import BackendRow
-from ...support.frozen import frozen
+from ...support.frozen import changed, frozen
 
 ARRAYS = {"float": "Float32Array", "int": "Int32Array", "uint": "Uint32Array"}
 
@@ -71,7 +71,19 @@ def uniforms_of(material: Material, backend: BackendRow) -> Iterator[Uniform]:
         row = backend.blocks.get(block.plain_name)
         names: Mapping[str, str] = {} if row is None else row.members
         for field in block.structure.fields:
-            yield Uniform(names.get(field.word, field.word), block, field)
+            yield Uniform(names.get(field.word, field.word), block, _as_in_text(field, names))
+
+
+def _as_in_text(field: Field, names: Mapping[str, str]) -> Field:
+    """The field, whose members of structures are called as in the text: three.js sets them so."""
+    type_ = field.type
+    if not isinstance(type_, Structure):
+        return field
+    members = [
+        changed(_as_in_text(each, names), word=names.get(f"{type_.name}.{each.word}", each.word))
+        for each in type_.fields
+    ]
+    return changed(field, type=changed(type_, fields=tuple(members)))
 
 
 def whole_array(field: Field) -> Numbers | Structure | None:

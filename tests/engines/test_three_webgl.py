@@ -20,9 +20,11 @@ from .kit import module_of, page_of, site_in
 from .typed import complaints
 
 GOLDEN = Path(__file__).parent / "golden"
-DRAWN = ("plastic", "skinned", "texture_array", "instances")
-"""Lights and derived values, bones and tangents, layers, and values of instances. All examples are
-drawn by ``webgl_suite.py``."""
+DRAWN = ("plastic", "skinned", "texture_array", "instances", "indexed", "volume", "transforms")
+"""Lights and derived values, bones and tangents, layers, values of instances, whole numbers in
+textures, volumes, and values that only derived ones need.
+
+All examples are drawn by ``webgl_suite.py``."""
 
 
 @pytest.fixture(scope="module")
@@ -130,6 +132,22 @@ def test_a_name_of_three_is_never_another_value() -> None:
     assert "uniform float skinIndex_;" in text
     with pytest.raises(CompileError, match="nothing"):
         shaders_for(webgl.ENGINE, source, values=(("nothing", "1"),))
+
+
+def test_members_of_structures_are_called_as_in_the_text(tmp_path: Path) -> None:
+    """three.js sets them by these names. A member `set` is another word in the text."""
+    source = """
+        struct Layer { set : int  turn : angle }
+        material Named {
+            param layer : Layer
+            color = vec3(cos(layer.turn), float(layer.set) * uv.x, cos(0.1 * float(layer.set)))
+        }
+    """
+    (material,) = shaders_for(webgl.ENGINE, source).materials
+    text = (tmp_path / webgl.module_in(tmp_path, material)).read_text(encoding="utf-8")
+    assert "layer: { value: { set_: 0, turn: 0 } }" in text
+    assert "u.layer.value.set_" in text
+    assert "u.layer.value.set)" not in text
 
 
 def test_a_stored_matrix_multiplies_a_whole_sum() -> None:

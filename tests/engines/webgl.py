@@ -17,6 +17,7 @@ from playwright.sync_api import Page
 
 from burnish.api.compiled import CompiledMaterial
 from burnish.api.compiling_engines import shader_files, shaders_for
+from burnish.bindings.fields import Field, Structure
 from burnish.bindings.gathering import Compiled, gathered
 from burnish.compiler.diagnostics.diagnostic import CompileError, Report
 from burnish.engines import known
@@ -56,11 +57,14 @@ def module_in(folder: Path, material: CompiledMaterial) -> str:
 
 
 def golden_in(folder: Path, copy: Path, source: Path, *options: str) -> Path:
-    """The golden folder of a file under the pass."""
+    """The golden folder of a file under the pass.
+
+    It has the values of all parameters, as the shaders of it compute what follows from them.
+    """
     made = folder / "golden"
     result = invoke(
         "conform", copy, "--pass", "Probe", "--golden", made, "--routes", "webgl2",
-        "-I", source.parent, *options,
+        "--no-hoist", "-I", source.parent, *options,
     )  # fmt: skip
     assert result.exit_code == 0, result.output
     return made
@@ -116,7 +120,7 @@ def given_for(material: CompiledMaterial, golden: Path, case: Mapping[str, Any])
         "viewProjection": values.get(roles.get("world_to_clip", ""), identity),
         "eye": values.get(roles.get("eye", ""), [0, 0, 5]),
         "values": {
-            each.name: values[each.field.name]
+            each.name: _as_in_text(each.field, values[each.field.name])
             for each in uniforms(material)
             if each.field.name in values and _is_set(each, of_renderer(material.reflection))
         },
@@ -125,6 +129,17 @@ def given_for(material: CompiledMaterial, golden: Path, case: Mapping[str, Any])
             for name, row in found["textures"].items() if name in backend.textures
         },
     }  # fmt: skip
+
+
+def _as_in_text(field: Field, value: Any) -> Any:
+    """A value whose members are called as in the text."""
+    if isinstance(value, list):
+        return [_as_in_text(field, each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    assert isinstance(field.type, Structure)
+    members = {each.name: each for each in field.type.fields}
+    return {members[k].word: _as_in_text(members[k], each) for k, each in value.items()}
 
 
 def uniforms(material: CompiledMaterial) -> Iterator[Uniform]:
@@ -148,7 +163,9 @@ def _texture(row: Mapping[str, Any], reflection: Mapping[str, Any], name: str) -
     dimension = next(r["dimension"] for r in reflection["textures"] if r["name"] == name)
     format_ = row["format"]
     lanes = len(format_) - len(format_.lstrip("rgba"))
-    kind = "unorm8" if "8unorm" in format_ else "float16" if "16float" in format_ else "float32"
+    words = {"8unorm": "unorm8", "16float": "float16", "8uint": "uint8", "8sint": "sint8",
+             "32uint": "uint32", "32sint": "sint32"}  # fmt: skip
+    kind = next((words[each] for each in words if each in format_), "float32")
     return {
         "width": row["width"], "height": row["height"], "levels": row["levels"],
         "isDepth": format_.startswith("depth"),

@@ -202,7 +202,7 @@ function quotient(x, y) {
 }
 
 /** What follows from Rig. */
-function deriveRig(u) {
+function deriveStudioRig(u) {
   const torchOuter = u.torch_outer.value;
   const torchFalloffCos = Math.cos(torchOuter);
   u.torch_falloff_cos.value = torchFalloffCos;
@@ -298,7 +298,7 @@ export class PlasticMaterial extends RawShaderMaterial {
       this.#camera = camera;
       setWorldToClip(u.view_projection.value, camera);
       u.cameraPosition.value.setFromMatrixPosition(camera.matrixWorld);
-      deriveRig(u);
+      deriveStudioRig(u);
       u.encodes_color.value = renderer.getRenderTarget() === null && renderer.outputColorSpace === SRGBColorSpace;
     }
     u.modelMatrix.value = object.matrixWorld;
