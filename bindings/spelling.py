@@ -68,6 +68,14 @@ class Spelling:
         """The name of a field. Fields of all structures share names, which does no harm."""
         return self._members.name("field", word, self._manner.value_case)
 
+    def setter(self, word: str) -> str:
+        """The name of the function beside a field that sets an array and its number."""
+        return self._members.name("setter", f"set.{word}", self._manner.value_case)
+
+    def capacity(self, word: str) -> str:
+        """The name of the constant beside a field that says how much room an array has."""
+        return self._members.name("capacity", f"{word}.capacity", self._manner.value_case)
+
     def choice(self, enumeration: str, name: str) -> str:
         """The name of a member of an enumeration, which other enumerations may have as well."""
         scope = self._choices.setdefault(enumeration, self._scope())

@@ -92,6 +92,9 @@ def _headline(binding: Binding) -> str:
 def spelling_of(binding: Binding, language: HostLanguage) -> Spelling:
     """The names of a binding; those of the whole text are given before variables get theirs."""
     spelling = Spelling(language.manner, binding.namespace)
+    for structure in _structures(binding):
+        for field in structure.fields:
+            spelling.member(field.word)  # A user's own names come before those beside them.
     for structure in binding.structures:
         spelling.type(structure.name)
     for block in binding.blocks:

@@ -25,7 +25,7 @@ _OF_CPP = """
 """Words of C++, whose programs include headers of C, too."""
 _OF_HEADERS = """
     NULL assert count errno far first int32_t int64_t linux max min near offsetof size_t uint32_t
-    uint64_t unix y0 y1 yn j0 j1 jn
+    uint64_t unix y0 y1 yn j0 j1 jn burnish
 """
 """Names of the standard headers, and of the skeleton's own variables."""
 

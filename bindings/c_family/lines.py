@@ -91,19 +91,25 @@ class Lines:
             shown = range_text(field.range)
             lanes = [self.lane(place, number) for number in range(type_.lanes)]
             for lane in lanes if len(lanes) > 1 else [place]:
-                inside = _inside(type_, lane, *field.range)
-                yield self.returned(f"({inside})", f"`{name}` is declared in {shown}")
+                if inside := _inside(type_, lane, *field.range):
+                    yield self.returned(f"({inside})", f"`{name}` is declared in {shown}")
         if field.is_unit:
             condition = self.has_length_one(place, type_.lanes)
             yield self.returned(condition, f"`{name}` has to be of length 1")
 
 
 def _inside(type_: Numbers, lane: str, low: float, high: float) -> str:
-    """The condition that a lane is in its range; numbers without a sign are not below 0."""
-    most = f"{lane} <= {number(type_, high)}"
-    if type_.kind == "uint" and low == 0:
-        return most
-    return f"{lane} >= {number(type_, low)} && {most}"
+    """The condition that a lane is in its range, without what its type says by itself."""
+    least, most = _LIMITS.get(type_.kind, (None, None))
+    parts = [
+        f"{lane} >= {number(type_, low)}" if low != least else "",
+        f"{lane} <= {number(type_, high)}" if high != most else "",
+    ]
+    return " && ".join(filter(None, parts))
+
+
+_LIMITS = {"int": (-(2**31), 2**31 - 1), "uint": (0, 2**32 - 1)}
+"""The least and the largest number of a type."""
 
 
 def is_scalar(type_: Numbers | Structure) -> bool:

@@ -28,7 +28,7 @@ _OF_SKELETON = """
     LayoutId List Material Output Pass Profile Read Sampler Source Stencil StencilSide Tag Target
     Text Texture Use VertexInput Written bvec2 bvec3 bvec4 capacity count detail fault first has
     has_length_one ivec2 ivec3 ivec4 mat2 mat3 mat4 mat2x4 mat3x4 stale std uvec2 uvec3 uvec4 vec2
-    vec3 vec4 vulkan near far min max assert errno NULL unix linux
+    vec3 vec4 vulkan near far min max assert errno NULL unix linux burnish
 """
 """Words of the skeleton, and some that headers of operating systems define as macros."""
 

@@ -26,11 +26,15 @@ material Odd {
     param wet  : bool = true
     param f32  : float = 1
     param vec3_padded : vec3 = vec3(1)
-    tint  = if flag and wet then parameters * f32 * vec3_padded else vec3(0)
+    param all : int in -2147483648..2147483647 = 1
+    param burnish : uint in 0..7 = 1
+    lit   = float(all) * float(burnish)
+    tint  = if flag and wet then parameters * f32 * vec3_padded + lit else vec3(0)
     color = lambert(tint)
 }
 
-rig Lit { lamps : Point[<= 2] }
+light Counted : Point { param lamps : float = 1 }
+rig Lit { lamps : Point[<= 2]  set : Counted }
 """
 STALE = "fits\n"
 ROOM = "`lamps` has room for 2 elements\n"
@@ -82,6 +86,17 @@ def test_a_count_beyond_the_room_is_told_and_a_fresh_binding_fits(
     given = json.dumps(to_json(material.reflection))
     done = run([str(tmp_path / "main")], text=given, check=True)
     assert done.stdout == STALE + ROOM
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_names_beside_those_of_the_binding_give_no_warning(language: str, tmp_path: Path) -> None:
+    compiler, standard, header, *_ = PROGRAMS[language]
+    text = burnish.bind(ODD, language, "wgsl", namespace="burnish")
+    (tmp_path / header).write_text(text, "utf-8")
+    (tmp_path / f"main.{language}").write_text(f'#include "{header}"\n', "utf-8")
+    warnings = ("-Wall", "-Wextra", "-Wtype-limits", "-Werror", "-Wno-unused-function")
+    command = [compiler, standard, *warnings, "-fsyntax-only", f"main.{language}"]
+    run(command, cwd=tmp_path, check=True)
 
 
 def test_fields_in_python_may_be_called_as_the_binding_calls_types() -> None:
