@@ -229,7 +229,13 @@ class _Writer:
             if row.source == "parameter" and not inputs.of_renderer(row):
                 type_ = inputs.uniform_type(row)
                 code = inputs.VALUES[type_].format(", ".join(_numbers(row, type_)))
-                yield Entry(row.name, code, inputs.TYPES[type_], _comment(row.doc, row.range))
+                comment = _comment(row.doc, row.range)
+                numbers = inputs.TYPES[type_]
+                if row.choices is not None:
+                    names = [f"{number} {each.name}" for number, each in enumerate(row.choices)]
+                    comment = f"{_comment(row.doc, None)} ({', '.join(names)})".lstrip()
+                    numbers = " | ".join(str(number) for number in range(len(names)))
+                yield Entry(row.name, code, numbers, comment)
 
     def _sampling(self) -> Iterator[Entry]:
         """How each texture is read. One without any linear filter and levels has no sampler."""

@@ -310,6 +310,40 @@ def test_what_three_moves_the_material_moves_on(
         assert np.abs(drawn(way) - before).max() <= 2, way
 
 
+CLONED = """async (module) => {
+  const made = await import(module);
+  const first = new made.PlasticMaterial({ power: 8, albedo: null });
+  const second = first.clone();
+  second.parameters.base.value.setRGB(0, 0, 1);
+  second.parameters.power.value = 64;
+  first.dispose();
+  const own = (each) => [each.parameters.power.value, each.parameters.base.value.getHex()];
+  return {
+    first: own(first), second: own(second), keepsDefault: Boolean(first.textures.albedo.value),
+    sharesTextures: first.textures.albedo.value === second.textures.albedo.value,
+    sharesNodes: first.colorNode === second.colorNode,
+    isOfType: second instanceof made.PlasticMaterial,
+  };
+}"""
+
+
+@pytest.mark.xdist_group("three")
+def test_a_clone_has_parameters_of_its_own(page: Page, site: Path, tmp_path: Path) -> None:
+    source = (
+        "material Plastic {\n    param base : rgb = #ff0000\n    param power : float = 2\n"
+        "    map albedo : texture2d = white\n"
+        "    base_color = base * albedo(uv).rgb * power\n}\n"
+    )
+    (tmp_path / "cloned.burnish").write_text(source, encoding="utf-8")
+    (compiled,) = functions(tmp_path / "cloned.burnish")
+    (site / "cloned").mkdir()
+    module = module_of(compiled, site / "cloned")
+    assert page.evaluate(CLONED, f"./cloned/{module}") == {
+        "first": [8, 0xFF0000], "second": [64, 0x0000FF], "keepsDefault": True,
+        "sharesTextures": True, "sharesNodes": False, "isOfType": True,
+    }  # fmt: skip
+
+
 def test_each_row_of_the_table_is_a_property_of_three(site: Path) -> None:
     """A misspelt property would be set in vain: JavaScript says nothing of it."""
     files = (site / "three" / f"three.{name}.js" for name in ("webgpu", "tsl"))

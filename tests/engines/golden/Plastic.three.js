@@ -130,6 +130,7 @@ export function makePlastic(values = {}) {
     if (!(name in settable)) {
       throw new Error(`Plastic has no parameter or texture ${name}`);
     }
+    if (value === undefined || value === null) continue; // It keeps its default.
     if (name in sampling) Object.assign(value, sampling[name]);
     settable[name].value = value;
   }
@@ -146,10 +147,26 @@ export function makePlastic(values = {}) {
 export class PlasticMaterial extends MeshPhysicalNodeMaterial {
   constructor(values = {}) {
     super();
-    const { parameters, textures, slots } = makePlastic(values);
+    this.#made = makePlastic(values);
+    this.#connect();
+  }
+
+  #made;
+
+  #connect() {
+    const { parameters, textures, slots } = this.#made;
     this.parameters = parameters;
     this.textures = textures;
     this.slots = slots;
     this.colorNode = slots.tint;
+  }
+
+  /** A copy, as of `clone()`, has parameters of its own; textures are shared. */
+  copy(source) {
+    super.copy(source);
+    this.#connect(); // What is copied is the other's.
+    for (const [name, { value }] of Object.entries(source.parameters)) this.parameters[name].value = value.clone?.() ?? value;
+    for (const [name, { value }] of Object.entries(source.textures)) this.textures[name].value = value;
+    return this;
   }
 }
