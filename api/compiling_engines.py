@@ -16,7 +16,7 @@ from ..compiler.documents.functions import FunctionRow, Functions, SlotRow
 from ..compiler.ir.functions import Offer
 from ..compiler.passes.pipeline import Options
 from ..engines.engine import Engine
-from ..engines.slot_table import INPUTS, offers
+from ..engines.slot_table import INPUTS, left_to, offers
 from ..support.frozen import EMPTY, changed
 from ..targets.emit.emitter import EmitOptions
 from .compiled import CompiledMaterial, CompileResult
@@ -53,10 +53,11 @@ def functions_for(
         offered = offers(engine.name, named, only, engine.taken)
     elif only:  # Functions in a target may be of any slots, for users' own nodes.
         slots = (*only, *named.values())
+    left = left_to(engine.name) if engine.by_hand else ()
     asked = AskedFunctions(
         targets=engine.targets, source=source, search_path=search_path, material=material, rig=rig,
         slots=slots, together=False, prefix=prefix, values=values, offers=offered,
-        languages=languages,
+        left=left, languages=languages,
     )  # fmt: skip
     found = functions_of(asked)
     _check_slots(found, (*named.values(), *(each.partition("@")[0] for each in only)))

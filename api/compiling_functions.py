@@ -47,6 +47,8 @@ class AskedFunctions(NamedTuple):
     values: tuple[tuple[str, str], ...]
     offers: tuple[Offer, ...] = ()
     """Slots to return as far as a material has them, instead of ``slots``."""
+    left: tuple[Offer, ...] = ()
+    """Slots to leave out of the own ones where they are as declared: the engine has these."""
     languages: tuple[tuple[Language, Profile], ...] = ()
     """Languages of engines, instead of ``targets``."""
 
@@ -74,7 +76,7 @@ def _wanted(asked: AskedFunctions) -> FunctionsAsked:
     """What the frontend has to know, with the library's words for what engines have."""
     names = scene_names()
     return FunctionsAsked(
-        asked.slots, asked.offers, asked.together, asked.rig is not None,
+        asked.slots, asked.offers, asked.left, asked.together, asked.rig is not None,
         frozenset(names["at_vertices"]), names["slots"], names["surface"], names["moving"],
     )  # fmt: skip
 

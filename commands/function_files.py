@@ -42,7 +42,7 @@ def compiled_functions(request: CompileRequest) -> Compiled:
         if engine is not None:
             from ..engines.fitting import taken
 
-            document = taken(engine, document)
+            document = taken(engine, document, material.files[0].emission)
         documents[name] = to_text(document)
         lines.append(_line(document, len(material.files), name, request, engine))
     remarks = () if request.prints else tuple(_remarks(result, engine))

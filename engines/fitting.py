@@ -12,8 +12,10 @@ from ..compiler.diagnostics.diagnostic import Report
 from ..compiler.documents.functions import Functions
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import changed
+from ..targets.emit.functions import FunctionEmission
 from .engine import Emissions, Engine
 from .slot_table import INPUTS, Input, found, is_lit
+from .surface import Surface
 
 NOTHING_TAKEN = (
     "none of its slots is a value that the engine takes; name one, as in `--slots base_color=…`"
@@ -72,8 +74,11 @@ def _is_white(document: Functions) -> bool:
     return is_lit(given) and "base_color" not in given
 
 
-def taken(engine: Engine, document: Functions) -> Functions:
+def taken(engine: Engine, document: Functions, emission: FunctionEmission) -> Functions:
     """The document without the functions that the engine's files do not have."""
+    if engine.by_hand:
+        computed = tuple(each.row for each in Surface(document, emission).computed)
+        return changed(document, functions=computed)
     given = found(document)
     others = {given[row.name].name for row in INPUTS if row.name in given} - {
         given[name].name for name in engine.taken if name in given

@@ -7,14 +7,14 @@ each function gets a wrapper. It takes and returns what nodes have, and turns it
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from ..compiler.documents.functions import ArgumentRow
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import frozen
 from ..targets.emit.functions import EmittedArgument
 from .surface import Given, Surface, UnfitError
-from .texts import usual
+from .texts import guard, heading, usual
 from .values import Place
 
 KEPT = ("tangent", "clip", "camera")
@@ -35,6 +35,8 @@ class Graph:
     """What an engine's graph has for functions, and in which coordinates."""
 
     title: str
+    product: str
+    """The engine's name in the heading of a file: ``Unreal Engine``."""
     told: str
     """A comment about the engine's coordinates, and the functions that turn them."""
     nodes: Mapping[Place, str]
@@ -65,6 +67,22 @@ class Port:
     type: str
     name: str
     told: str
+
+
+def file_text(
+    graph: Graph, surface: Surface, remark: str, node: Callable[[Surface, Given], Iterable[str]]
+) -> str:
+    """The text of a file: all functions, then what ``node`` writes for each.
+
+    Raises ``UnfitError``.
+    """
+    called = surface.computed
+    parts = [part.text.strip("\n") for part in surface.parts(called)]
+    nodes = ["\n".join(node(surface, given)) for given in called]
+    properties = filter(None, ["\n".join(property_lines(graph, surface))])
+    told = [graph.told] if any("burnish_" in each for each in nodes) else []
+    blocks = [heading(surface, graph.product, remark), *told, *parts, *nodes, *properties]
+    return guard(f"{surface.name.upper()}_OF_BURNISH", blocks)
 
 
 def nodes_of(
@@ -102,6 +120,16 @@ def result_lines(graph: Graph, surface: Surface, given: Given) -> Iterator[str]:
     for word, each in surface.inputs.items():
         if each is given and word in graph.outputs:
             yield f"// Its result goes to {graph.outputs[word]}."
+
+
+def property_lines(graph: Graph, surface: Surface) -> Iterator[str]:
+    """A comment for each property that goes where a result would, as nothing is computed of it."""
+    for word, each in surface.inputs.items():
+        if surface.is_parameter(each) and word in graph.outputs:
+            (argument,) = each.signature.arguments
+            row = surface.arguments[argument.given]
+            yield f"// {argument.name}: {_told(graph, row)}.".replace("\n", " ")
+            yield f"// It goes to {graph.outputs[word]}."
 
 
 def port_lines(graph: Graph, surface: Surface, given: Given, ports: list[Port]) -> Iterator[str]:

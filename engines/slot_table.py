@@ -190,6 +190,8 @@ USUAL: Mapping[str, Mapping[str, float | str]] = {
         "sheen_roughness": 1, "iridescence_ior": 1.3, "iridescence_thickness": 400, "thickness": 0,
         "emissive": 0,
     },
+    "unity": {"emissive": 0, "clearcoat_roughness": 0},
+    "unreal": {"emissive": 0, "clearcoat_roughness": 0.1},
 }  # fmt: skip
 """What engines have themselves where a material gives no such slot, by the names of engines.
 
@@ -243,6 +245,12 @@ def offers(
     ]
     places = {row.name: row.at_vertices for row in INPUTS}
     return (*(Offer(slot, places[word], None) for word, slot in named.items()), *offered)
+
+
+def left_to(engine: str) -> tuple[Offer, ...]:
+    """The slots that an engine's user sets himself where a material says nothing of them."""
+    every = [row.name for row in INPUTS]
+    return tuple(each for each in offers(engine, {}, (), every) if each.owner and each.changed)
 
 
 def _moving(value: str, taken: Collection[str]) -> list[str]:

@@ -81,9 +81,13 @@ class Surface:
 
     def is_parameter(self, given: Given) -> bool:
         """True if a slot is a parameter, so that its function only hands on what it gets."""
-        row = given.row
-        is_alone = row.arguments == (given.slot,) and not row.textures
-        return is_alone and self.arguments[given.slot].source == "parameter"
+        handed = given.signature.handed_on
+        return handed is not None and self.arguments[handed].source == "parameter"
+
+    @property
+    def computed(self) -> tuple[Given, ...]:
+        """All functions but those that only hand on a parameter."""
+        return tuple(each for each in self.all if not self.is_parameter(each))
 
     @property
     def all(self) -> tuple[Given, ...]:

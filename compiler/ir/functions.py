@@ -52,6 +52,8 @@ class FunctionsAsked:
     """Slots by name, perhaps followed by ``@vertex`` or ``@fragment``; empty for the own slots."""
     offers: tuple[Offer, ...] = ()
     """Slots to return as far as the material has them, instead of these."""
+    left: tuple[Offer, ...] = ()
+    """Slots to leave out of the own ones where they are as declared: the engine has these."""
     together: bool = False
     """True for one function that returns all slots, instead of a function for each slot.
 

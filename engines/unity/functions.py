@@ -10,9 +10,8 @@ from collections.abc import Iterator
 
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
-from ..node_graph import Graph, node_type, nodes_of, port_lines, result_lines
+from ..node_graph import Graph, file_text, node_type, nodes_of, port_lines, result_lines
 from ..surface import Given, Surface, UnfitError
-from ..texts import guard, heading
 
 UNPROVEN = "Never compiled by Unity's own compiler."
 STRUCTURES = {
@@ -55,6 +54,7 @@ float4x4 burnish_object_to_world(float4x4 model, float3 place) {
 BOTH = ("burnish_turned({0})", "burnish_turned({0})")
 GRAPH = Graph(
     title="Unity",
+    product="Unity",
     told=TOLD,
     nodes={
         ("surface", "uv"): "the node UV",
@@ -108,12 +108,7 @@ GRAPH = Graph(
 
 def functions(surface: Surface) -> str:
     """The text of a file. Raises ``UnfitError``."""
-    called = [each for each in surface.all if not surface.is_parameter(each)]
-    macro = f"{surface.name.upper()}_OF_BURNISH"
-    parts = [part.text.strip("\n") for part in surface.parts(called)]
-    nodes = ["\n".join(_node(surface, given)) for given in called]
-    told = [TOLD] if any("burnish_" in node for node in nodes) else []
-    return guard(macro, [heading(surface, "Unity", UNPROVEN), *told, *parts, *nodes])
+    return file_text(GRAPH, surface, UNPROVEN, _node)
 
 
 def _node(surface: Surface, given: Given) -> Iterator[str]:

@@ -9,9 +9,16 @@ from collections.abc import Iterator
 
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
-from ..node_graph import Graph, node_type, nodes_of, port_lines, result_lines, texture_name
+from ..node_graph import (
+    Graph,
+    file_text,
+    node_type,
+    nodes_of,
+    port_lines,
+    result_lines,
+    texture_name,
+)
 from ..surface import Given, Surface, UnfitError
-from ..texts import guard, heading
 
 UNPROVEN = "Never compiled by Unreal's own compiler."
 DIMENSIONS = ("2d", "2d_array", "3d", "cube")
@@ -52,6 +59,7 @@ WAYS = ("burnish_turned({0})", "burnish_turned({0})")
 _AXIS = "TransformVector of {0}, from Local Space to World Space"
 GRAPH = Graph(
     title="Unreal",
+    product="Unreal Engine",
     told=TOLD,
     nodes={
         ("surface", "uv"): "TexCoord",
@@ -111,12 +119,7 @@ GRAPH = Graph(
 
 def functions(surface: Surface) -> str:
     """The text of a file. Raises ``UnfitError``."""
-    called = [each for each in surface.all if not surface.is_parameter(each)]
-    macro = f"{surface.name.upper()}_OF_BURNISH"
-    parts = [part.text.strip("\n") for part in surface.parts(called)]
-    nodes = ["\n".join(_node(surface, given)) for given in called]
-    told = [TOLD] if any("burnish_" in node for node in nodes) else []
-    return guard(macro, [heading(surface, "Unreal Engine", UNPROVEN), *told, *parts, *nodes])
+    return file_text(GRAPH, surface, UNPROVEN, _node)
 
 
 def _node(surface: Surface, given: Given) -> Iterator[str]:

@@ -11,7 +11,8 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
-from ...compiler.ir.node import Node
+from ...compiler.ir.leaves import Argument
+from ...compiler.ir.node import Node, bare
 from ...compiler.ir.program import Function, Stage, StageName
 from ...compiler.ir.types import Type
 from ...support.frozen import frozen
@@ -69,6 +70,8 @@ class EmittedSignature:
     """The type of what it returns."""
     members: tuple[str, ...]
     """The members of the structure that it returns, in the order of its slots; else none."""
+    handed_on: str | None = None
+    """The argument, by its name in the program, that it returns as it is; ``None`` for others."""
 
 
 @frozen
@@ -276,8 +279,15 @@ class _FunctionPrinter:
                 self._named.members[self._stage.name, slot] for slot in slots_of(self._stage)
             )
         return EmittedSignature(
-            self._stage.name, part, tuple(self._arguments()), self._returned(), members
-        )
+            self._stage.name, part, tuple(self._arguments()), self._returned(), members,
+            self._handed_on(),
+        )  # fmt: skip
+
+    def _handed_on(self) -> str | None:
+        """The argument that the function returns, if it computes nothing."""
+        first, *others = self._stage.roots
+        leaf = bare(first).data
+        return leaf.name if isinstance(leaf, Argument) and not others else None
 
     def _arguments(self) -> Iterator[EmittedArgument]:
         names = self._named.names

@@ -135,12 +135,7 @@ def _rgb(given: Given) -> str:
 
 def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Probe:
     shown, written = SHOWN[name]
-    hidden = "    discard when material.is_hidden\n" if "is_hidden" in surface.inputs else ""
-    pass_ = (
-        f"\npass Probe {{\n    target value : rgba16f = vec4({written.format(slot=slot)}, 1)\n"
-        f"{hidden}}}\n"
-    )
-    source = file.read_text("utf-8") + pass_
+    source = file.read_text("utf-8") + _pass(surface, written.format(slot=slot))
     (material,) = burnish.compile(
         source,
         [ROUTE.profile],
@@ -154,6 +149,16 @@ def _probe(file: Path, surface: Surface, text: str, name: str, slot: str) -> Pro
     label = f"{file.stem}.{surface.name}.{name}"
     picture = _picture(label, surface, _probing(text, shown), mesh, state)
     return Probe(label, picture, material, state)
+
+
+def _pass(surface: Surface, shown: str) -> str:
+    """The pass that draws a value; it leaves out what the material's own pass leaves out."""
+    drawn = surface.document.own_pass
+    base = "Forward" if drawn is None else drawn.name
+    return (
+        f"\npass Probe : {base} {{\n    target color : rgba16f = vec4({shown}, 1)\n"
+        "    raster { cull = none, samples = 1, alpha_to_coverage = false }\n}\n"
+    )
 
 
 CUSTOM = re.compile(r"// The mesh has `(.*)` in")

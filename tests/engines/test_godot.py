@@ -18,9 +18,9 @@ pytestmark = pytest.mark.xdist_group("godot")
 
 DRAWN = {
     "plastic": "Plastic", "metal_rough": "Gold", "water": "Water", "texture_array": "Terrain",
-    "gltf_material": "Painted", "cube_map": "Shade",
+    "gltf_material": "Painted", "cube_map": "Shade", "foliage": "Leaf",
 }  # fmt: skip
-"""Examples with textures, layers and cubes; with colours and tangents of the mesh; that move."""
+"""Examples with textures, layers and cubes; with colours and tangents; that move; with holes."""
 
 
 @pytest.mark.parametrize(("name", "material"), [

@@ -5,6 +5,8 @@ Unity's structures of a texture and its sampler are stubs here.
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 
 import pytest
@@ -13,6 +15,7 @@ from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.engines import known
 from burnish.targets.toolchain import Job, Toolchain
 
+from ..cli.kit import invoke
 from ..golden import assert_golden
 from ..suite.verdicts import refused
 from .files import EXAMPLES, files_of
@@ -103,3 +106,38 @@ def test_instances_are_the_engines(engine: str) -> None:
 def test_unreal_has_no_matrices() -> None:
     with pytest.raises(CompileError, match="nodes of Unreal take no matrices"):
         files_of("unreal", EXAMPLES / "decal.burnish", "Wall")
+
+
+GIVEN = """\
+import std.models.{GltfSurface}
+material Lava : GltfSurface {
+    param crust : rgb = #402010
+    base_color = crust
+    gloss = 0.3 * uv.x
+    metallic = 0
+}
+"""
+TOLD_OF_PROPERTIES = """\
+// crust: a property of the type rgb, usually (0.05127, 0.01444, 0.005182).
+// It goes to Base Color."""
+
+
+@pytest.mark.parametrize("engine", TOLD)
+def test_no_node_hands_on_a_property_or_a_constant_of_the_library(engine: str) -> None:
+    (text,) = files_of(engine, GIVEN, "Lava").values()
+    assert TOLD_OF_PROPERTIES in text
+    assert set(re.findall(r"(?<=lava_)\w+(?=\()", text)) == {
+        "metallic", "roughness", "occlusion", "gloss",
+    }, text  # fmt: skip
+
+
+@pytest.mark.parametrize("engine", TOLD)
+def test_the_command_tells_what_is_in_the_file(engine: str, tmp_path: Path) -> None:
+    source = tmp_path / "lava.burnish"
+    source.write_text(GIVEN, encoding="utf-8")
+    result = invoke("compile", source, "--engine", engine, "-o", tmp_path)
+    assert "Lava: 4 functions (metallic, roughness, occlusion, gloss) in files" in result.stdout
+    document = json.loads((tmp_path / f"Lava.{engine}.functions.json").read_text("utf-8"))
+    assert [row["name"] for row in document["functions"]] == [
+        "metallic", "roughness", "occlusion", "gloss",
+    ]  # fmt: skip

@@ -21,40 +21,24 @@ from burnish.compiler.documents.functions import ArgumentRow, FunctionRow, Funct
 from burnish.compiler.documents.reflection import Reflection
 from burnish.compiler.ir.shader import Shader
 
-PROFILE = "wgsl:webgpu"
+from .called_languages import LANES, WGSL, Between, CallingLanguage
+
 PASS = "Called"
 HIDDEN = "is_hidden"
 """The role of the slot that is what the material's own pass discards, which a probe is not."""
 TARGETS = 8
 """The targets that a pass may have."""
 
-SHOWN: Mapping[str, tuple[str, str]] = {
-    "float": ("vec4(vec3({0}), 1)", "vec4f(vec3f({0}), 1.0)"),
-    "int": ("vec4(vec3(float({0})), 1)", "vec4f(vec3f(f32({0})), 1.0)"),
-    "uint": ("vec4(vec3(float({0})), 1)", "vec4f(vec3f(f32({0})), 1.0)"),
-    "bool": ("vec4(vec3(if {0} then 1.0 else 0.0), 1)", "vec4f(vec3f(select(0.0, 1.0, {0})), 1.0)"),
-    "vec2": ("vec4(vec2({0}), 0, 1)", "vec4f({0}, 0.0, 1.0)"),
-    "vec3": ("vec4(vec3({0}), 1)", "vec4f({0}, 1.0)"),
-    "vec4": ("vec4({0})", "{0}"),
+SHOWN: Mapping[str, str] = {
+    "float": "vec4(vec3({0}), 1)",
+    "int": "vec4(vec3(float({0})), 1)",
+    "uint": "vec4(vec3(float({0})), 1)",
+    "bool": "vec4(vec3(if {0} then 1.0 else 0.0), 1)",
+    "vec2": "vec4(vec2({0}), 0, 1)",
+    "vec3": "vec4(vec3({0}), 1)",
+    "vec4": "vec4({0})",
 }
-"""A target of a slot in Burnish and in WGSL, by the type on the machine."""
-
-WORDS: Mapping[str, str] = {
-    "float": "f32", "int": "i32", "uint": "u32",
-    **{f"{kind}vec{lanes}": f"vec{lanes}{ending}" for lanes in (2, 3, 4)
-       for kind, ending in (("", "f"), ("i", "i"), ("u", "u"))},
-}  # fmt: skip
-"""Types that vertices can hand to pixels."""
-BUILTINS = {"frag_coord": ("position", "vec4f"), "front_facing": ("front_facing", "bool")}
-NORMAL = """\
-fn matrix_of_normals(m: mat4x4f) -> mat3x3f {
-    let columns = mat3x3f(m[0].xyz, m[1].xyz, m[2].xyz);
-    let ways = mat3x3f(
-        cross(columns[1], columns[2]), cross(columns[2], columns[0]), cross(columns[0], columns[1])
-    );
-    return ways * (1.0 / determinant(columns));
-}"""
-"""The inverse transpose of an object's matrix, by which engines turn normals."""
+"""A target of a slot in Burnish, by the type on the machine."""
 
 
 class UncallableError(Exception):
@@ -68,8 +52,8 @@ class Text:
     name: str
     text: str
     entry_points: Mapping[Any, str]
-    target: str = "wgsl"
-    profile: str = "webgpu"
+    target: str
+    profile: str
     spans: Mapping[int, Any] = field(default_factory=dict)
 
 
@@ -79,6 +63,7 @@ class Called:
 
     whole: CompiledMaterial
     files: Sequence[Any]
+    language: CallingLanguage
 
     @property
     def name(self) -> str:
@@ -98,18 +83,24 @@ class Called:
 
     def emitted(self, profile: str) -> Shader:
         """What the texts compute: the same in another order, within the bounds of the source."""
-        assert profile == PROFILE
+        assert profile == self.language.profile
         return self.whole.shader
 
 
 def subjects(
-    source: str, material: str, folder: Path, slots: Sequence[str] = ()
+    source: str,
+    material: str,
+    folder: Path,
+    slots: Sequence[str] = (),
+    language: CallingLanguage = WGSL,
 ) -> Iterator[tuple[str, Called]]:
     """The subjects for some slots of a material, or for its usual ones.
 
     Functions are left out that take what there is not here. Raises ``CompileError``.
     """
-    found = burnish.functions(source, PROFILE, material=material, slots=slots, search_path=[folder])
+    found = burnish.functions(
+        source, language.profile, material=material, slots=slots, search_path=[folder]
+    )
     for made in found:
         varying = {row.given for row in made.document.arguments if row.source == "varying"}
         rows = [
@@ -120,49 +111,58 @@ def subjects(
         ]  # fmt: skip
         for start in range(0, len(rows), TARGETS):
             part = rows[start : start + TARGETS]
-            called = _called(source, folder, made, part)
+            called = _called(source, folder, made, part, language)
             if called is not None:
                 yield f"{material}.{start}", called
 
 
 def _called(
-    source: str, folder: Path, made: CompiledFunctions, rows: Sequence[FunctionRow]
+    source: str,
+    folder: Path,
+    made: CompiledFunctions,
+    rows: Sequence[FunctionRow],
+    language: CallingLanguage,
 ) -> Called | None:
     """The subject for some slots; ``None`` if none of their functions can be called here."""
     targets = "".join(
         f"    target shown_{row.name} : rgba32f = "
-        f"{SHOWN[row.slots[0].representation][0].format(f'material.{row.name}')}\n"
+        f"{SHOWN[row.slots[0].representation].format(f'material.{row.name}')}\n"
         for row in rows
     )
     (whole,) = burnish.compile(
-        f"{source}\npass {PASS} {{\n{targets}}}\n", [PROFILE], material=made.name, pass_=PASS,
-        hoist=False, search_path=[folder],
+        f"{source}\npass {PASS} {{\n{targets}}}\n", [language.profile], material=made.name,
+        pass_=PASS, hoist=False, search_path=[folder],
     ).materials  # fmt: skip
-    writer = _Writer(whole, made)
+    writer = _Writer(whole, made, language)
     callable_ = [row for row in rows if writer.can_call(row)]
     if not callable_:
         return None
     if len(callable_) < len(rows):
-        return _called(source, folder, made, callable_)
+        return _called(source, folder, made, callable_, language)
     texts = {"fragment": writer.fragment(rows), "vertex": writer.vertex()}
-    files = [Text(file.name, texts[file.stage], file.entry_points) for file in whole.files]
-    return Called(whole, files)
+    files = [
+        Text(file.name, texts[file.stage], file.entry_points, file.target, file.profile)
+        for file in whole.files
+    ]
+    return Called(whole, files, language)
 
 
 class _Writer:
     """Writes the stages of one probe; what pixels need is known when vertices are written."""
 
-    def __init__(self, whole: CompiledMaterial, made: CompiledFunctions) -> None:
-        self._backend: BackendRow = whole.reflection.backends[PROFILE]
+    def __init__(
+        self, whole: CompiledMaterial, made: CompiledFunctions, language: CallingLanguage
+    ) -> None:
+        self._language = language
+        self._backend: BackendRow = whole.reflection.backends[language.profile]
         self._blocks = {row.name: row.block for row in whole.reflection.parameters}
         self._made = made
-        texts = [whole.text("wgsl", "vertex"), whole.text("wgsl", "fragment")]
-        self._head, self._inputs = _interface(texts)
-        self._row = made.document.backends[PROFILE]
+        texts = {file.stage: file.text for file in whole.files}
+        self._interface = language.interface(texts["vertex"], texts["fragment"])
+        self._row = made.document.backends[language.profile]
         self._arguments = {row.name: row for row in made.document.arguments}
         self._functions = {row.name: row for row in made.document.functions}
-        self._between: dict[str, tuple[str, str, str]] = {}
-        """The type, the way of interpolation and the value, by the name between the stages."""
+        self._between: dict[str, Between] = {}
 
     def can_call(self, row: FunctionRow) -> bool:
         """True if there is all that a function takes, and what places the vertices."""
@@ -176,53 +176,39 @@ class _Writer:
         return True
 
     def fragment(self, rows: Sequence[FunctionRow]) -> str:
-        outputs, statements = [], []
-        for place, row in enumerate(rows):
-            shown = SHOWN[row.slots[0].representation][1].format(self._call(row))
-            outputs.append(f"    @location({place}) shown_{row.name}: vec4f,")
-            statements.append(f"    output.shown_{row.name} = {shown};")
-        head = [
-            "    @builtin(position) frag_coord: vec4f,",
-            "    @builtin(front_facing) front_facing: bool,",
+        shown = [
+            (f"shown_{row.name}", self._language.shown[row.slots[0].representation].format(value))
+            for row, value in [(row, self._call(row)) for row in rows]
         ]
-        members = [*head, *self._members()]
-        return self._whole(
-            ["struct FragmentInput {", *members, "}", "struct FragmentOutput {", *outputs, "}"],
-            ["@fragment", "fn main(input: FragmentInput) -> FragmentOutput {",
-             "    var output: FragmentOutput;", *statements, "    return output;", "}"],
-        )  # fmt: skip
+        return self._whole("fragment", self._language.fragment(self._between.values(), shown))
 
     def vertex(self) -> str:
         names = {
             row.slots[0].role: row for row in self._functions.values() if row.stage == "vertex"
         }
-        matrix = self._parameter("object_to_world")
         if "position" in names:
             place = self._call(names["position"])
         elif "object_position" in names:
-            place = f"({matrix} * vec4f({self._call(names['object_position'])}, 1.0)).xyz"
+            place = self._transformed(self._call(names["object_position"]), 1)
         else:
-            place = f"({matrix} * vec4f({self._input('vertex_position')}, 1.0)).xyz"
-        clip = f"{self._parameter('view_projection')} * vec4f(place, 1.0)"
+            place = self._transformed(self._input("vertex_position"), 1)
+        clip = f"{self._parameter('view_projection')} * {self._language.vec4}(place, 1.0)"
         if "clip_position" in names:
             clip = self._call(names["clip_position"])
-        values = [f"    output.{name} = {value};" for name, (_, _, value) in self._between.items()]
-        return self._whole(
-            [NORMAL, self._inputs, "struct VertexOutput {", *self._members(),
-             "    @builtin(position) clip_position: vec4f,", "}"],
-            ["@vertex", "fn main(input: VertexInput) -> VertexOutput {",
-             "    var output: VertexOutput;", f"    let place = {place};", *values,
-             f"    output.clip_position = {clip};", "    return output;", "}"],
-        )  # fmt: skip
+        between = list(self._between.values())
+        whole = self._language.vertex(self._interface.inputs, between, place, clip)
+        return self._whole("vertex", whole)
 
-    def _whole(self, structures: Iterable[str], entry: Iterable[str]) -> str:
-        functions = self._made.file(PROFILE).text
-        return "\n".join([*self._head, functions, *structures, *entry, ""])
-
-    def _members(self) -> Iterator[str]:
-        for place, (name, (type_, way, _)) in enumerate(self._between.items()):
-            flat = "@interpolate(flat) " if way == "flat" else ""
-            yield f"    @location({place}) {flat}{name}: {type_},"
+    def _whole(self, stage: str, entry: Iterable[str]) -> str:
+        """The text of a stage: without the functions for others, which may have derivatives."""
+        emission = self._made.file(self._language.profile).emission
+        own = [
+            each.part for each in emission.functions if self._functions[each.name].stage == stage
+        ]
+        needed = {name for part in own for name in part.needs}
+        every = (*emission.helpers, *(each.part for each in emission.functions))
+        texts = [each.text for each in every if each.name in needed or each in own]
+        return "\n".join([*self._interface.head, *texts, *entry, ""])
 
     # --- values ----------------------------------------------------------------------------------
 
@@ -250,17 +236,18 @@ class _Writer:
         if row.source == "pipeline":
             if stage == "vertex":
                 return self._input(row.given)
-            if row.given not in BUILTINS:
+            if row.given not in self._language.builtins:
                 raise UncallableError(f"pixels have no {row.given}")
-            return f"input.{row.given}"
+            return self._language.builtins[row.given]
         if stage == "vertex":
             return self._input(row.given)
-        if row.representation not in WORDS:
+        if row.representation not in LANES:
             raise UncallableError(f"a {row.representation} is not interpolated")
         name = f"given_{row.name}"
-        way = "flat" if row.interpolation == "flat" or row.representation[0] in "iu" else ""
-        self._between[name] = (WORDS[row.representation], way, self._at_vertices(row))
-        return f"input.{name}"
+        is_flat = row.interpolation == "flat" or row.representation[0] in "iu"
+        value = self._at_vertices(row)
+        self._between[name] = Between(name, row.representation, is_flat, value)
+        return self._language.input.format(name)
 
     def _at_vertices(self, row: ArgumentRow) -> str:
         """What a vertex hands to pixels, as an engine has it."""
@@ -275,18 +262,23 @@ class _Writer:
             return self._input("vertex_uv")
         if word == "position":
             return "place"
-        matrix = self._parameter("object_to_world")
         if word == "normal":
+            matrix = self._parameter("object_to_world")
             return f"matrix_of_normals({matrix}) * {self._input('vertex_normal')}"
         assert word == "tangent"
-        return f"({matrix} * vec4f({self._input('vertex_tangent')}.xyz, 0.0)).xyz"
+        return self._transformed(f"{self._input('vertex_tangent')}.xyz", 0)
+
+    def _transformed(self, value: str, w: int) -> str:
+        """A place (``w`` is 1) or a vector of the object in the world."""
+        matrix = self._parameter("object_to_world")
+        return f"({matrix} * {self._language.vec4}({value}, {w}.0)).xyz"
 
     def _input(self, name: str) -> str:
         row = self._backend.vertex_inputs.get(name)
         identifier = name if row is None else row.identifier
-        if f" {identifier}: " not in self._inputs:
+        if self._language.member.format(identifier) not in self._interface.inputs:
             raise UncallableError(f"the probe has no input {name}")
-        return f"input.{identifier}"
+        return self._language.input.format(identifier)
 
     def _parameter(self, given: str) -> str:
         name, *path = given.split(".")
@@ -294,41 +286,22 @@ class _Writer:
         if block is None:
             raise UncallableError(f"the probe does not read {name}")
         row = self._backend.blocks[block]
-        found = re.search(rf"var<uniform> (\w+): {row.identifier};", "\n".join(self._head))
-        if found is None:
+        before = self._language.block(self._interface, row.identifier)
+        if before is None:
             raise UncallableError(f"the probe has no block {block}")
         # Words of the language have `_` behind them, as names of members.
         steps = (step if self._has_member(step) else f"{step}_" for step in path)
-        return ".".join((found[1], row.members[name], *steps))
+        return before + ".".join((row.members[name], *steps))
 
     def _has_member(self, name: str) -> bool:
-        return f"    {name}: " in "\n".join(self._head)
-
-
-def _interface(texts: Iterable[str]) -> tuple[list[str], str]:
-    """What both stages declare of blocks and textures, and the structure of vertex inputs."""
-    head: dict[str, str] = {}
-    inputs = ""
-    for paragraph in "\n\n".join(texts).split("\n\n"):
-        part = paragraph.strip("\n")
-        if part.startswith("struct VertexInput"):
-            inputs = part
-        elif part.startswith("struct ") and "@location" not in part and "@builtin" not in part:
-            head.setdefault(part.split()[1], part)
-        elif part.startswith("@group"):
-            head |= {line: line for line in part.split("\n")}
-    return list(head.values()), inputs
+        return self._language.member.format(name) in "\n".join(self._interface.head)
 
 
 def broken(subject: Called) -> Called:
     """A subject whose first target is wrong by a thousandth, to see that this is found."""
+    wrong = rf"\1{subject.language.vec4}(1.001) * \2 + 0.001;"
     files = [
-        replace(
-            file,
-            text=re.sub(
-                r"(output\.shown_\w+ = )(.*);", r"\1vec4f(1.001) * \2 + 0.001;", file.text, count=1
-            ),
-        )
+        replace(file, text=re.sub(r"(\bshown_\w+ = )(.*);", wrong, file.text, count=1))
         for file in subject.files
     ]
     return replace(subject, files=files)

@@ -141,10 +141,10 @@ FLOORS: dict[str, str] = {
         "writer"
     ),
     "engines.node_graph": "frozen documents reflection emit surface texts values",
-    "engines.unity": "emit engine node_graph surface texts slot_table",
-    "engines.unreal": "emit engine node_graph surface texts slot_table",
+    "engines.unity": "emit engine node_graph surface slot_table",
+    "engines.unreal": "emit engine node_graph surface slot_table",
     "engines.known": "engine",
-    "engines.fitting": "frozen diagnostics documents reflection engine slot_table",
+    "engines.fitting": "frozen diagnostics documents reflection emit engine surface slot_table",
     "engines.three": "frozen diagnostics documents emit engine drawing slot_table",
     "engines.three_webgl": (
         "frozen diagnostics documents ir tracing bindings description registry engine three"

@@ -23,7 +23,7 @@ from ...ir.functions import (
     SurfaceInfo,
 )
 from ...ir.leaves import Buffer, Leaf, Parameter, Texture
-from ...ir.node import Node, bare, reachable
+from ...ir.node import Node, reachable
 from ...ir.operations import CROSS
 from ...ir.render_state import Cull
 from ...ir.shader import Result, Shader, TextureInfo
@@ -48,6 +48,7 @@ from .intents import with_intents
 from .wanted_slots import (
     HIDDEN,
     WantedSlot,
+    constant_lanes,
     library_slot,
     moved_words,
     slots_of,
@@ -174,11 +175,9 @@ def _beside(values: Sequence[_Value], record: Record, asked: FunctionsAsked) -> 
 def _is_as_declared(setting: Setting, name: str, tree: Node) -> bool:
     """True if a slot is a constant, and the one of its declaration: the engine has it itself."""
     declared = setting.surface.record.declaration(name)
-    span, written = declared.member.name.span, bare(tree)
-    usual = slot(setting.ctx, setting.surface, name, span, declared.level)
-    if written.op != "constant" or not isinstance(usual, Node):
-        return False
-    return bare(usual).op == "constant" and bare(usual).data == written.data
+    written = constant_lanes(tree)
+    usual = slot(setting.ctx, setting.surface, name, declared.member.name.span, declared.level)
+    return written is not None and isinstance(usual, Node) and constant_lanes(usual) == written
 
 
 def _is_returned(type_: Type) -> bool:

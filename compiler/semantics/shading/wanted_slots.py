@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
 
-from ....support.frozen import frozen
+from ....support.frozen import changed, frozen
 from ...diagnostics import rules
 from ...diagnostics.nearest import suggestion
 from ...ir.functions import FunctionsAsked, Offer, OwnPass
 from ...ir.node import Node, bare
 from ...ir.stages import FRAGMENT, RASTERISED, STAGES, VERTEX, StageRow
+from ...ir.types import Vector
 from ...syntax import ast
 from ..checking.slots import slot
 from ..declarations.parameters import library_name
@@ -53,7 +54,8 @@ def wanted_slots(
     elif not asked.slots:
         for name in dict.fromkeys(_usual(setting, asked)):
             stage = _usual_stage(record, name, asked)
-            yield WantedSlot(name, stage, _is_needed(record, name, asked))
+            wanted = WantedSlot(name, stage, _is_needed(record, name, asked))
+            yield _unless_left(setting, asked, wanted)
     for text in dict.fromkeys(asked.slots):
         name, _, place = (part.strip() for part in text.partition("@"))
         if place and STAGES.get(place) not in RASTERISED:
@@ -72,11 +74,33 @@ def _usual(setting: Setting, asked: FunctionsAsked) -> Iterator[str]:
     moved = moved_words(record, asked, only_parts=True)
     for name in slots_of(record):
         owner, word = record.definitions[name][0].owner, word_of(record, name, asked)
-        is_model = bool(word) and owner is not record.root
+        is_model = bool(word) and owner is not record.root and _is_given(setting, asked, name)
         is_moved = bool(word) and asked.of_surface.get(library_slot(record, name)) in moved
         is_hidden = word == HIDDEN and _hides(setting)
         if is_model or is_moved or is_hidden or not owner.module.is_standard:
             yield name
+
+
+def _is_given(setting: Setting, asked: FunctionsAsked, name: str) -> bool:
+    """False for a slot of a model of which nothing is said, if the engine has its value itself."""
+    left = _left(setting, asked, name)
+    return left is None or _differs(setting, left) or _is_said(setting, asked, left)
+
+
+def _unless_left(setting: Setting, asked: FunctionsAsked, wanted: WantedSlot) -> WantedSlot:
+    """A usual slot, which is left out if it is a constant that the engine has itself."""
+    left = _left(setting, asked, wanted.name)
+    if left is None:
+        return wanted
+    differs = _differs(setting, left)
+    return changed(wanted, is_changed=not differs, beside=left.beside if differs else ())
+
+
+def _left(setting: Setting, asked: FunctionsAsked, name: str) -> Offer | None:
+    """What is known of a slot that may be left to the engine."""
+    record = setting.surface.record
+    found = (each for each in asked.left if each.name == name and _is_meant(record, each))
+    return next(found, None)
 
 
 def _offered(setting: Setting, own: OwnPass | None, asked: FunctionsAsked) -> Iterator[WantedSlot]:
@@ -106,17 +130,28 @@ def _differs(setting: Setting, offer: Offer) -> bool:
     declared = setting.surface.record.declaration(offer.name)
     span = declared.member.name.span
     usual = slot(setting.ctx, setting.surface, offer.name, span, declared.level)
-    if not isinstance(usual, Node) or bare(usual).op != "constant":
-        return True
-    lanes = _lanes(bare(usual).data)
-    return any(abs(lane - offer.usual) > _SAME for lane in lanes)
+    lanes = constant_lanes(usual) if isinstance(usual, Node) else None
+    return lanes is None or any(abs(lane - offer.usual) > _SAME for lane in lanes)
 
 
-def _lanes(value: object) -> Iterator[float]:
-    """All numbers of a constant."""
+def constant_lanes(tree: Node) -> tuple[float, ...] | None:
+    """The numbers of a constant, or of a vector of constants; ``None`` for all other values."""
+    node = bare(tree)
+    if node.op == "constant":
+        return tuple(_numbers(node.data))
+    if node.op not in ("vector", "splat"):
+        return None
+    found = tuple(map(constant_lanes, node.operands))
+    if None in found:
+        return None
+    lanes = tuple(lane for each in found for lane in each or ())
+    return lanes * node.type.size if node.op == "splat" and isinstance(node.type, Vector) else lanes
+
+
+def _numbers(value: object) -> Iterator[float]:
     if isinstance(value, tuple):
         for each in value:
-            yield from _lanes(each)
+            yield from _numbers(each)
     else:
         assert isinstance(value, int | float)
         yield value
