@@ -79,7 +79,8 @@ class UniformPrinter(TypeScriptPrinter):
 def _member(field: Field, name: str) -> Field | None:
     """The member of a structure by its name in the language; the text may have another one."""
     assert isinstance(field.type, Structure)
-    return next((each for each in field.type.fields if each.name == name), None)
+    names = {each.name.rpartition(".")[2]: each for each in field.type.fields}
+    return names.get(name)
 
 
 def _lane(part: tuple[int, ...], rows: int) -> int:

@@ -20,7 +20,16 @@ from .kit import module_of, page_of, site_in
 from .typed import complaints
 
 GOLDEN = Path(__file__).parent / "golden"
-DRAWN = ("plastic", "skinned", "texture_array", "instances", "indexed", "volume", "transforms")
+DRAWN = (
+    "plastic",
+    "skinned",
+    "texture_array",
+    "instances",
+    "indexed",
+    "volume",
+    "transforms",
+    "own_light",
+)
 """Lights and derived values, bones and tangents, layers, values of instances, whole numbers in
 textures, volumes, and values that only derived ones need.
 
