@@ -12,7 +12,8 @@ import burnish
 from burnish.compiler.diagnostics.diagnostic import CompileError
 from burnish.compiler.diagnostics.render import render_all
 from burnish.engines import known
-from tests.cli.kit import invoke
+
+from ..cli.kit import invoke
 
 PLASTIC = """\
 import std.lights.{Directional}
