@@ -171,7 +171,7 @@ mat3 matrix_of_normals(mat4 m) {
                 head.setdefault(first, part)
             elif " uniform " in first:
                 head |= {line: line for line in part.split("\n")}
-        inputs = re.findall(r"^layout\(location = \d+\) in .*;$", vertex, re.M)
+        inputs = re.findall(r"^layout\(location = \d+\) in [^;]*;", vertex, re.M)
         return Interface(list(head.values()), "\n".join(inputs))
 
     def block(self, interface: Interface, identifier: str) -> str | None:
