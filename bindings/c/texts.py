@@ -14,6 +14,8 @@ from ..fields import Enumeration, Field, Numbers, Pad, Structure
 from ..model import Binding
 from ..naming import words
 from ..spelling import Spelling
+from ..writing import blocks_of, drawing, table_of
+from .frames import CFrame
 
 _STORED = {"float": "float", "int": "int32_t", "uint": "uint32_t"}
 _LONGEST = 4000
@@ -43,6 +45,12 @@ def texts(binding: Binding, spelling: Spelling) -> Mapping[str, Any]:
         "rows": rows,
         "list_of": lambda rows, name: f"{name}, {len(rows)}" if rows else "NULL, 0",
         "prefix": spelling.prefix,
+        "string": string,
+        "roles": parts.roles,
+        "blocks_of": blocks_of,
+        "drawing": drawing,
+        "table_of": table_of,
+        "CFrame": CFrame,
     }  # fmt: skip
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..describing import choices_text, range_text
 from ..fields import Field, Numbers, Structure
+from ..model import Material
 from ..printer import single
 from ..spelling import Spelling
 
@@ -33,6 +34,15 @@ class Lines:
     def natural(self, place: str) -> str:
         """A member of an enumeration as a number without a sign."""
         raise NotImplementedError
+
+    def roles(self, material: Material) -> list[tuple[str, str]]:
+        """The fields that have a role, each as its role and its place among the blocks."""
+        member = self._spelling.member
+        return [
+            (str(field.role), f"{member(block.plain_name)}.{member(field.word)}")
+            for block in material.blocks
+            for field in block.roles
+        ]
 
     def returned(self, condition: str, message: str) -> str:
         """The statement that tells a sentence if a condition does not hold."""

@@ -11,7 +11,7 @@ from ..c_family.tables import Tables, chunks, enumerated, identifier, identity, 
 from ..c_family.words import WORDS, Words
 from ..describing import about_block, about_field, in_one_line, sources
 from ..fields import Enumeration, Field, Numbers, Structure
-from ..model import Binding, Material
+from ..model import Binding
 from ..spelling import Spelling
 from ..writing import blocks_of, drawing, table_of
 from .frames import CppFrames
@@ -73,15 +73,6 @@ class _Parts(Lines):
         if field.enumeration is not None:
             return self._spelling.enumeration(field.enumeration.name)
         return self.type(field.type)
-
-    def roles(self, material: Material) -> list[tuple[str, str]]:
-        """The fields that have a role, each as its role and its place among the blocks."""
-        member = self._spelling.member
-        return [
-            (str(field.role), f"{member(block.plain_name)}.{member(field.word)}")
-            for block in material.blocks
-            for field in block.roles
-        ]
 
     def choices(self, enumeration: Enumeration) -> list[str]:
         """The lines that declare an enumeration of the language."""

@@ -164,7 +164,7 @@ def turns(spelling: Spelling, reads: Callable[..., Iterator[str]]) -> Iterator[s
     for drawing in drawings():
         frame = drawing.frame
         yield f"{{ {spelling.type(frame.parameters.name)} parameters;"
-        for field in _fields(drawing):
+        for field in fields(drawing):
             yield from reads(field, f"parameters.{spelling.member(field.word)}", spelling)
         models = ", ".join(
             f"{{{json.dumps(each['material'])}, {{{', '.join(map(json.dumps, each['tags']))}}}}}"
@@ -175,7 +175,7 @@ def turns(spelling: Spelling, reads: Callable[..., Iterator[str]]) -> Iterator[s
         yield f"{spelling.function(drawing_of(frame))}(recorder, parameters); }}"
 
 
-def _fields(drawing: Drawing) -> list[Any]:
+def fields(drawing: Drawing) -> list[Any]:
     fields = drawing.frame.parameters.structure.fields
     return [each for each in fields if each.word in drawing.values]
 
@@ -183,7 +183,7 @@ def _fields(drawing: Drawing) -> list[Any]:
 def numbers() -> Iterator[str]:
     """The numbers that these statements read."""
     for drawing in drawings():
-        yield from lanes(tuple(drawing.values[each.word] for each in _fields(drawing)))
+        yield from lanes(tuple(drawing.values[each.word] for each in fields(drawing)))
 
 
 def calls(lines: Sequence[str]) -> list[list[Any]]:

@@ -20,7 +20,9 @@ from burnish.bindings.spelling import Spelling
 from burnish.bindings.writing import deriving, spelling_of, written
 
 from ..suite.processes import run
+from . import c_frames, cpp_frames
 from .calls import ROUNDS, every_builtin
+from .frame_calls import drawings, wrong
 from .given import numbers
 from .judging import assert_builtins, assert_bytes, assert_defaults
 from .kit import ELSEWHERE, PLASTIC, UNFIT, defaults, everything, reflections, samples
@@ -120,19 +122,26 @@ def _program() -> str:
     turns += [
         f"{{ {call} {_told('builtins_Results', 'builtins_derive_results(&read)')} }}"
     ] * ROUNDS
-    return _HEAD + "".join(readers) + "int main(void) {\n" + "\n".join(turns) + "\n}\n"
+    turns += c_frames.turns(spelling, _reads)
+    parts = (_HEAD, *readers, c_frames.recorder(spelling), "int main(void) {\n")
+    return "".join(parts) + "\n".join(turns) + "\n}\n"
 
 
 @pytest.fixture(scope="module", params=["gcc", "clang"])
-def told(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
-    """The bytes of all blocks, as the program tells them."""
+def lines(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """What the program tells: the bytes of all blocks, then the calls of all frames."""
     folder = tmp_path_factory.mktemp("c")
     language = registry.load("c")
     (folder / "examples.h").write_text(written(everything(), language), "utf-8")
     (folder / "builtins.h").write_text(written(every_builtin()[0], language), "utf-8")
     (folder / "main.c").write_text(_program(), "utf-8")
-    lines = _compiled(request.param, folder, numbers())
-    return [bytes.fromhex(line) for line in lines]
+    return _compiled(request.param, folder, "\n".join([numbers(), *cpp_frames.numbers()]))
+
+
+@pytest.fixture(scope="module")
+def told(lines: list[str]) -> list[bytes]:
+    """The bytes of all blocks."""
+    return [bytes.fromhex(line) for line in lines[: lines.index(cpp_frames.MARK)]]
 
 
 def _compiled(compiler: str, folder: Path, text: str) -> list[str]:
@@ -154,6 +163,12 @@ def test_builtins_mean_what_they_do_in_the_reference(told: list[bytes]) -> None:
     assert_builtins(told)
 
 
+def test_frames_are_drawn_as_burnish_draws_them(lines: list[str]) -> None:
+    drawn = cpp_frames.calls(lines[lines.index(cpp_frames.MARK) :])
+    pairs = zip(drawings(), drawn, strict=True)
+    assert not [reason for each in pairs if (reason := wrong(*each))]
+
+
 _PLASTIC = """\
 #include "plastic.h"
 #include <stdio.h>
@@ -170,6 +185,15 @@ int main(void) {
     printf(" %d\\n", rig.lamps_count);
     printf("%d", plastic_set_studio_rig_lamps(&rig, lamps, 2));
     printf(" %d\\n", rig.lamps_count);
+    plastic_PlasticBlocks blocks = plastic_default_plastic_blocks();
+    const float eye[3] = {1.0f, 2.0f, 3.0f};
+    printf("%d", plastic_plastic.set_role(&blocks, "eye", eye, sizeof eye));
+    printf("%d", plastic_plastic.set_role(&blocks, "eye", eye, sizeof eye[0]));
+    printf("%d", plastic_plastic.set_role(&blocks, "place", eye, sizeof eye));
+    plastic_plastic.derive_blocks(&blocks);
+    const void* found = plastic_plastic.find_block(&blocks, "Studio.DerivedFromRig");
+    printf(" %g %d", (double)blocks.view.eye[1], found == &blocks.derived_from_rig);
+    printf("%d\\n", plastic_plastic.find_block(&blocks, "Fog") == NULL);
     const burnish_Text* vertex = &plastic_plastic.profiles[0].texts[0];
     for (int i = 0; i < vertex->part_count; ++i) fputs(vertex->parts[i], stdout);
     return 0;
@@ -183,7 +207,7 @@ def test_stale_bindings_faults_counts_and_embedded_texts(tmp_path: Path) -> None
     (tmp_path / "main.c").write_text(_PLASTIC, "utf-8")
     given = "\n".join(map(json.dumps, reflections()))
     lines = _compiled("gcc", tmp_path, given)
-    assert lines[:12] == [
+    assert lines[:13] == [
         "fits",
         "the binding is stale: a block has another layout; run `burnish bind` again",
         "the binding is stale: there are other blocks now; run `burnish bind` again",
@@ -193,6 +217,7 @@ def test_stale_bindings_faults_counts_and_embedded_texts(tmp_path: Path) -> None
         "`torch.axis` has to be of length 1",
         "0 0",
         "1 2",
+        "100 2 11",
     ]
     (material,) = burnish.compile(PLASTIC, "wgsl")
-    assert lines[12:] == material.text("wgsl", "vertex").splitlines()
+    assert lines[13:] == material.text("wgsl", "vertex").splitlines()
