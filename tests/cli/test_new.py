@@ -45,6 +45,10 @@ def test_a_project_has_what_it_needs_and_says_how_it_is_built(host: str, tmp_pat
         ("lantern --host common", "there is no host `common`"),
         ("a/lantern --host moderngl", "`a/lantern` is a path: give the name of a new folder"),
         ("../lantern --host moderngl", "`../lantern` is a path: give the name of a new folder"),
+        ("con --host moderngl", "`con` is a name that Windows keeps for itself: give"),
+        ("NUL.txt --host moderngl", "`NUL.txt` is a name that Windows keeps for itself: give"),
+        ("lantern. --host moderngl", "`lantern.` ends in a dot, which Windows leaves out: give"),
+        ("l" * 256 + " --host moderngl", "is longer than the 255 bytes that a name may have: give"),
         (".. --host moderngl", "`..` is no name of a folder: give the name of a new folder"),
     ],
 )
@@ -53,6 +57,29 @@ def test_what_makes_no_sense_is_told(line: str, said: str, tmp_path: Path) -> No
     assert result.exit_code == 2
     assert said in result.stderr
     assert not tree(tmp_path)
+
+
+CALLED = {
+    "webgpu": {"package.json": '"name": "laterne-2"', "index.html": "<title>Laterne.2</title>"},
+    "webgl2": {"package.json": '"name": "laterne-2"', "index.html": "<title>Laterne.2</title>"},
+    "three": {"index.html": "<title>Laterne.2</title>", "lit.html": "<title>Laterne.2</title>"},
+    "rust-wgpu": {"Cargo.toml": 'name = "laterne-2"', "Cargo.lock": 'name = "laterne-2"'},
+    "cpp-vulkan": {"CMakeLists.txt": "add_executable(laterne-2 main.cpp)"},
+}
+
+
+@pytest.mark.parametrize("host", hosts())
+def test_a_project_is_called_by_its_name(host: str, tmp_path: Path) -> None:
+    name = "Laterne.2"
+    said = invoke("new", name, "--host", host)
+    assert said.exit_code == 0
+    folder = tmp_path / name
+    assert (folder / "README.md").read_text("utf-8").startswith(f"# {name}\n")
+    assert "node_modules/\n" in (folder / ".gitignore").read_text("utf-8")
+    for file, text in CALLED.get(host, {}).items():
+        assert text in (folder / file).read_text("utf-8"), file
+    if host == "cpp-vulkan":
+        assert "  build/laterne-2 plastic plastic.png" in said.stdout
 
 
 @pytest.mark.parametrize("kind", ["folder", "file", "link"])

@@ -18,7 +18,7 @@ ENGINE = re.compile(r"# -- an engine for frames -*\n(.*?)\n# -- ", re.DOTALL)
 
 def project(host: str, folder: Path) -> Path:
     """The project of a host in a new folder, as `burnish new` writes it."""
-    for path, content in contents(host).items():
+    for path, content in contents(host, host).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_bytes(content)
     return folder
