@@ -127,13 +127,13 @@ def _is_everywhere(reflection: Reflection, block: Block) -> bool:
 
 def _called(kind: _Kind, kinds: Sequence[_Kind]) -> Block:
     """The block of a kind, with its names and those of its sources."""
-    name, *others = kind.names
+    name, *others = sorted(kind.names)
     block = kind.block
     block = changed(block, structure=changed(block.structure, name=name), aliases=tuple(others))
     if block.derivation is None:
         return block
     called: Mapping[str, str] = {
-        kinds[number].block.plain_name: next(iter(kinds[number].names)) for number in kind.sources
+        kinds[number].block.plain_name: min(kinds[number].names) for number in kind.sources
     }
     sources = tuple(
         [changed(each, name=called[each.plain_name]) for each in block.derivation.sources]

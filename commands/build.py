@@ -198,6 +198,10 @@ def _write_ninja(request: BuildRequest, actions: Sequence[Action]) -> None:
     show_in(request.form, found.diagnostics)
     if path != STDOUT:
         say(f"{path}: {_counted(len(batches), 'action')}{_of_failing(found.failing)}")
+    if found.failing and (collected := collector()) is not None:
+        from ..compiler.documents.answer import BuildAnswer
+
+        collected.find(BuildAnswer(run=(), up_to_date=(), failed=found.failing, removed=()))
 
 
 def _of_failing(names: Sequence[str]) -> str:

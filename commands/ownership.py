@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     """The digests of the files of each source, by their names without capital letters."""
 
 _NAME = "written"
+_CHANGED = "it is not as it was written here last: somebody changed it, or wrote it elsewhere"
 _OWN = (b"by Burnish.", b'{\n  "format": ', b'{\n  "plan": ', b'{\n  "signatures": ')
 """What is among the first bytes of each text, reflection and plan."""
 HEAD = 4096
@@ -59,7 +60,7 @@ class Ownership:
                 return f"`{_shown(other)}` was compiled to it, not `{_shown(source)}`"
             # A source that is gone, or has been renamed, has no outputs.
             as_written = not content or written == digest(content)
-            return None if as_written else "it was changed since Burnish wrote it"
+            return None if as_written else _CHANGED
         head = content[:HEAD]
         is_own = not head or head.startswith(_MODULES) or any(mark in head for mark in _OWN)
         return None if is_own else "it is no file that Burnish has written"

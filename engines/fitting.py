@@ -14,7 +14,7 @@ from ..compiler.reflection.roles import scene_names
 from ..support.frozen import changed
 from ..targets.emit.functions import FunctionEmission
 from .engine import Emissions, Engine
-from .slot_table import INPUTS, Input, found, is_lit
+from .slot_table import INPUTS, Input, found, is_lit, misfit
 from .surface import Surface
 
 NOTHING_TAKEN = (
@@ -60,8 +60,7 @@ def _check_named(engine: Engine, document: Functions, report: Report) -> None:
     for row in INPUTS:
         if row.name in document.named and row.name in given:
             (slot,) = given[row.name].slots
-            if not row.kind.takes(slot):
-                reason = f"it is a {slot.type}, and `{row.name}` is {row.kind.told}"
+            if reason := misfit(row.name, slot):
                 report.add(
                     rules.UNFIT_FOR_ENGINE, None, engine=engine.title, slot=slot.name,
                     reason=reason,

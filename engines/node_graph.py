@@ -9,10 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from ..bindings.scheduling import Names
 from ..compiler.documents.functions import ArgumentRow
 from ..compiler.reflection.roles import scene_names
-from ..support.frozen import frozen
+from ..support.frozen import EMPTY, frozen
 from ..targets.emit.functions import EmittedArgument
+from .slot_table import misfit
 from .surface import Given, Surface, UnfitError
 from .texts import guard, heading, usual
 from .values import Place
@@ -56,8 +58,11 @@ class Graph:
     parts: Mapping[str, tuple[tuple[str, str], ...]]
     """By role: the names and nodes of the values of which a matrix is made, for their lanes."""
     joined: Mapping[str, str]
-    """By role: how the matrix is made of these."""
+    """By role: how the matrix is made of these, ``{x}``, and of the matrix of nodes, ``{0}``."""
     has_matrices: bool
+    ports: Mapping[Place, tuple[str, str]] = EMPTY
+    """The types of nodes' values that are others than the functions take, and what is made of them.
+    """
 
 
 @frozen
@@ -85,19 +90,33 @@ def file_text(
     return guard(f"{surface.name.upper()}_OF_BURNISH", blocks)
 
 
+def node_name(surface: Surface, given: Given) -> str:
+    """The name of the function that a node calls, which no other one of the file has."""
+    taken = Names(())
+    names = {}
+    for each in surface.computed:
+        words = each.signature.part.name.split("_")
+        names[each.row.name] = taken.new("".join(word.capitalize() for word in words))
+    return names[given.row.name]
+
+
 def nodes_of(
-    graph: Graph, surface: Surface, given: Given, of_texture: Callable[[EmittedArgument, str], str]
+    graph: Graph,
+    surface: Surface,
+    given: Given,
+    of_texture: Callable[[EmittedArgument, str], str],
+    names: Names,
 ) -> tuple[list[Port], str]:
     """The inputs of a node but textures, and the call of the function with all of them.
 
-    ``of_texture`` says what stands for a texture or a sampler, by the texture's name. Raises
-    ``UnfitError``.
+    ``of_texture`` says what stands for a texture or a sampler, by the texture's name. ``names`` has
+    those of textures, and gets those of inputs. Raises ``UnfitError``.
     """
     ports, values = list[Port](), []
     for argument in given.signature.arguments:
         if argument.kind == "value":
             row = surface.arguments[argument.given]
-            own, value = _of_value(graph, given, argument, row)
+            own, value = _of_value(graph, given, argument, row, names)
             ports += own
             values.append(value)
         else:
@@ -118,7 +137,8 @@ def texture_name(given: Given, argument: EmittedArgument) -> str:
 def result_lines(graph: Graph, surface: Surface, given: Given) -> Iterator[str]:
     """A comment that says where a result goes to, if that is known."""
     for word, each in surface.inputs.items():
-        if each is given and word in graph.outputs:
+        is_one = not misfit(word, given.row.slots[0])
+        if each is given and word in graph.outputs and is_one:
             yield f"// Its result goes to {graph.outputs[word]}."
 
 
@@ -149,25 +169,24 @@ def node_type(type_: str) -> str:
 
 
 def _of_value(
-    graph: Graph, given: Given, argument: EmittedArgument, row: ArgumentRow
+    graph: Graph, given: Given, argument: EmittedArgument, row: ArgumentRow, names: Names
 ) -> tuple[list[Port], str]:
     """The inputs for one argument, and what is made of them. Raises ``UnfitError``."""
     _check(graph, given, row)
+    name = names.new(argument.name)
     role = row.role or ""
     if role in graph.parts:
-        named = [(f"{argument.name}_{name}", told) for name, told in graph.parts[role]]
-        value = graph.joined[role].format(argument.name)
-        ports = [Port("float3", name, told) for name, told in named]
+        parts = {part: names.new(f"{name}_{part}") for part, _ in graph.parts[role]}
+        ports = [Port("float3", parts[part], told) for part, told in graph.parts[role]]
         if graph.has_matrices:
-            matrix = Port(argument.type, argument.name, graph.nodes["role", role])
-            ports.insert(0, matrix)
-        return ports, value
-    port = Port(node_type(argument.type), argument.name, _told(graph, row))
-    value = argument.name
-    if port.type != argument.type:
-        value = f"{argument.type}(round({value}))"
+            ports.insert(0, Port(argument.type, name, graph.nodes["role", role]))
+        return ports, graph.joined[role].format(name, **parts)
+    type_, form = graph.ports.get((row.source, row.given), (node_type(argument.type), "{0}"))
+    value = form.format(name)
+    if form == "{0}" and type_ != argument.type:
+        value = f"{argument.type}(round({name}))"
     kind = "tangent<>" if row.given == TANGENT else row.type
-    return [port], _turned(graph, kind, value)
+    return [Port(type_, name, _told(graph, row))], _turned(graph, kind, value)
 
 
 def _check(graph: Graph, given: Given, row: ArgumentRow) -> None:
@@ -177,6 +196,8 @@ def _check(graph: Graph, given: Given, row: ArgumentRow) -> None:
         reason = f"it is a {row.type}, and nodes of {graph.title} take no arrays"
     elif _is_matrix(row) and not graph.has_matrices and (row.role or "") not in graph.parts:
         reason = f"it is a {row.type}, and nodes of {graph.title} take no matrices"
+    elif _is_half_turned(row.type):
+        reason = f"it is a {row.type}, and only one side of it is turned in {graph.title}"
     if reason:
         raise UnfitError(row.name, reason)
     if row.given.partition(".")[0] in scene_names()["instances"]:
@@ -184,6 +205,13 @@ def _check(graph: Graph, given: Given, row: ArgumentRow) -> None:
         raise UnfitError(given.slot, f"{reason} itself")
     if row.source == "pipeline" and ("pipeline", row.given) not in graph.nodes:
         raise UnfitError(given.slot, f"it reads `{row.given}`, and no node of {graph.title} has it")
+
+
+def _is_half_turned(type_: str) -> bool:
+    """True of a matrix from coordinates that are the engine's to others that are not, or back."""
+    found = SPACED.fullmatch(type_)
+    spaces = [] if found is None else [each.strip() for each in found[2].split(",")]
+    return len(spaces) == 2 and len(set(spaces) & set(KEPT)) == 1
 
 
 def _is_matrix(row: ArgumentRow) -> bool:

@@ -200,6 +200,15 @@ else is given, even if the material says nothing of it.
 """
 
 
+_ROWS = {row.name: row for row in INPUTS}
+
+
+def misfit(value: str, slot: SlotRow) -> str:
+    """Why a slot cannot be a value of the table; empty if it can."""
+    kind = _ROWS[value].kind
+    return "" if kind.takes(slot) else f"it is a {slot.type}, and `{value}` is {kind.told}"
+
+
 def is_lit(words: Collection[str]) -> bool:
     """True if an engine lights a surface that gives these values; else it sends out its own."""
     return COLOR not in words

@@ -5,7 +5,12 @@ from __future__ import annotations
 from ...compiler.diagnostics import rules
 from ...compiler.diagnostics.diagnostic import Report
 from ...compiler.documents.functions import ArgumentRow, Functions, FunctionTextureRow
+from .. import slot_table
 from . import inputs
+from .slots import PHYSICAL, SHARED, UNLIT
+
+VALUES = frozenset(row.word for row in (*PHYSICAL, *UNLIT, *SHARED))
+"""The values that become nodes."""
 
 
 def fits(document: Functions, report: Report) -> bool:
@@ -22,6 +27,12 @@ def fits(document: Functions, report: Report) -> bool:
                 rules.UNFIT_FOR_ENGINE, None, slot=function.name, engine="three.js", reason=reason
             )
             break
+    for value, function in slot_table.found(document).items():
+        (slot,) = function.slots
+        if value in VALUES and (reason := slot_table.misfit(value, slot)):
+            report.add(
+                rules.UNFIT_FOR_ENGINE, None, slot=slot.name, engine="three.js", reason=reason
+            )
     return not report.failed
 
 

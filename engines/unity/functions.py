@@ -8,9 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...bindings.scheduling import Names
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
-from ..node_graph import Graph, file_text, node_type, nodes_of, port_lines, result_lines
+from ..node_graph import (
+    Graph,
+    file_text,
+    node_name,
+    node_type,
+    nodes_of,
+    port_lines,
+    result_lines,
+)
 from ..surface import Given, Surface, UnfitError
 
 UNPROVEN = "Never compiled by Unity's own compiler."
@@ -76,6 +85,7 @@ GRAPH = Graph(
     },
     outputs={
         "base_color": "Base Color",
+        "color": "Base Color of an Unlit graph",
         "metallic": "Metallic",
         "roughness": "Smoothness, behind the node One Minus",
         "squared_roughness": "Smoothness, behind the nodes Square Root and One Minus",
@@ -100,7 +110,7 @@ GRAPH = Graph(
     data="without sRGB, and not as a normal map: the functions read its lanes as they are",
     interpolated="a Custom Interpolator",
     parts={"object_to_world": (("place", "the node Object, its output Position"),)},
-    joined={"object_to_world": "burnish_object_to_world({0}, {0}_place)"},
+    joined={"object_to_world": "burnish_object_to_world({0}, {place})"},
     has_matrices=True,
 )
 """The place of an object is an input of its own, as matrices are relative to the camera in HDRP."""
@@ -113,16 +123,18 @@ def functions(surface: Surface) -> str:
 
 def _node(surface: Surface, given: Given) -> Iterator[str]:
     """The function that a node calls, named ``<name>_float`` for its precision."""
-    name = "".join(word.capitalize() for word in given.signature.part.name.split("_"))
-    ports, call = nodes_of(GRAPH, surface, given, _of_texture)
+    name = node_name(surface, given)
     textures = list(_textures(surface, given))
+    names = Names(each.split()[-1] for each in textures)
+    ports, call = nodes_of(GRAPH, surface, given, _of_texture, names)
+    result = names.new(f"{given.slot}_out")
     yield f"// The node's name is {name}, and its precision Single."
     yield from result_lines(GRAPH, surface, given)
     yield from port_lines(GRAPH, surface, given, ports)
-    output = f"out {node_type(given.signature.returns)} {given.slot}_out"
+    output = f"out {node_type(given.signature.returns)} {result}"
     inputs = [f"{port.type} {port.name}" for port in ports]
     head = f"void {name}_float({', '.join([*inputs, *textures, output])}) {{"
-    body = f"    {given.slot}_out = {call};"
+    body = f"    {result} = {call};"
     yield from wrapped("\n".join([head, body, "}"]))[0].split("\n")
 
 

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...bindings.scheduling import Names
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
 from ..node_graph import (
     Graph,
     file_text,
+    node_name,
     node_type,
     nodes_of,
     port_lines,
@@ -79,6 +81,7 @@ GRAPH = Graph(
     },
     outputs={
         "base_color": "Base Color",
+        "color": "Emissive Color, with the shading model Unlit",
         "metallic": "Metallic",
         "roughness": "Roughness",
         "squared_roughness": "Roughness, behind SquareRoot",
@@ -89,6 +92,8 @@ GRAPH = Graph(
         "normal": "Normal, with Tangent Space Normal off in the material's details",
         "alpha": "Opacity",
         "is_hidden": "Opacity Mask, behind OneMinus, with the blend mode Masked",
+        "object_normal": "Normal, behind VertexInterpolator and TransformVector from Local Space "
+        "to World Space, with Tangent Space Normal off in the material's details",
         "position": "World Position Offset, less Absolute World Position (Excluding Material "
         "Shader Offsets)",
         "object_position": "World Position Offset, behind TransformPosition from Local Space to "
@@ -112,8 +117,9 @@ GRAPH = Graph(
             ("place", "TransformPosition of (0, 0, 0), from Local Space to Absolute World Space"),
         )
     },
-    joined={"object_to_world": "burnish_object_to_world({0}_x, {0}_y, {0}_z, {0}_place)"},
+    joined={"object_to_world": "burnish_object_to_world({x}, {y}, {z}, {place})"},
     has_matrices=False,
+    ports={("pipeline", "front_facing"): ("float", "{0} > 0")},
 )
 
 
@@ -124,14 +130,15 @@ def functions(surface: Surface) -> str:
 
 def _node(surface: Surface, given: Given) -> Iterator[str]:
     """The function that the code of a Custom node calls."""
-    name = "".join(word.capitalize() for word in given.signature.part.name.split("_"))
+    name = node_name(surface, given)
     returns = node_type(given.signature.returns)
-    if "x" in returns:
+    if "x" in returns:  # A matrix, such as float3x3.
         yield f"// No node returns {given.slot}, which is a {given.type}."
         return
-    ports, call = nodes_of(GRAPH, surface, given, _of_texture)
     textures = list(_textures(surface, given))
-    names = [*(port.name for port in ports), *(each.split()[-1] for each in textures)]
+    of_textures = [each.split()[-1] for each in textures]
+    ports, call = nodes_of(GRAPH, surface, given, _of_texture, Names(of_textures))
+    names = [*(port.name for port in ports), *of_textures]
     yield f"// {given.slot}, of the type {returns}. The code of the Custom node:"
     yield f"//     return {name}({', '.join(names)});"
     yield from result_lines(GRAPH, surface, given)

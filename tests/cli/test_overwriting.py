@@ -164,8 +164,8 @@ def test_what_somebody_has_changed_by_hand_is_not_overwritten(command: str) -> N
     done = invoke(*line)
     assert done.exit_code == 1
     assert done.stderr.startswith(
-        f"error[B0020]: `{output}` would be overwritten, and it was changed since Burnish wrote "
-        "it\n"
+        f"error[B0020]: `{output}` would be overwritten, and it is not as it was written "
+        "here last: somebody changed it, or wrote it elsewhere\n"
     )
     assert contents(str(output.parent)) == mine
     assert invoke(*line, "--force").exit_code == 0

@@ -38,15 +38,35 @@ def test_text(engine: str) -> None:
     assert known.load(engine).unproven.startswith("never compiled by ")
 
 
-def test_dxc_takes_the_functions() -> None:
+ODD = """\
+material Odd {
+    param glow_out : float = 1
+    param albedoSampler : float = 1
+    param object_to_world_x : vec3 = vec3(1)
+    map albedo : texture2d = white
+    x1   = uv.x * glow_out
+    x_1  = uv.x * glow_out * 2
+    side = if front_facing then albedoSampler else 0.5
+    glow = albedo(uv).rgb * glow_out * side * (object_to_world * vec4(object_to_world_x, 1)).xyz
+    roughness = vec3(x1, x_1, 1)
+}
+"""
+"""Names that nodes have besides, slots whose names are the same without underscores, a condition,
+and a slot that is no roughness."""
+
+
+def test_dxc_takes_the_functions(tmp_path: Path) -> None:
     jobs = []
+    (tmp_path / "odd.burnish").write_text(ODD, encoding="utf-8")
+    sources = {EXAMPLES / f"{name}.burnish": material for name, material in NODES.items()}
     for engine in ("unity", "unreal"):
-        for name, material in NODES.items():
-            files = files_of(engine, EXAMPLES / f"{name}.burnish", material)
+        for source, material in (*sources.items(), (tmp_path / "odd.burnish", "Odd")):
+            files = files_of(engine, source, material)
             lines = "".join(files.values()).splitlines()
             inner = "\n".join(line for line in lines if not line.startswith("#"))  # the guard
             text = (STUBS if engine == "unity" else "") + inner + ENTRY
             jobs.append(Job("dxc-dxil", "frag", text, name=f"{engine} {material}"))
+            assert "Smoothness" not in text or material != "Odd"
     with Toolchain() as toolchain:
         assert not [(each.job.name, each.messages[:3]) for each in refused(jobs, toolchain)]
 

@@ -316,12 +316,18 @@ CLONED = """async (module) => {
   const second = first.clone();
   second.parameters.base.value.setRGB(0, 0, 1);
   second.parameters.power.value = 64;
+  const own_ = first.slots.base_color.mul(2);
+  first.colorNode = own_;
+  const third = first.clone();
+  const plain = new (Object.getPrototypeOf(made.PlasticMaterial))();
+  const other = new made.PlasticMaterial().copy(plain);
   first.dispose();
   const own = (each) => [each.parameters.power.value, each.parameters.base.value.getHex()];
   return {
     first: own(first), second: own(second), keepsDefault: Boolean(first.textures.albedo.value),
     sharesTextures: first.textures.albedo.value === second.textures.albedo.value,
     sharesNodes: first.colorNode === second.colorNode,
+    keepsNodes: third.colorNode === own_, takesOthers: other.parameters.power.value,
     isOfType: second instanceof made.PlasticMaterial,
   };
 }"""
@@ -341,6 +347,7 @@ def test_a_clone_has_parameters_of_its_own(page: Page, site: Path, tmp_path: Pat
     assert page.evaluate(CLONED, f"./cloned/{module}") == {
         "first": [8, 0xFF0000], "second": [64, 0x0000FF], "keepsDefault": True,
         "sharesTextures": True, "sharesNodes": False, "isOfType": True,
+        "keepsNodes": True, "takesOthers": 2,
     }  # fmt: skip
 
 

@@ -148,7 +148,7 @@ export class PlasticMaterial extends MeshPhysicalNodeMaterial {
   constructor(values = {}) {
     super();
     this.#made = makePlastic(values);
-    this.#connect();
+    this.#nodes = this.#connect();
   }
 
   #made;
@@ -159,12 +159,18 @@ export class PlasticMaterial extends MeshPhysicalNodeMaterial {
     this.textures = textures;
     this.slots = slots;
     this.colorNode = slots.tint;
+    return { colorNode: this.colorNode };
   }
 
-  /** A copy, as of `clone()`, has parameters of its own; textures are shared. */
+  #nodes;
+
+  /** A copy, as of `clone()`, has parameters of its own; textures and nodes of yours are shared. */
   copy(source) {
+    const { parameters, textures, slots } = this;
     super.copy(source);
-    this.#connect(); // What is copied is the other's.
+    Object.assign(this, { parameters, textures, slots }); // What is copied is the other's.
+    if (!(#nodes in source)) return this;
+    for (const [name, node] of Object.entries(this.#nodes)) if (source[name] === source.#nodes[name]) this[name] = node;
     for (const [name, { value }] of Object.entries(source.parameters)) this.parameters[name].value = value.clone?.() ?? value;
     for (const [name, { value }] of Object.entries(source.textures)) this.textures[name].value = value;
     return this;
