@@ -12,12 +12,13 @@ from ..compiler.documents.steps import ParameterStep
 from ..compiler.documents.values import BlockMember, BlockRow, DerivedRow, ParameterRow
 from ..compiler.tracing import given
 from ..support.frozen import changed
+from ..support.unique import Names
 from .derivation import Value, Values
 from .fields import Field, Structure
 from .helpers import Helpers
 from .loose import end, loose
 from .materials import Block, Derivation, Source
-from .scheduling import Names, Schedule, roots_of
+from .scheduling import Schedule, roots_of
 from .statements import Each, Place, Set, Statement
 from .structures import Structures, derived_field, table
 

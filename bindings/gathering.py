@@ -10,13 +10,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from ..compiler.documents.plan import FramePlan
 from ..compiler.documents.reflection import Reflection
 from ..support.frozen import frozen
+from ..support.unique import Names
 from .block_names import Owner, named
 from .blocks import Blocks
 from .frames.gathering import frame_of
 from .helpers import Helpers
 from .model import Binding, Material
 from .profiles import profiles_of
-from .scheduling import Names
 from .structures import Structures
 
 

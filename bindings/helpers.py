@@ -12,9 +12,10 @@ from functools import cache
 
 from ..compiler.reference.functions import LaneKind, evaluate
 from ..compiler.tracing import Expression, Kind, Tracing, given, made, wrapped
+from ..support.unique import Names
 from .lazily import lazily
 from .materials import Helper
-from .scheduling import Names, returned
+from .scheduling import returned
 
 _MOST = 2
 """The most operations of a function that stands where it is called."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..compiler.tracing import Expression, given, made
 from ..support.frozen import EMPTY
+from ..support.unique import Names
 from .statements import Fold, Let, Place, Return, Statement
 
 _MOST = 8
@@ -20,22 +21,6 @@ _NOUNS = {
     "float64": "number", "int64": "whole", "cos": "cosine", "sin": "sine",
 }  # fmt: skip
 """Words for expressions that nobody has named."""
-
-
-class Names:
-    """The names of one function, none of which is given twice."""
-
-    def __init__(self, taken: Iterable[str]) -> None:
-        self._taken = set(taken)
-
-    def new(self, wish: str) -> str:
-        """A name like this one."""
-        name, number = wish, 1
-        while name in self._taken:
-            number += 1
-            name = f"{wish}_{number}"
-        self._taken.add(name)
-        return name
 
 
 def returned(value: Expression, names: Names) -> tuple[Statement, ...]:

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from ..bindings.scheduling import Names
 from ..compiler.documents.functions import ArgumentRow
 from ..compiler.reflection.roles import scene_names
 from ..support.frozen import EMPTY, frozen
+from ..support.unique import Names
 from ..targets.emit.functions import EmittedArgument
 from .slot_table import misfit
 from .surface import Given, Surface, UnfitError

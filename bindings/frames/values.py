@@ -14,13 +14,13 @@ from ...compiler.documents.plan import FramePlan, PreviousSource, ResultSource, 
 from ...compiler.documents.values import ParameterRow
 from ...compiler.tracing import Expression, Tracing, wrapped
 from ...support.frozen import changed
+from ...support.unique import Names
 from ..blocks import computing
 from ..derivation import Stored, Value, Values
 from ..fields import Field, Numbers, Structure
 from ..helpers import Helpers
 from ..loose import computed, end, loose
 from ..materials import Block, Derivation, Material, Source
-from ..scheduling import Names
 from ..statements import Place
 from ..structures import Structures
 

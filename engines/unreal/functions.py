@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...bindings.scheduling import Names
+from ...support.unique import Names
 from ...targets.emit.functions import EmittedArgument
 from ...targets.emit.wrapping import wrapped
 from ..node_graph import (

@@ -27,6 +27,7 @@ FLOORS: dict[str, str] = {
     "support.installing": "",
     "support.garbage": "stack locks",
     "support.late": "locks",
+    "support.unique": "",
     "stdlib": "frozen",
     # From text to a staged program.
     "compiler.budget": "",
@@ -121,7 +122,7 @@ FLOORS: dict[str, str] = {
     ),
     "targets.web_view": "documents runner",
     # What hosts set, compute and bind, in their own languages.
-    "bindings": "frozen ir packing documents reflection reference tracing javascript",
+    "bindings": "frozen unique ir packing documents reflection reference tracing javascript",
     # Engines.
     "engines.slot_table": "frozen ir documents reflection",
     "engines.drawing": "ir documents",
@@ -140,9 +141,9 @@ FLOORS: dict[str, str] = {
         "frozen ir diagnostics documents description registry emit engine drawing surface values "
         "writer"
     ),
-    "engines.node_graph": "frozen documents reflection emit surface texts values",
-    "engines.unity": "emit engine node_graph surface slot_table",
-    "engines.unreal": "emit engine node_graph surface slot_table",
+    "engines.node_graph": "frozen unique documents reflection emit surface slot_table texts values",
+    "engines.unity": "unique emit engine node_graph surface slot_table",
+    "engines.unreal": "unique emit engine node_graph surface slot_table",
     "engines.known": "engine",
     "engines.fitting": "frozen diagnostics documents reflection emit engine surface slot_table",
     "engines.three": "frozen diagnostics documents emit engine drawing slot_table",
