@@ -30,7 +30,9 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     assert found is not None
     (folder / "node_modules").symlink_to(found[0].parents[1])
     (block,) = commands(folder)
-    for line in block.strip().splitlines():
+    install, *lines = block.strip().splitlines()
+    assert install.startswith("npm install three@")  # What the tests have stands for it.
+    for line in lines:
         program, command, *arguments = shlex.split(line)
         assert program == "burnish"
         inside = [
