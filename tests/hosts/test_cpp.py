@@ -69,7 +69,7 @@ def test_push_constants_and_combined_samplers_draw_the_same(
     assert difference(folder / "plastic.png", expected("plastic")) == ""
     (header,) = (folder / "build").rglob("scene.hpp")
     text = "".join(header.read_text("utf-8").split())  # However it is folded.
-    assert '{"PlasticMaterial",Kind::push_constants,-1,-1,' in text
+    assert '{"Plastic.Material",Kind::push_constants,-1,-1,' in text
     assert '{"albedo",Kind::combined,2,' in text
 
 
