@@ -15,6 +15,7 @@ get longer names.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, count
 
 from ..compiler.documents.reflection import Reflection
 from ..support.frozen import changed, frozen
@@ -96,7 +97,7 @@ def _name(
     taken: dict[str, int] = {}
     for number, names in wishes:
         name = next((each for each in names if len(claims[each]) == 1), names[-1])
-        free = (name, *(f"{name}.{count}" for count in range(2, len(kinds) + 2)))
+        free = chain((name,), (f"{name}.{more}" for more in count(2)))
         name = next(each for each in free if taken.setdefault(each, number) == number)
         kinds[number].names[name] = None
 

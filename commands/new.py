@@ -122,7 +122,7 @@ def _called(path: str, content: bytes, name: str) -> bytes:
     """The content of a file, in which the project's name stands for the host's."""
     for file, pattern, form in _OF_NAME:
         if path.endswith(file):
-            text = form.format(name=name, word=_word(name)).replace("\\", r"\\")
+            text = form.format(name=name, word=_word(name))
             content = pattern.sub(text.encode(), content)
     return content
 
